@@ -1,0 +1,37 @@
+# `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
+.PHONY: setup build demo test bench install format check clean
+PRESET ?= release
+JOBS ?= $(shell nproc)
+
+build: build/.setup
+	cmake --preset $(PRESET) -Wno-dev
+	cmake --build build/release -j $(JOBS)
+
+demo: build
+	scripts/demo.sh
+
+test: build
+	ctest --test-dir build/release -j $(JOBS) --output-on-failure
+
+bench: build
+	build/release/ripstop-bench
+
+install: build
+	cmake --install build/release
+
+setup:
+	scripts/setup.sh
+	mkdir -p build && touch build/.setup
+
+build/.setup: scripts/setup.sh scripts/packages.txt
+	$(MAKE) setup
+
+check:
+	scripts/check_format.sh
+	python3 scripts/check_layers.py src/ripstop
+
+format:
+	scripts/check_format.sh --fix
+
+clean:
+	rm -rf build demo

@@ -1,0 +1,13 @@
+# Everything from Debian 12; docs/decisions/ has a line on why each is here. `make setup` installs the packages.
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+if(RIPSTOP_TESTS)
+    find_package(GTest REQUIRED)
+endif()
+if(RIPSTOP_BENCHMARKS)
+    find_package(benchmark REQUIRED)
+endif()

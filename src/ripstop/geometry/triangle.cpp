@@ -1,0 +1,37 @@
+#include "ripstop/geometry/triangle.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace ripstop {
+
+double signed_area(const Vec2& a, const Vec2& b, const Vec2& c) {
+    return 0.5 * cross(b - a, c - a);
+}
+
+double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return 0.5 * (b - a).cross(c - a).norm();
+}
+
+Mat22 lay_flat(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    const double length = ab.norm();
+    Mat22 flat = Mat22::Zero();
+    if (length == 0) {
+        flat(0, 1) = ac.norm();
+        return flat;
+    }
+    flat(0, 0) = length;
+    flat(0, 1) = ab.dot(ac) / length;
+    flat(1, 1) = ab.cross(ac).norm() / length;
+    return flat;
+}
+
+double angle_at(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    return std::atan2(ab.cross(ac).norm(), ab.dot(ac));
+}
+
+}  // namespace ripstop

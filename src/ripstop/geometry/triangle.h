@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+
+#include "ripstop/geometry/types.h"
+
+namespace ripstop {
+
+/// z of (b - a) x (c - a): twice the signed area, positive where a, b, c turn left.
+inline double cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+double signed_area(const Vec2& a, const Vec2& b, const Vec2& c);
+double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// The triangle laid in the plane: a at the origin, b on +x, c above. Columns of the result are b - a and c - a, so the
+/// matrix is [[|ab|, x], [0, y]] with y >= 0. Intrinsic: it knows only the three lengths.
+Mat22 lay_flat(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// The angle at `a` in [0, pi], accurate for needles too (atan2 of cross and dot).
+double angle_at(const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace ripstop

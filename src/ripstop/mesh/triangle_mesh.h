@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ripstop/geometry/types.h"
+
+namespace ripstop {
+
+/// A triangulated surface: two arrays and nothing else. Connectivity is asked of `Adjacency`.
+struct TriangleMesh {
+    Points3 positions;    ///< #V x 3 [m]
+    Triangles triangles;  ///< #F x 3, indices into positions, counter-clockwise seen from outside
+
+    int vertex_count() const { return static_cast<int>(positions.rows()); }
+    int triangle_count() const { return static_cast<int>(triangles.rows()); }
+    Vec3 corner(int triangle, int k) const { return positions.row(triangles(triangle, k)); }
+};
+
+/// Area of one triangle, of each (#F), of all [m2].
+double triangle_area(const TriangleMesh& mesh, int triangle);
+Eigen::VectorXd triangle_areas(const TriangleMesh& mesh);
+double surface_area(const TriangleMesh& mesh);
+
+/// Sum of the triangles' area vectors, (b - a) x (c - a) / 2: points outward on average; zero on a closed surface [m2].
+Vec3 area_vector(const TriangleMesh& mesh);
+
+/// Area-weighted centre of the surface [m].
+Vec3 centroid(const TriangleMesh& mesh);
+
+/// Length of the bounding box's diagonal [m].
+double bounding_diagonal(const TriangleMesh& mesh);
+
+}  // namespace ripstop

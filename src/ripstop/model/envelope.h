@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ripstop/model/tile.h"
+
+namespace ripstop {
+
+/// The whole skin: its tiles in the order of the input.
+struct Envelope {
+    std::vector<Tile> tiles;
+};
+
+/// A named surface before it is known to be a tile: what a file or a generator gives.
+struct NamedMesh {
+    std::string name;
+    TriangleMesh mesh;
+    std::optional<Points2> drawn;  ///< flat positions from the file's texture coordinates, where each vertex has one
+};
+
+}  // namespace ripstop

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+namespace ripstop {
+
+/// A woven cloth as an orthotropic membrane in its own axes, 1 along the warp and 2 along the weft. Stiffness is a force
+/// per width [N/m]: the thickness of cloth means nothing.
+///
+///     S = C e,  e = (E11, E22, 2 E12),  C = [c11 c12 0; c12 c22 0; 0 0 g]
+///     c11 = E_warp / (1 - nu12 nu21),  c22 = E_weft / (1 - nu12 nu21),  c12 = nu12 c22 = nu21 c11,  nu21 = nu12 E_weft / E_warp
+struct Fabric {
+    std::string name = "isotropic";
+    std::string description;
+    double warp_stiffness = 1000;  ///< E_warp [N/m]
+    double weft_stiffness = 1000;  ///< E_weft [N/m]
+    double shear_stiffness = 500;  ///< g [N/m]
+    double poisson = 0;            ///< nu12: contraction along the weft a unit of stretch along the warp
+    double mass = 0.065;           ///< [kg/m2]
+    double roll_width = 1.5;       ///< [m]
+    double strain_limit = 0.02;    ///< largest warp or weft strain a piece may need
+    double shear_limit = 0.1745;   ///< largest shear angle a piece may need [rad]
+
+    double poisson_weft() const { return poisson * weft_stiffness / warp_stiffness; }
+    double c11() const { return warp_stiffness / (1 - poisson * poisson_weft()); }
+    double c22() const { return weft_stiffness / (1 - poisson * poisson_weft()); }
+    double c12() const { return poisson * c22(); }
+};
+
+/// Throws InputError that names `place` and the value unless every stiffness, mass, width and limit is positive and finite
+/// and nu12 nu21 < 1, which is what keeps the energy positive.
+void require_valid(const Fabric& fabric, const std::string& place);
+
+}  // namespace ripstop

@@ -1,0 +1,159 @@
+#include "ripstop/model/tile.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "ripstop/base/error.h"
+#include "ripstop/geometry/triangle.h"
+#include "ripstop/mesh/adjacency.h"
+#include "ripstop/mesh/disk.h"
+
+namespace ripstop {
+namespace {
+
+std::vector<int> corner_positions(const TriangleMesh& mesh, const std::vector<int>& boundary,
+                                  const TileOptions& options) {
+    const std::size_t count = boundary.size();
+    std::vector<bool> corner(count, false);
+    if (options.corners.empty()) {
+        const Eigen::VectorXd turning = surface_turning(mesh, boundary);
+        for (std::size_t i = 0; i < count; ++i)
+            corner[i] = std::abs(turning[static_cast<Eigen::Index>(i)]) > options.corner_angle;
+    } else {
+        for (const Vec3& point : options.corners) {
+            std::size_t nearest = 0;
+            for (std::size_t i = 1; i < count; ++i)
+                if ((Vec3(mesh.positions.row(boundary[i])) - point).squaredNorm() <
+                    (Vec3(mesh.positions.row(boundary[nearest])) - point).squaredNorm())
+                    nearest = i;
+            corner[nearest] = true;
+        }
+    }
+    std::vector<int> positions;
+    for (std::size_t i = 0; i < count; ++i)
+        if (corner[i]) positions.push_back(static_cast<int>(i));
+    return positions;
+}
+
+std::vector<Chain> cut_into_chains(const std::vector<int>& boundary, const std::vector<int>& corners) {
+    if (corners.empty()) return {Chain{closed(boundary)}};
+    const int count = static_cast<int>(boundary.size());
+    std::vector<Chain> chains;
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        int end = corners[(c + 1) % corners.size()];
+        if (end <= corners[c]) end += count;
+        Chain chain;
+        for (int i = corners[c]; i <= end; ++i) chain.vertices.push_back(boundary[static_cast<std::size_t>(i % count)]);
+        chains.push_back(std::move(chain));
+    }
+    return chains;
+}
+
+Grain make_grain(const std::string& name, const TriangleMesh& mesh, const TileOptions& options) {
+    const Vec3 normal = area_vector(mesh).normalized();
+    if (options.warp) {
+        const double length = options.warp->norm();
+        if (!(length > 0) || !std::isfinite(length))
+            throw InputError("tile " + name + ": the warp has no direction; give two different points or a vector");
+        const Vec3 direction = *options.warp / length;
+        if ((direction - direction.dot(normal) * normal).norm() < 0.05)
+            throw InputError("tile " + name +
+                             ": the warp stands upright on the tile; give a direction that runs "
+                             "along the cloth");
+        return {direction, options.warp_source};
+    }
+    const Vec3 axis = longest_axis(mesh);
+    if (options.grain_turn == 0) return {axis, "longest axis"};
+    const Eigen::AngleAxisd turn(options.grain_turn, normal);
+    const double degrees = options.grain_turn / degree;
+    const std::string text = std::to_string(static_cast<long>(std::lround(degrees * 1000)) / 1000);
+    return {turn * axis, "longest axis turned by " + text + " degrees"};
+}
+
+template <class Points>
+Eigen::VectorXd lengths(const Points& positions, const std::vector<int>& vertices) {
+    Eigen::VectorXd result(std::max<Eigen::Index>(0, static_cast<Eigen::Index>(vertices.size()) - 1));
+    for (Eigen::Index i = 0; i < result.size(); ++i)
+        result[i] = (positions.row(vertices[static_cast<std::size_t>(i) + 1]) -
+                     positions.row(vertices[static_cast<std::size_t>(i)]))
+                        .norm();
+    return result;
+}
+
+}  // namespace
+
+std::vector<int> closed(std::vector<int> loop) {
+    if (!loop.empty()) loop.push_back(loop.front());
+    return loop;
+}
+
+Eigen::VectorXd edge_lengths(const Points3& positions, const std::vector<int>& vertices) {
+    return lengths(positions, vertices);
+}
+Eigen::VectorXd edge_lengths(const Points2& positions, const std::vector<int>& vertices) {
+    return lengths(positions, vertices);
+}
+
+Eigen::VectorXd surface_turning(const TriangleMesh& mesh, const std::vector<int>& boundary) {
+    Eigen::VectorXd angle = Eigen::VectorXd::Zero(mesh.vertex_count());
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k)
+            angle[mesh.triangles(t, k)] +=
+                angle_at(mesh.corner(t, k), mesh.corner(t, (k + 1) % 3), mesh.corner(t, (k + 2) % 3));
+    Eigen::VectorXd turning(static_cast<Eigen::Index>(boundary.size()));
+    for (Eigen::Index i = 0; i < turning.size(); ++i)
+        turning[i] = std::numbers::pi - angle[boundary[static_cast<std::size_t>(i)]];
+    return turning;
+}
+
+Vec3 longest_axis(const TriangleMesh& mesh) {
+    const Vec3 centre = centroid(mesh);
+    Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        const double area = triangle_area(mesh, t);
+        Vec3 sum = Vec3::Zero();
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 x = mesh.corner(t, k) - centre;
+            moment += area / 12 * x * x.transpose();
+            sum += x;
+        }
+        moment += area / 12 * sum * sum.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moment);
+    Vec3 axis = solver.eigenvectors().col(2).normalized();
+    for (const int k : {2, 1, 0}) {
+        if (std::abs(axis[k]) < 1e-9) continue;
+        if (axis[k] < 0) axis = -axis;
+        break;
+    }
+    return axis;
+}
+
+Eigen::Matrix2Xd warp_in_triangles(const Tile& tile) {
+    Eigen::Matrix2Xd warp(2, tile.mesh.triangle_count());
+    for (int t = 0; t < tile.mesh.triangle_count(); ++t) {
+        const Vec3 a = tile.mesh.corner(t, 0);
+        const Vec3 e1 = (tile.mesh.corner(t, 1) - a).normalized();
+        const Vec3 normal = e1.cross(tile.mesh.corner(t, 2) - a).normalized();
+        Vec2 along(tile.grain.direction.dot(e1), tile.grain.direction.dot(normal.cross(e1)));
+        const double length = along.norm();
+        warp.col(t) = length > 1e-6 ? Vec2(along / length) : Vec2(Vec2::Zero());
+    }
+    return warp;
+}
+
+Tile make_tile(std::string name, TriangleMesh mesh, const TileOptions& options) {
+    const Adjacency adjacency(mesh.triangles, mesh.vertex_count());
+    Tile tile;
+    tile.boundary = require_disk(mesh, adjacency, name);
+    tile.chains = cut_into_chains(tile.boundary, corner_positions(mesh, tile.boundary, options));
+    tile.grain = make_grain(name, mesh, options);
+    tile.drawn = options.drawn;
+    tile.name = std::move(name);
+    tile.mesh = std::move(mesh);
+    return tile;
+}
+
+}  // namespace ripstop

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ripstop/base/units.h"
+#include "ripstop/mesh/triangle_mesh.h"
+
+namespace ripstop {
+
+/// A run of a tile's boundary from one corner to the next, corners included, counter-clockwise seen from outside. A tile
+/// without corners has one chain that ends where it starts.
+struct Chain {
+    std::vector<int> vertices;
+
+    int edge_count() const { return static_cast<int>(vertices.size()) - 1; }
+};
+
+/// The warp of a tile: a direction in space, laid onto the surface by projection. `source` says where it comes from, for
+/// the report.
+struct Grain {
+    Vec3 direction = Vec3::UnitX();  ///< unit length
+    std::string source;
+};
+
+/// A curved patch between seams: an oriented disk with its corners, chains and warp.
+struct Tile {
+    std::string name;
+    TriangleMesh mesh;
+    std::vector<int> boundary;  ///< the loop of boundary vertices, counter-clockwise seen from outside
+    std::vector<Chain> chains;  ///< they cover the boundary once, in its order
+    Grain grain;
+    std::optional<Points2> drawn;  ///< #V x 2: flat positions that came with the input [m]
+};
+
+struct TileOptions {
+    double corner_angle = 30 * degree;  ///< a boundary vertex that turns by more is a corner [rad]
+    std::vector<Vec3> corners;          ///< if any: these instead, each the boundary vertex nearest to the point
+    std::optional<Vec3> warp;           ///< if none: the longest axis
+    std::string warp_source = "given";  ///< where `warp` comes from, in words
+    double grain_turn = 0;              ///< turns the longest axis, counter-clockwise seen from outside [rad]
+    std::optional<Points2> drawn;
+};
+
+/// The tile of a mesh. Corners are where the boundary turns by more than `corner_angle` on the surface: pi less the sum of
+/// the triangle angles at the vertex, so a gentle curve in space is no corner. Throws InputError (`require_disk`; a warp
+/// that stands on the surface).
+Tile make_tile(std::string name, TriangleMesh mesh, const TileOptions& options = {});
+
+/// How much the boundary turns at each of its vertices, on the surface: pi less the angles there [rad]. Positive turns left.
+Eigen::VectorXd surface_turning(const TriangleMesh& mesh, const std::vector<int>& boundary);
+
+/// The tile's longest direction: the axis of greatest second moment of its area, towards +z (else +y, else +x).
+Vec3 longest_axis(const TriangleMesh& mesh);
+
+/// The warp in the frame of each triangle (2 x #F): its part along the triangle, in the basis of the triangle laid flat
+/// (`lay_flat`), unit length; zero where the warp stands on the triangle.
+Eigen::Matrix2Xd warp_in_triangles(const Tile& tile);
+
+/// Lengths of the edges of a chain or loop [m], on the surface and on the cloth.
+Eigen::VectorXd edge_lengths(const Points3& positions, const std::vector<int>& vertices);
+Eigen::VectorXd edge_lengths(const Points2& positions, const std::vector<int>& vertices);
+
+/// The loop closed: its first vertex once more at the end.
+std::vector<int> closed(std::vector<int> loop);
+
+}  // namespace ripstop
