@@ -1,0 +1,14 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace ripstop::cli {
+
+/// What the program ends with. A promise: scripts hold on to it.
+enum ExitCode { manufacturable = 0, not_manufacturable = 1, usage = 2, unusable_input = 3, our_fault = 4 };
+
+void add_flatten(CLI::App& app);
+void add_methods(CLI::App& app);
+void add_design(CLI::App& app);
+
+}  // namespace ripstop::cli

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ripstop/model/accuracy.h"
+#include "ripstop/model/fabric.h"
+#include "ripstop/model/tile.h"
+
+namespace ripstop {
+
+/// All the figures of a flattening (#V x 2) of a tile: the paper's metrics, those of its sources, strain, energy, flips and
+/// overlaps. Knows nothing of how the flattening was made. About O(#F).
+Accuracy measure_accuracy(const Tile& tile, const Points2& flat, const Fabric& fabric);
+
+}  // namespace ripstop

@@ -1,0 +1,93 @@
+#include "ripstop/measure/judge.h"
+
+#include <cmath>
+
+#include "ripstop/base/number_text.h"
+#include "ripstop/base/units.h"
+
+namespace ripstop {
+namespace {
+
+std::string percent_text(double ratio) { return format_fixed(std::abs(ratio) / percent, 3) + " %"; }
+
+/// The middle of the chain, by edges.
+Vec3 middle_of(const Tile& tile, const Chain& chain) {
+    return tile.mesh.positions.row(chain.vertices[chain.vertices.size() / 2]);
+}
+
+void judge_map(const SolveSummary& summary, const Accuracy& accuracy, Verdict& verdict, const Tile& tile) {
+    const Vec3 centre = centroid(tile.mesh);
+    if (!summary.usable())
+        verdict.findings.push_back({"unsolved", "no flattening was found: " + summary.reason, centre, 1, 0});
+    else if (summary.termination == Termination::iteration_limit)
+        verdict.findings.push_back({"unsolved", "the flattening is not at rest: " + summary.reason, centre, 1, 0});
+    if (accuracy.flipped > 0)
+        verdict.findings.push_back({"flipped",
+                                    std::to_string(accuracy.flipped) + " of the triangles are turned over on the cloth",
+                                    accuracy.worst_flip, static_cast<double>(accuracy.flipped), 0});
+    if (accuracy.overlaps > 0)
+        verdict.findings.push_back({"overlap", "the piece lies on itself on the cloth", accuracy.worst_overlap,
+                                    static_cast<double>(accuracy.overlaps), 0});
+}
+
+void judge_lengths(const Tile& tile, const Accuracy& accuracy, const Tolerances& tolerances, Verdict& verdict) {
+    if (!(std::abs(accuracy.area_error) <= tolerances.area))
+        verdict.findings.push_back({"area",
+                                    "the piece has " + percent_text(accuracy.area_error) + " too " +
+                                        (accuracy.area_error > 0 ? "much" : "little") + " area",
+                                    centroid(tile.mesh), accuracy.area_error / percent, tolerances.area / percent});
+    if (!(std::abs(accuracy.perimeter_error) <= tolerances.length))
+        verdict.findings.push_back({"perimeter",
+                                    "the outline is " + percent_text(accuracy.perimeter_error) +
+                                        (accuracy.perimeter_error > 0 ? " longer" : " shorter") + " than drawn",
+                                    accuracy.worst_edge, accuracy.perimeter_error / percent,
+                                    tolerances.length / percent});
+    for (std::size_t i = 0; i < accuracy.chains.size(); ++i) {
+        const ChainAccuracy& chain = accuracy.chains[i];
+        if (std::abs(chain.error()) <= tolerances.length) continue;
+        verdict.findings.push_back(
+            {"chain",
+             "edge " + std::to_string(i + 1) + " is " + percent_text(chain.error()) + " (" +
+                 format_fixed(std::abs(chain.flat_length - chain.length) / millimetre, 1) + " mm) " +
+                 (chain.error() > 0 ? "longer" : "shorter") + " than drawn",
+             middle_of(tile, tile.chains[i]), chain.error() / percent, tolerances.length / percent});
+    }
+}
+
+void judge_strain(const Accuracy& accuracy, const Tolerances& tolerances, Verdict& verdict) {
+    const auto strain = [&](const char* code, const char* direction, double low, double high) {
+        const double worst = -low > high ? low : high;
+        if (std::abs(worst) <= tolerances.strain) return;
+        verdict.findings.push_back({code,
+                                    std::string("the cloth must ") + (worst > 0 ? "stretch by " : "shrink by ") +
+                                        percent_text(worst) + " along the " + direction,
+                                    accuracy.worst_strain, worst / percent, tolerances.strain / percent});
+    };
+    strain("warp_strain", "warp", accuracy.warp_strain_min, accuracy.warp_strain_max);
+    strain("weft_strain", "weft", accuracy.weft_strain_min, accuracy.weft_strain_max);
+    if (!(accuracy.shear_max <= tolerances.shear))
+        verdict.findings.push_back({"shear",
+                                    "the threads must shear by " + format_fixed(accuracy.shear_max / degree, 2) +
+                                        " degrees",
+                                    accuracy.worst_shear, accuracy.shear_max / degree, tolerances.shear / degree});
+}
+
+}  // namespace
+
+Tolerances tolerances_of(const Fabric& fabric) {
+    Tolerances tolerances;
+    tolerances.strain = fabric.strain_limit;
+    tolerances.shear = fabric.shear_limit;
+    return tolerances;
+}
+
+Verdict judge(const Tile& tile, const SolveSummary& summary, const Accuracy& accuracy, const Tolerances& tolerances) {
+    Verdict verdict;
+    verdict.judged = true;
+    judge_map(summary, accuracy, verdict, tile);
+    judge_lengths(tile, accuracy, tolerances, verdict);
+    judge_strain(accuracy, tolerances, verdict);
+    return verdict;
+}
+
+}  // namespace ripstop

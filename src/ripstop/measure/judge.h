@@ -1,0 +1,20 @@
+#pragma once
+
+#include "ripstop/model/accuracy.h"
+#include "ripstop/model/fabric.h"
+#include "ripstop/model/flattening.h"
+#include "ripstop/model/tile.h"
+#include "ripstop/model/verdict.h"
+
+namespace ripstop {
+
+/// The paper's tolerances, with the strain and shear that `fabric` stands.
+Tolerances tolerances_of(const Fabric& fabric);
+
+/// Can the tile be made as drawn? Every reason against it is a finding with its value, limit and place:
+///
+/// `unsolved` (the method gave nothing, or is not at rest), `flipped`, `overlap`, `area`, `perimeter`, `chain`,
+/// `warp_strain`, `weft_strain`, `shear`. Values and limits are in % and degrees, counts as they are.
+Verdict judge(const Tile& tile, const SolveSummary& summary, const Accuracy& accuracy, const Tolerances& tolerances);
+
+}  // namespace ripstop

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ripstop/io/project_json.h"
+#include "ripstop/model/envelope.h"
+
+namespace ripstop {
+
+struct ReadOptions {
+    double metres_per_unit = 1;          ///< of the file
+    std::vector<std::string> only;       ///< globs of tile names to keep; all where empty
+    double grain_turn = 0;               ///< where no warp is given: the longest axis turned by this [rad]
+    std::optional<Project> project;
+};
+
+/// Reads a mesh file and makes every surface in it a tile. Throws InputError for a file that cannot be read, and for
+/// surfaces that are no tiles: one sentence each, all of them at once.
+Envelope read_envelope(const std::filesystem::path& file, const ReadOptions& options);
+
+/// The same from surfaces at hand.
+Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& options);
+
+}  // namespace ripstop
