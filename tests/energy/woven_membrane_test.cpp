@@ -129,11 +129,12 @@ TEST(WovenMembrane, SemidefiniteHessianIsNoSmallerAndHasNoNegativeCurvature) {
     EXPECT_GT(indefinite, 5);  // else the test shows nothing
 }
 
-TEST(WovenMembrane, SemidefiniteHessianIsTheExactOneWhereTheClothIsTooLarge) {
-    // Cloth 5 % too large every way: a linear turn of the corners enlarges it further, so it costs energy.
+TEST(WovenMembrane, SemidefiniteHessianIsTheExactOneWhereTheClothIsSlightlyTooLarge) {
+    // Cloth 0.1 % too large every way: a linear turn of the corners enlarges it further, which costs energy, and the
+    // compression is far below what would overcome the shear stiffness.
     const WovenMembrane membrane(balloon_cloth());
     const TriangleMetric metric = triangle_metric(a, b, c);
-    const Mat22 flat = 1.05 * lay_flat(a, b, c);
+    const Mat22 flat = 1.001 * lay_flat(a, b, c);
     EXPECT_EQ(membrane.element(metric, flat, Curvature::semidefinite).hessian, membrane.element(metric, flat).hessian);
 }
 

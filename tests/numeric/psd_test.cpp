@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <random>
 
 namespace ripstop {
@@ -35,6 +36,21 @@ TEST(PositiveSemidefinite, ClampsTheEigenvaluesAndNothingElse) {
             before.eigenvectors() * before.eigenvalues().cwiseMax(0).asDiagonal() * before.eigenvectors().transpose();
         EXPECT_LT((positive_semidefinite(m) - expected).norm(), 1e-12 * m.norm()) << seed;
     }
+}
+
+TEST(PositiveSemidefinite, ClampsALoneNegativeEigenvalueAtEveryScale) {
+    // Stiff threads, weak shear and a small negative mode, in any directions: what a triangle's Hessian looks like.
+    for (unsigned seed = 0; seed < 200; ++seed)
+        for (const double negative : {-1e-9, -1e-3, -0.5, -40.0}) {
+            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> axes(random_symmetric(seed));
+            const Eigen::Vector4d values(negative, 0.002, 0.7, 1);
+            const auto with = [&](const Eigen::Vector4d& d) -> Eigen::Matrix4d {
+                return axes.eigenvectors() * d.asDiagonal() * axes.eigenvectors().transpose();
+            };
+            const Eigen::Matrix4d projected = positive_semidefinite(with(values));
+            const double size = std::max(1.0, -negative);
+            EXPECT_LT((projected - with(values.cwiseMax(0))).norm(), 1e-12 * size) << seed << ' ' << negative;
+        }
 }
 
 TEST(PositiveSemidefinite, TurnsANegativeMatrixToZero) {

@@ -13,7 +13,7 @@ struct MembraneElement {
 };
 
 enum class Curvature {
-    exact,         ///< the Hessian as it is: indefinite where threads are stretched
+    exact,         ///< the Hessian as it is: may be indefinite anywhere but at rest
     semidefinite,  ///< its part without negative curvature, so that a Newton step descends
 };
 
