@@ -1,0 +1,52 @@
+#include "ripstop/energy/deformation.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace ripstop {
+
+TriangleMetric triangle_metric(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return {(b - a).squaredNorm(), (b - a).dot(c - a), (c - a).squaredNorm()};
+}
+
+std::vector<TriangleMetric> triangle_metrics(const TriangleMesh& mesh) {
+    std::vector<TriangleMetric> metrics(static_cast<std::size_t>(mesh.triangle_count()));
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        metrics[static_cast<std::size_t>(t)] = triangle_metric(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+    return metrics;
+}
+
+Mat22 flat_edges(const Triangles& triangles, const Points2& positions, int triangle) {
+    const Vec2 a = positions.row(triangles(triangle, 0));
+    Mat22 flat;
+    flat.col(0) = positions.row(triangles(triangle, 1)).transpose() - a;
+    flat.col(1) = positions.row(triangles(triangle, 2)).transpose() - a;
+    return flat;
+}
+
+Mat22 cauchy_green(const TriangleMetric& metric, const Mat22& flat) {
+    const Mat22 inverse = flat.inverse();
+    Mat22 gram;
+    gram << metric.aa, metric.ab, metric.ab, metric.bb;
+    return inverse.transpose() * gram * inverse;
+}
+
+Mat22 green_strain(const TriangleMetric& metric, const Mat22& flat) {
+    return 0.5 * (cauchy_green(metric, flat) - Mat22::Identity());
+}
+
+ThreadStrain thread_strain(const TriangleMetric& metric, const Mat22& flat) {
+    const Mat22 stretch = cauchy_green(metric, flat);
+    const double warp = std::sqrt(stretch(0, 0));
+    const double weft = std::sqrt(stretch(1, 1));
+    if (!stretch.allFinite()) {
+        constexpr double infinite = std::numeric_limits<double>::infinity();
+        return {infinite, infinite, std::numbers::pi / 2};
+    }
+    return {warp - 1, weft - 1, std::asin(std::clamp(stretch(0, 1) / (warp * weft), -1.0, 1.0))};
+}
+
+}  // namespace ripstop
