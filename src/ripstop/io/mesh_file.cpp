@@ -1,0 +1,54 @@
+#include "ripstop/io/mesh_file.h"
+
+#include <array>
+#include <fstream>
+
+#include "ripstop/base/error.h"
+#include "ripstop/base/sha256.h"
+#include "ripstop/io/obj.h"
+
+namespace ripstop {
+namespace {
+
+constexpr std::array<MeshFormat, 1> formats = {{
+    {".obj", "Wavefront OBJ", read_obj, write_obj},
+}};
+
+std::ifstream open_file(const std::filesystem::path& path) {
+    std::error_code unknown;
+    if (std::filesystem::is_directory(path, unknown))
+        throw InputError(path.string() + ": is a folder, expected a file; name the file in it");
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw InputError(path.string() + ": the file cannot be opened; check its name and its permissions");
+    return in;
+}
+
+}  // namespace
+
+std::span<const MeshFormat> mesh_formats() {
+    return formats;
+}
+
+std::vector<NamedMesh> read_meshes(const std::filesystem::path& path, double metres_per_unit) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    std::string known;
+    for (const MeshFormat& format : formats) {
+        if (extension == format.extension) {
+            std::ifstream in = open_file(path);
+            return format.read(in, path.string(), metres_per_unit);
+        }
+        known += (known.empty() ? "" : ", ") + std::string(format.extension) + " (" + format.description + ")";
+    }
+    throw InputError(path.string() + ": no format with the extension \"" + extension + "\", expected one of: " + known +
+                     "; export the surfaces in one of them");
+}
+
+std::string sha256_of_file(const std::filesystem::path& path) {
+    std::ifstream in = open_file(path);
+    std::string digest = sha256(in);
+    if (in.bad()) throw InputError(path.string() + ": the file cannot be read to its end; check the disk it is on");
+    return digest;
+}
+
+}  // namespace ripstop

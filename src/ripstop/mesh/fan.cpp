@@ -1,0 +1,48 @@
+#include "ripstop/mesh/fan.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+namespace ripstop {
+namespace {
+
+/// The smallest part that a triangle of the fan from `corner` has along `normal`; twice an area.
+double thinnest(const std::vector<Vec3>& polygon, std::size_t corner, const Vec3& normal) {
+    const std::size_t count = polygon.size();
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k + 1 < count; ++k) {
+        const Vec3 b = polygon[(corner + k) % count] - polygon[corner];
+        const Vec3 c = polygon[(corner + k + 1) % count] - polygon[corner];
+        smallest = std::min(smallest, normal.dot(b.cross(c)));
+    }
+    return smallest;
+}
+
+}  // namespace
+
+int fan_corner(const std::vector<Vec3>& polygon) {
+    Vec3 normal = Vec3::Zero();
+    double extent = 0;
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+        const Vec3 b = polygon[k] - polygon[0];
+        const Vec3 c = polygon[k + 1] - polygon[0];
+        normal += b.cross(c);
+        extent = std::max({extent, b.squaredNorm(), c.squaredNorm()});
+    }
+    const double area = normal.norm();
+    if (!(area > 1e-14 * extent)) return -1;
+    normal /= area;
+    const double tiny = 1e-12 * area;
+    double best = thinnest(polygon, 0, normal);
+    int corner = 0;
+    const std::size_t searched = polygon.size() <= 100 ? polygon.size() : 1;
+    for (std::size_t c = 1; c < searched && best <= tiny; ++c)
+        if (const double smallest = thinnest(polygon, c, normal); smallest > best) {
+            best = smallest;
+            corner = static_cast<int>(c);
+        }
+    return best >= -tiny ? corner : -1;
+}
+
+}  // namespace ripstop
