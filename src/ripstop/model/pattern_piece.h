@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -25,5 +26,13 @@ struct PatternPiece {
     Vec2 lower() const { return sew_line.colwise().minCoeff(); }
     Vec2 upper() const { return sew_line.colwise().maxCoeff(); }
 };
+
+/// Length along the shaft of the arrow head of a grain line `length` long, and half its width [m].
+inline double arrow_head(double length) {
+    return std::min(0.03, 0.2 * length);
+}
+inline double arrow_half_width(double length) {
+    return 0.3 * arrow_head(length);
+}
 
 }  // namespace ripstop

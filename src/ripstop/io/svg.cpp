@@ -1,0 +1,90 @@
+#include "ripstop/io/svg.h"
+
+#include <ostream>
+#include <set>
+#include <string>
+
+#include "ripstop/base/number_text.h"
+#include "ripstop/base/units.h"
+#include "ripstop/io/sheet.h"
+#include "ripstop/io/escape.h"
+
+namespace ripstop {
+namespace {
+
+constexpr double margin = 0.01;
+
+/// From metres on the cloth, y up, to millimetres from the drawing's upper left corner, y down.
+class Page {
+  public:
+    explicit Page(const Sheet& sheet) : left_(sheet.lower.x() - margin), top_(sheet.upper.y() + margin) {}
+    std::string x(const Vec2& p) const { return format_fixed((p.x() - left_) / millimetre, 3); }
+    std::string y(const Vec2& p) const { return format_fixed((top_ - p.y()) / millimetre, 3); }
+    std::string at(const Vec2& p) const { return x(p) + ' ' + y(p); }
+
+  private:
+    double left_, top_;
+};
+
+std::string closed_path(const Page& page, const Points2& corners, const Vec2& shift) {
+    std::string path;
+    for (Eigen::Index i = 0; i < corners.rows(); ++i)
+        path += (i == 0 ? "M" : " L") + page.at(Vec2(corners.row(i)) + shift);
+    return path + " Z";
+}
+
+/// SVG places letters by their baseline and sizes them by the em; capitals are about 0.72 em high.
+std::string text(const Page& page, const Label& label, const Vec2& shift, const char* colour) {
+    const Vec2 middle = label.middle + shift;
+    const double height = label.height / millimetre;
+    std::string result = "<text fill=\"" + std::string(colour) + "\" transform=\"translate(" + page.at(middle) + ")";
+    if (label.turn != 0) result += " rotate(" + format_fixed(-label.turn / degree, 3) + ")";
+    result += "\" y=\"" + format_fixed(height / 2, 3) + "\" font-size=\"" + format_fixed(height / 0.72, 3) + "\">";
+    return result + xml_text(label.text) + "</text>\n";
+}
+
+/// Escaped already; styles stand on the elements because many cutters read no style sheets.
+std::string unused_id(const std::string& name, std::set<std::string>& used) {
+    std::string base;
+    for (const char c : xml_text(name)) base += c == ' ' || c == '\t' || c == '\n' || c == '\r' ? '_' : c;
+    if (base.empty()) base = "piece";
+    std::string id = base;
+    for (int n = 2; !used.insert(id).second; ++n) id = base + "-" + std::to_string(n);
+    return id;
+}
+
+void draw(std::ostream& out, const Page& page, const PatternPiece& piece, const Vec2& shift, const std::string& id) {
+    out << "<g id=\"" << id << "\" data-name=\"" << xml_text(piece.name) << "\">\n";
+    if (piece.sew_line.rows() > 0)
+        out << "<path stroke=\"#ff0000\" d=\"" << closed_path(page, piece.sew_line, shift) << "\"/>\n";
+    const Points2 arrow = grain_arrow(piece);
+    if (arrow.rows() == 4) {
+        const auto end = [&](int row) { return page.at(Vec2(arrow.row(row)) + shift); };
+        out << "<path stroke=\"#0000ff\" d=\"M" << end(0) << " L" << end(1) << " M" << end(2) << " L" << end(1) << " L"
+            << end(3) << "\"/>\n";
+    }
+    for (const Label& label : piece.labels) out << text(page, label, shift, "#000000");
+    out << "</g>\n";
+}
+
+}  // namespace
+
+void write_svg(std::ostream& out, const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts) {
+    const Sheet sheet = make_sheet(pieces, shifts);
+    const Page page(sheet);
+    const Vec2 size = (sheet.upper - sheet.lower + Vec2::Constant(2 * margin)) / millimetre;
+    const std::string width = format_fixed(size.x(), 3), height = format_fixed(size.y(), 3);
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width
+        << "mm\" height=\"" << height << "mm\" viewBox=\"0 0 " << width << ' ' << height << "\">\n"
+        << "<g fill=\"none\" stroke-width=\"0.2\" font-family=\"sans-serif\" text-anchor=\"middle\">\n";
+    std::set<std::string> used{"reference"};
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        draw(out, page, pieces[i], sheet.shifts[i], unused_id(pieces[i].name, used));
+    constexpr double side = Sheet::square_side;
+    Points2 square(4, 2);
+    square << 0, 0, side, 0, side, side, 0, side;
+    out << "<g id=\"reference\">\n<path stroke=\"#808080\" d=\"" << closed_path(page, square, sheet.square) << "\"/>\n"
+        << text(page, {"100 mm", Vec2(side / 2, side / 2), 0.01, 0}, sheet.square, "#808080") << "</g>\n</g>\n</svg>\n";
+}
+
+}  // namespace ripstop

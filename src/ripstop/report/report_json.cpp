@@ -1,0 +1,136 @@
+#include "ripstop/report/report_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ripstop/base/units.h"
+#include "ripstop/report/figures.h"
+#include "ripstop/version.h"
+
+namespace ripstop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json figure(double value) {
+    return std::isfinite(value) ? Json(clean(value)) : Json(nullptr);
+}
+Json in_percent(double ratio) {
+    return figure(ratio / percent);
+}
+Json in_millimetres(double length) {
+    return figure(length / millimetre);
+}
+Json in_degrees(double angle) {
+    return figure(angle / degree);
+}
+
+Json fabric_json(const Fabric& fabric) {
+    return {{"name", fabric.name},
+            {"description", fabric.description},
+            {"warp_stiffness_n_per_m", figure(fabric.warp_stiffness)},
+            {"weft_stiffness_n_per_m", figure(fabric.weft_stiffness)},
+            {"shear_stiffness_n_per_m", figure(fabric.shear_stiffness)},
+            {"poisson", figure(fabric.poisson)},
+            {"mass_kg_per_m2", figure(fabric.mass)},
+            {"roll_width_mm", in_millimetres(fabric.roll_width)},
+            {"strain_limit_pct", in_percent(fabric.strain_limit)},
+            {"shear_limit_deg", in_degrees(fabric.shear_limit)}};
+}
+
+Json chains_json(const Accuracy& accuracy) {
+    Json chains = Json::array();
+    for (const ChainAccuracy& chain : accuracy.chains)
+        chains.push_back({{"length_mm", in_millimetres(chain.length)},
+                          {"flat_length_mm", in_millimetres(chain.flat_length)},
+                          {"error_mm", in_millimetres(chain.flat_length - chain.length)},
+                          {"error_pct", in_percent(chain.error())},
+                          {"seam", nullptr}});
+    return chains;
+}
+
+Json verdict_json(const Verdict& verdict) {
+    Json findings = Json::array();
+    for (const Finding& finding : verdict.findings)
+        findings.push_back(
+            {{"code", finding.code},
+             {"message", finding.message},
+             {"at_mm",
+              {in_millimetres(finding.at.x()), in_millimetres(finding.at.y()), in_millimetres(finding.at.z())}},
+             {"value", figure(finding.value)},
+             {"limit", figure(finding.limit)}});
+    return {{"manufacturable", verdict.manufacturable()}, {"findings", findings}};
+}
+
+void add_accuracy(Json& json, const Accuracy& accuracy) {
+    json["area_m2"] = figure(accuracy.area);
+    json["flat_area_m2"] = figure(accuracy.flat_area);
+    json["area_error_pct"] = in_percent(accuracy.area_error);
+    json["area_error_abs_pct"] = in_percent(accuracy.area_error_abs);
+    json["perimeter_mm"] = in_millimetres(accuracy.perimeter);
+    json["perimeter_error_pct"] = in_percent(accuracy.perimeter_error);
+    json["edge_error_abs_pct"] = in_percent(accuracy.edge_error_abs);
+    json["boundary_error_abs_pct"] = in_percent(accuracy.boundary_error_abs);
+    json["boundary_error_max_pct"] = in_percent(accuracy.boundary_error_max);
+    json["strain"] = {{"warp_min_pct", in_percent(accuracy.warp_strain_min)},
+                      {"warp_max_pct", in_percent(accuracy.warp_strain_max)},
+                      {"weft_min_pct", in_percent(accuracy.weft_strain_min)},
+                      {"weft_max_pct", in_percent(accuracy.weft_strain_max)},
+                      {"shear_max_deg", in_degrees(accuracy.shear_max)}};
+    json["energy_j"] = figure(accuracy.energy);
+    json["flipped"] = accuracy.flipped;
+    json["overlaps"] = accuracy.overlaps;
+    json["chains"] = chains_json(accuracy);
+}
+
+Json tile_json(const FlatTile& tile, const std::string& stem, bool reproducible) {
+    const SolveSummary& summary = tile.flattening.summary;
+    const Vec3& warp = tile.tile.grain.direction;
+    Json json = {
+        {"name", tile.tile.name},
+        {"file", stem},
+        {"vertices", tile.tile.mesh.vertex_count()},
+        {"triangles", tile.tile.mesh.triangle_count()},
+        {"grain",
+         {{"direction", {figure(warp.x()), figure(warp.y()), figure(warp.z())}}, {"source", tile.tile.grain.source}}},
+        {"method", tile.method}};
+    if (!reproducible) json["seconds"] = figure(tile.seconds);
+    json["iterations"] = summary.iterations;
+    json["factorizations"] = summary.factorizations;
+    json["stop"] = name(summary.termination);
+    json["stop_reason"] = summary.reason;
+    add_accuracy(json, tile.accuracy);
+    json["verdict"] = verdict_json(tile.verdict);
+    return json;
+}
+
+}  // namespace
+
+std::string report_json(const CutPlan& plan, bool reproducible) {
+    Json tiles = Json::array(), failed = Json::array();
+    const std::vector<std::string> stems = file_stems(plan);
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        tiles.push_back(tile_json(plan.tiles[i], stems[i], reproducible));
+        if (!plan.tiles[i].verdict.manufacturable()) failed.push_back(plan.tiles[i].tile.name);
+    }
+    const Json report = {{"ripstop", version},
+                         {"schema", report_schema},
+                         {"input", {{"file", plan.input_file}, {"sha256", plan.input_sha256}, {"unit", plan.unit}}},
+                         {"fabric", fabric_json(plan.fabric)},
+                         {"tolerances",
+                          {{"area_pct", in_percent(plan.tolerances.area)},
+                           {"length_pct", in_percent(plan.tolerances.length)},
+                           {"strain_pct", in_percent(plan.tolerances.strain)},
+                           {"shear_deg", in_degrees(plan.tolerances.shear)}}},
+                         {"tiles", tiles},
+                         {"seams", Json::array()},
+                         {"envelope",
+                          {{"tiles", plan.tiles.size()},
+                           {"seams", 0},
+                           {"area_m2", figure(plan.area())},
+                           {"manufacturable", plan.manufacturable()},
+                           {"failed", failed}}}};
+    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ripstop

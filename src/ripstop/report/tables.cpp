@@ -1,0 +1,195 @@
+#include "ripstop/report/tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "ripstop/base/number_text.h"
+#include "ripstop/base/units.h"
+#include "ripstop/report/figures.h"
+
+namespace ripstop {
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string result = "\"";
+    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return result + "\"";
+}
+
+std::string figure(double value) {
+    return std::isfinite(value) ? format_shortest(clean(value)) : "";
+}
+
+constexpr std::array csv_columns{"name",
+                                 "vertices",
+                                 "triangles",
+                                 "method",
+                                 "manufacturable",
+                                 "area_m2",
+                                 "flat_area_m2",
+                                 "area_error_pct",
+                                 "area_error_abs_pct",
+                                 "perimeter_mm",
+                                 "perimeter_error_pct",
+                                 "edge_error_abs_pct",
+                                 "boundary_error_abs_pct",
+                                 "boundary_error_max_pct",
+                                 "chain_error_max_pct",
+                                 "warp_min_pct",
+                                 "warp_max_pct",
+                                 "weft_min_pct",
+                                 "weft_max_pct",
+                                 "shear_max_deg",
+                                 "energy_j",
+                                 "flipped",
+                                 "overlaps",
+                                 "stop",
+                                 "finding"};
+
+Row csv_row(const FlatTile& tile) {
+    const Accuracy& a = tile.accuracy;
+    const std::vector<Finding>& findings = tile.verdict.findings;
+    return {tile.tile.name,
+            std::to_string(tile.tile.mesh.vertex_count()),
+            std::to_string(tile.tile.mesh.triangle_count()),
+            tile.method,
+            tile.verdict.manufacturable() ? "true" : "false",
+            figure(a.area),
+            figure(a.flat_area),
+            figure(a.area_error / percent),
+            figure(a.area_error_abs / percent),
+            figure(a.perimeter / millimetre),
+            figure(a.perimeter_error / percent),
+            figure(a.edge_error_abs / percent),
+            figure(a.boundary_error_abs / percent),
+            figure(a.boundary_error_max / percent),
+            figure(worst_chain_error(a) / percent),
+            figure(a.warp_strain_min / percent),
+            figure(a.warp_strain_max / percent),
+            figure(a.weft_strain_min / percent),
+            figure(a.weft_strain_max / percent),
+            figure(a.shear_max / degree),
+            figure(a.energy),
+            std::to_string(a.flipped),
+            std::to_string(a.overlaps),
+            name(tile.flattening.summary.termination),
+            findings.empty() ? "" : findings.front().message};
+}
+
+void add_csv_line(std::string& text, const Row& row) {
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + quoted(row[i]);
+    text += "\n";
+}
+
+const Row headings{"tile",   "triangles", "area %",    "perimeter %", "worst chain %",
+                   "warp %", "weft %",    "shear deg", "flips",       "verdict"};
+
+std::string range(double low, double high) {
+    return shown(low / percent, 2, true) + " " + shown(high / percent, 2, true);
+}
+
+Row table_row(const FlatTile& tile) {
+    const Accuracy& a = tile.accuracy;
+    return {tile.tile.name,
+            std::to_string(tile.tile.mesh.triangle_count()),
+            shown(a.area_error / percent, 3, true),
+            shown(a.perimeter_error / percent, 3, true),
+            shown(worst_chain_error(a) / percent, 3, true),
+            range(a.warp_strain_min, a.warp_strain_max),
+            range(a.weft_strain_min, a.weft_strain_max),
+            shown(a.shear_max / degree, 2),
+            std::to_string(a.flipped),
+            tile.verdict.manufacturable() ? "ok" : failing_codes(tile.verdict)};
+}
+
+std::size_t width(const std::string& utf8) {
+    return static_cast<std::size_t>(
+        std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// Words to the left, figures to the right.
+std::string aligned(const std::vector<Row>& rows) {
+    std::vector<std::size_t> widths(headings.size(), 0);
+    for (const Row& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+    std::string text;
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::string blanks(widths[i] - width(row[i]), ' ');
+            const bool is_last = i + 1 == row.size();
+            text += i == 0 ? row[i] + blanks : is_last ? row[i] : blanks + row[i];
+            text += is_last ? "\n" : "  ";
+        }
+    }
+    return text;
+}
+
+struct Worst {
+    double value = 0;
+    std::string tile;
+    void consider(double candidate, const FlatTile& from) {
+        if (std::isnan(value) || std::abs(candidate) <= std::abs(value)) return;
+        value = candidate;
+        tile = from.tile.name;
+    }
+    std::string text(const char* what, double unit, int decimals, const char* unit_text, bool with_sign) const {
+        return std::string(what) + " " + shown(value / unit, decimals, with_sign) + unit_text +
+               (tile.empty() ? "" : " (" + tile + ")");
+    }
+};
+
+}  // namespace
+
+std::string tiles_csv(const CutPlan& plan) {
+    std::string text;
+    add_csv_line(text, Row(csv_columns.begin(), csv_columns.end()));
+    for (const FlatTile& tile : plan.tiles) add_csv_line(text, csv_row(tile));
+    return text;
+}
+
+std::string plan_summary(const CutPlan& plan) {
+    Worst area, perimeter, chain, strain, shear;
+    int good = 0, flipped = 0;
+    for (const FlatTile& tile : plan.tiles) {
+        const Accuracy& a = tile.accuracy;
+        good += tile.verdict.manufacturable();
+        flipped += a.flipped;
+        area.consider(a.area_error, tile);
+        perimeter.consider(a.perimeter_error, tile);
+        chain.consider(worst_chain_error(a), tile);
+        for (const double value : {a.warp_strain_min, a.warp_strain_max, a.weft_strain_min, a.weft_strain_max})
+            strain.consider(value, tile);
+        shear.consider(a.shear_max, tile);
+    }
+    return std::to_string(good) + " of " + std::to_string(plan.tiles.size()) +
+           (plan.tiles.size() == 1 ? " tile" : " tiles") + " manufacturable, " + shown(plan.area(), 2) +
+           " m2 of cloth\n" + "worst: " + area.text("area", percent, 3, " %", true) + ", " +
+           perimeter.text("perimeter", percent, 3, " %", true) + ", " + chain.text("chain", percent, 3, " %", true) +
+           ",\n       " + strain.text("strain", percent, 2, " %", true) + ", " +
+           shear.text("shear", degree, 2, " deg", false) + ", " + std::to_string(flipped) + " flipped\n";
+}
+
+std::string tiles_table(const CutPlan& plan, int max_rows) {
+    const std::size_t limit = static_cast<std::size_t>(std::max(0, max_rows));
+    const bool all = plan.tiles.size() <= limit;
+    std::vector<Row> rows{headings};
+    for (const FlatTile& tile : plan.tiles)
+        if (all || (!tile.verdict.manufacturable() && rows.size() <= limit)) rows.push_back(table_row(tile));
+    const std::size_t hidden = plan.tiles.size() - (rows.size() - 1);
+    std::string text = rows.size() > 1 ? aligned(rows) : "";
+    if (hidden > 0) {
+        const auto failing = std::count_if(plan.tiles.begin(), plan.tiles.end(),
+                                           [](const FlatTile& tile) { return !tile.verdict.manufacturable(); });
+        const std::size_t hidden_failing = static_cast<std::size_t>(failing) - (rows.size() - 1);
+        text += std::to_string(hidden) + " more tiles, " + std::to_string(hidden_failing) +
+                " of them failing; tiles.csv has them all\n";
+    }
+    return text + plan_summary(plan);
+}
+
+}  // namespace ripstop
