@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vector>
+
+namespace ripstop {
+
+/// A point of the meridian, or (from `MeridianEquation::slope`) how fast each of these changes along it.
+struct MeridianPoint {
+    double s = 0;        ///< arc length from the mouth [m]
+    double r = 0;        ///< distance from the axis; of the tape, where the envelope is lobed [m]
+    double z = 0;        ///< height above the mouth plane [m]
+    double theta = 0;    ///< angle from the vertical, positive where r grows upward [rad]
+    double tension = 0;  ///< total meridional force T, all round: of the cloth if smooth, of all tapes if lobed [N]
+    double area = 0;     ///< cloth below this point [m2]
+    double volume = 0;   ///< enclosed between the mouth plane and this point [m3]
+};
+
+/// Equilibrium of the meridian of a hot-air envelope without hoop tension (Upson 1939; Smalley; Baginski).
+///
+/// Smooth (`bulge` 0): the cloth carries T along the meridian and nothing round it. With p = b z,
+///
+///     r' = sin th,  z' = cos th,  T' = W cos th,  T th' = -2 pi r p - W sin th,  W = 2 pi r w + n g
+///     A' = 2 pi r,  V' = pi r2 cos th
+///
+/// w the weight of the cloth, n tapes of weight g a length. T is the total force, so nothing is singular on the axis.
+///
+/// Lobed: between n tapes the cloth bulges in arcs of half-angle B and carries hoop tension only, N_h = p rho. With
+/// a = pi/n, half chord c = r sin a, radius rho = c / sin B, d the mean normal offset of the lobe, p taken at z - d sin th:
+///
+///     R = 2 p c [(1 - th' d) cos th cos a - sin a / tan B],  Z = -2 p c (1 - th' d) sin th      a tape, a tape length
+///     T' = -n (R sin th + Z cos th) + W cos th,  T th' = -n (R cos th - Z sin th) - W sin th
+///     A' = n 2 rho B,  V' = n [r2 sin a cos a cos th + (B - sin B cos B) rho2 (1 - th' d_c)]
+///
+/// d_c is the offset of the lobe section's centroid. To leading order the lobes give the smooth equation a mean hoop
+/// tension k p r, k = sin a / tan B: a lobed envelope is taller than a smooth one. Good to B of 30 to 45 degrees.
+struct MeridianEquation {
+    double buoyancy = 1;     ///< b [N/m3]
+    double weight = 0;       ///< w, of the cloth [N/m2]
+    int tapes = 24;          ///< n
+    double tape_weight = 0;  ///< g, of one tape [N/m]
+    double bulge = 0;        ///< B, half-angle of the lobes [rad]; 0: smooth
+
+    MeridianPoint slope(const MeridianPoint& at) const;
+    /// One Runge-Kutta step of fifth order along the meridian (Dormand-Prince).
+    MeridianPoint step(const MeridianPoint& from, double length) const;
+};
+
+/// A meridian from the mouth to the axis.
+struct Meridian {
+    MeridianEquation equation;
+    std::vector<MeridianPoint> stations;  ///< increasing s, as the integrator stepped
+    bool on_axis = false;                 ///< it ended on the axis; else it ran away and the stations end where it did
+
+    double length() const { return stations.back().s; }
+    /// The point at arc length s in [0, length()], as accurate as the stations: one step from the station below.
+    MeridianPoint at(double s) const;
+    /// Where the meridian is widest: th = 0.
+    MeridianPoint equator() const;
+    /// Where it comes down to radius r above the equator; the end where it never does.
+    MeridianPoint descent_to(double r) const;
+};
+
+/// Follows the equation from `start` until the meridian comes down to the axis, by adaptive steps of order 5(4). `unit` is
+/// the length against which errors are measured: each step errs by less than 1e-13 of it.
+Meridian trace_meridian(const MeridianEquation& equation, const MeridianPoint& start, double unit);
+
+}  // namespace ripstop
