@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "ripstop/mesh/adjacency.h"
+#include "ripstop/mesh/triangle_mesh.h"
+
+namespace ripstop {
+
+/// Gives the vertices that are not `placed` (#V) flat positions, round by round outward from those that are: each as its
+/// triangles say that have two corners in place, laid on them unstrained, averaged by area. If nothing is placed it begins
+/// with triangle `seed`. Every vertex of a connected mesh comes out finite and exact if the tile is developable. O(#F)
+/// a round. Returns how many it placed.
+int lay_on_missing(const TriangleMesh& mesh, int seed, std::vector<bool> placed, Points2& positions);
+
+/// How many triangles lie with their outside down, or have no area, on the cloth.
+int count_flipped_triangles(const TriangleMesh& mesh, const Points2& positions);
+
+/// Tries to turn flipped triangles back by moving their vertices one at a time to where the triangles round them or their
+/// neighbours would have them, if that makes the worst triangle there better; goes over them at most `passes` times.
+/// Leaves the rest of the tile as it is. Returns how many are still flipped.
+int repair_flipped_triangles(const TriangleMesh& mesh, const Adjacency& adjacency, int passes, Points2& positions);
+
+}  // namespace ripstop

@@ -1,0 +1,363 @@
+#include "ripstop/flatten/woven_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <unordered_map>
+
+#include "ripstop/geometry/triangle.h"
+
+namespace ripstop {
+namespace {
+
+struct Site {
+    int warp = 0, weft = 0;
+};
+Site operator+(const Site& a, const Site& b) {
+    return {a.warp + b.warp, a.weft + b.weft};
+}
+
+constexpr std::array<Site, 4> structural = {Site{1, 0}, Site{0, 1}, Site{-1, 0}, Site{0, -1}};
+constexpr std::array<Site, 4> diagonal = {Site{1, 1}, Site{-1, 1}, Site{-1, -1}, Site{1, -1}};
+
+/// A crossing nearer than this to one that is no neighbour would cover the surface twice [spacings].
+constexpr double crowded = 0.5;
+/// A point hidden by less than this sine behind a vertex still counts as seen.
+constexpr double barely_hidden = 0.05;
+
+/// The crossings around one, where it sees them from: `ray[k]` for the neighbour at site (k / 3 - 1, k % 3 - 1).
+struct Neighbourhood {
+    std::array<Vec2, 9> ray;
+    std::array<bool, 9> seen = {};
+    bool is_crowded = false;
+
+    static std::size_t index(const Site& offset) {
+        return static_cast<std::size_t>(3 * (offset.warp + 1) + offset.weft + 1);
+    }
+    bool sees(const Site& offset) const { return seen[index(offset)]; }
+    const Vec2& to(const Site& offset) const { return ray[index(offset)]; }
+    static bool is_around(const Site& offset) { return std::abs(offset.warp) <= 1 && std::abs(offset.weft) <= 1; }
+};
+
+class Loom {
+  public:
+    Loom(const UnfoldedSurface& surface, double spacing, int max_nodes, const WovenOptions& options)
+        : surface_(surface),
+          spacing_(spacing),
+          max_nodes_(max_nodes),
+          options_(options),
+          first_in_(static_cast<std::size_t>(surface.triangle_count()), -1) {}
+
+    void lay_tendons(const SurfacePoint& centre, const Vec2& warp);
+    void fill_quadrants();
+    void propagate();
+    void reopen();
+    void settle();
+    WovenFit cut_off();
+
+  private:
+    bool is_free(const Site& site) const { return site_.find(key(site)) == site_.end(); }
+    int node_at(const Site& site) const {
+        const auto found = site_.find(key(site));
+        return found == site_.end() ? -1 : found->second;
+    }
+    static std::int64_t key(const Site& site) { return (std::int64_t{site.warp} << 32) + site.weft; }
+    WovenNode& node(int n) { return nodes_[static_cast<std::size_t>(n)]; }
+    const WovenNode& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
+
+    void place(const Site& site, const SurfacePoint& at, bool tendon);
+    void link(int n);
+    void unlink(int n);
+    Neighbourhood look(const SurfacePoint& at, const Site& site, double reach) const;
+    double rest_length(std::size_t k) const { return k % 2 == 0 ? std::numbers::sqrt2 * spacing_ : spacing_; }
+    double stiffness(std::size_t k) const {
+        return k % 2 == 0         ? options_.diagonal_stiffness
+               : k == 3 || k == 5 ? options_.weft_stiffness
+                                  : options_.warp_stiffness;
+    }
+    double energy(const Neighbourhood& around) const;
+    Vec2 newton_step(const Neighbourhood& around) const;
+    bool try_site(const Site& site, const SurfacePoint& from, const Vec2& direction, double length);
+    bool place_diagonally(const Site& site);
+    bool extend(const Site& site, bool only_straight);
+
+    const UnfoldedSurface& surface_;
+    double spacing_;
+    int max_nodes_;
+    const WovenOptions& options_;
+    std::vector<WovenNode> nodes_;
+    std::unordered_map<std::int64_t, int> site_;  // looked up only, never walked through
+    std::vector<int> first_in_;                   // the nodes of each triangle, as linked lists
+    std::vector<int> next_in_;
+    WovenFit fit_;
+    std::vector<Site> open_cells_, open_ends_, open_rest_;  // sites that may be placed, oldest first
+};
+
+void Loom::link(int n) {
+    int& head = first_in_[static_cast<std::size_t>(node(n).at.triangle)];
+    next_in_[static_cast<std::size_t>(n)] = head;
+    head = n;
+}
+
+void Loom::unlink(int n) {
+    int* at = &first_in_[static_cast<std::size_t>(node(n).at.triangle)];
+    while (*at != n) at = &next_in_[static_cast<std::size_t>(*at)];
+    *at = next_in_[static_cast<std::size_t>(n)];
+}
+
+void Loom::place(const Site& site, const SurfacePoint& at, bool tendon) {
+    const int n = static_cast<int>(nodes_.size());
+    nodes_.push_back({at, site.warp, site.weft, tendon});
+    next_in_.push_back(-1);
+    link(n);
+    site_.emplace(key(site), n);
+    const auto open = [this](std::vector<Site>& list, const Site& empty) {
+        if (is_free(empty)) list.push_back(empty);
+    };
+    for (const Site& d : diagonal) open(open_cells_, site + d);
+    for (const Site& d : structural) {
+        open(open_cells_, site + d);
+        open(open_ends_, site + d);
+        open(open_rest_, site + d);
+        if (is_free(site + d)) continue;
+        for (const Site& e : structural) open(open_ends_, site + d + e);
+    }
+}
+
+Neighbourhood Loom::look(const SurfacePoint& at, const Site& site, double reach) const {
+    Neighbourhood around;
+    std::array<double, 9> hidden;
+    hidden.fill(barely_hidden);
+    for (const Sight& sight : surface_.look_around(at, reach * spacing_))
+        for (int n = first_in_[static_cast<std::size_t>(sight.triangle)]; n >= 0;
+             n = next_in_[static_cast<std::size_t>(n)]) {
+            const Site offset{node(n).warp - site.warp, node(n).weft - site.weft};
+            if (offset.warp == 0 && offset.weft == 0) continue;
+            const Vec2 point = sight.unfolded(node(n).at.local);
+            const Vec2 ray = point - at.local;
+            if (ray.squaredNorm() < crowded * crowded * spacing_ * spacing_) around.is_crowded = true;
+            if (!Neighbourhood::is_around(offset)) continue;
+            const std::size_t k = Neighbourhood::index(offset);
+            const double behind = sight.hidden_by(point);
+            const bool nearer = around.seen[k] && behind == hidden[k] && ray.norm() < around.ray[k].norm();
+            if (!(behind < hidden[k] || nearer) || ray.norm() > reach * spacing_) continue;
+            hidden[k] = behind;
+            around.seen[k] = true;
+            around.ray[k] = ray;
+        }
+    return around;
+}
+
+double Loom::energy(const Neighbourhood& around) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < 9; ++k) {
+        if (!around.seen[k]) continue;
+        const double stretch = around.ray[k].norm() - rest_length(k);
+        sum += 0.5 * stiffness(k) * stretch * stretch;
+    }
+    return sum;
+}
+
+/// The move that brings the springs around to rest, to first order: -H^-1 dE, with the Hessian of each spring made
+/// positive semi-definite; at most half a spacing.
+Vec2 Loom::newton_step(const Neighbourhood& around) const {
+    Mat22 hessian = Mat22::Zero();
+    Vec2 pull = Vec2::Zero();
+    for (std::size_t k = 0; k < 9; ++k) {
+        if (!around.seen[k]) continue;
+        const double length = around.ray[k].norm();
+        if (length == 0) continue;
+        const Vec2 unit = around.ray[k] / length;
+        const double slack = std::max(0.0, 1 - rest_length(k) / length);
+        hessian += stiffness(k) * ((1 - slack) * unit * unit.transpose() + slack * Mat22::Identity());
+        pull += stiffness(k) * (length - rest_length(k)) * unit;
+    }
+    hessian += 1e-6 * hessian.trace() * Mat22::Identity();
+    const double determinant = hessian(0, 0) * hessian(1, 1) - hessian(0, 1) * hessian(1, 0);
+    if (!(determinant > 0)) return Vec2::Zero();
+    const Vec2 step(hessian(1, 1) * pull.x() - hessian(0, 1) * pull.y(),
+                    hessian(0, 0) * pull.y() - hessian(1, 0) * pull.x());
+    const double length = step.norm() / determinant;
+    return step / determinant * std::min(1.0, 0.5 * spacing_ / std::max(length, 1e-300));
+}
+
+/// Goes from a crossing to where `site` should lie, lets it settle there between its neighbours and places it, if it stays
+/// on the surface, is tied to a neighbour and crowds none.
+bool Loom::try_site(const Site& site, const SurfacePoint& from, const Vec2& direction, double length) {
+    constexpr int local_steps = 10;
+    Walk walk = surface_.walk(from, direction, length);
+    if (walk.hit_boundary && length - walk.walked > 1e-9 * spacing_) return false;
+    for (int step = 0; step < local_steps; ++step) {
+        const Neighbourhood around = look(walk.end, site, woven_reach);
+        const bool tied =
+            std::any_of(structural.begin(), structural.end(), [&](const Site& d) { return around.sees(d); });
+        if (around.is_crowded || !tied) return false;
+        const Vec2 move = newton_step(around);
+        const double distance = move.norm();
+        if (distance < 1e-3 * spacing_) {
+            place(site, walk.end, false);
+            return true;
+        }
+        walk = surface_.walk(walk.end, move, distance);
+        if (walk.hit_boundary && distance - walk.walked > 1e-9 * spacing_) return false;
+    }
+    place(site, walk.end, false);
+    return true;
+}
+
+/// Diagonal node mapping: from the opposite corner of a cell with three corners placed, between its two sides.
+bool Loom::place_diagonally(const Site& site) {
+    for (const Site& d : diagonal) {
+        const int opposite = node_at(site + d);
+        if (opposite < 0 || is_free(site + Site{d.warp, 0}) || is_free(site + Site{0, d.weft})) continue;
+        const Neighbourhood around = look(node(opposite).at, site + d, woven_reach);
+        const Site along_warp{-d.warp, 0};
+        const Site along_weft{0, -d.weft};
+        if (!around.sees(along_warp) || !around.sees(along_weft)) continue;
+        const Vec2 between = around.to(along_warp).normalized() + around.to(along_weft).normalized();
+        if (between.norm() < 0.1) continue;  // a cell sheared shut
+        if (try_site(site, node(opposite).at, between, std::numbers::sqrt2 * spacing_)) return true;
+    }
+    return false;
+}
+
+/// From a neighbour straight on. `only_straight`: from one with its three other yarns in place (principal valence 3), along
+/// its own yarn; otherwise also from one with fewer, in the direction that its neighbours together imply.
+bool Loom::extend(const Site& site, bool only_straight) {
+    for (const Site& d : structural) {
+        const int n = node_at(site + d);
+        if (n < 0) continue;
+        const Neighbourhood around = look(node(n).at, site + d, woven_reach);
+        Vec2 direction = -(around.sees(d) ? around.to(d) : Vec2(Vec2::Zero()));
+        const bool both_sides = around.sees({d.weft, d.warp}) && around.sees({-d.weft, -d.warp});
+        if (only_straight && !(both_sides && around.sees(d))) continue;
+        if (!around.sees(d)) {
+            // The turn from grid to surface, each neighbour a complex number: sum of ray / offset.
+            Vec2 turn = Vec2::Zero();
+            for (std::size_t k = 0; k < 9; ++k) {
+                if (!around.seen[k]) continue;
+                const Vec2 offset(static_cast<double>(k / 3) - 1, static_cast<double>(k % 3) - 1);
+                turn += Vec2(offset.dot(around.ray[k]), cross(offset, around.ray[k]));
+            }
+            direction = PlaneMotion{turn}.turned(Vec2(-d.warp, -d.weft));
+        }
+        if (direction.norm() < 1e-6 * spacing_) continue;
+        if (try_site(site, node(n).at, direction, spacing_)) return true;
+    }
+    return false;
+}
+
+void Loom::lay_tendons(const SurfacePoint& centre, const Vec2& warp) {
+    place({0, 0}, centre, true);
+    const std::array<Vec2, 4> directions = {warp, Vec2(-warp.y(), warp.x()), -warp, Vec2(warp.y(), -warp.x())};
+    for (std::size_t k = 0; k < 4; ++k) {
+        Walk walk{centre, directions[k]};
+        for (Site site = structural[k]; static_cast<int>(nodes_.size()) < max_nodes_ / 2; site = site + structural[k]) {
+            walk = surface_.walk(walk.end, walk.direction, spacing_);
+            if (walk.hit_boundary && spacing_ - walk.walked > 1e-9 * spacing_) break;
+            if (look(walk.end, site, crowded).is_crowded) break;  // a straight line may come back to where it was
+            place(site, walk.end, true);
+        }
+    }
+}
+
+void Loom::fill_quadrants() {
+    for (const Site& quadrant : diagonal)
+        for (int row = 1; !is_free({0, quadrant.weft * row}); ++row)
+            for (int column = 1; !is_free({quadrant.warp * column, 0}); ++column) {
+                const Site site{quadrant.warp * column, quadrant.weft * row};
+                if (static_cast<int>(nodes_.size()) >= max_nodes_) return;
+                if (is_free(site)) place_diagonally(site);
+            }
+}
+
+void Loom::propagate() {
+    std::size_t cell = 0, end = 0, rest = 0;
+    while (static_cast<int>(nodes_.size()) < max_nodes_) {
+        if (cell < open_cells_.size()) {
+            const Site site = open_cells_[cell++];
+            if (is_free(site)) place_diagonally(site);
+        } else if (end < open_ends_.size()) {
+            const Site site = open_ends_[end++];
+            if (is_free(site)) extend(site, true);
+        } else if (rest < open_rest_.size()) {
+            const Site site = open_rest_[rest++];
+            if (is_free(site)) extend(site, false);
+        } else {
+            break;
+        }
+    }
+    open_cells_.clear();
+    open_ends_.clear();
+    open_rest_.clear();
+}
+
+/// Every site next to a placed crossing, once more.
+void Loom::reopen() {
+    for (const WovenNode& n : nodes_) {
+        if (!n.placed) continue;
+        for (const Site& d : diagonal) open_cells_.push_back(Site{n.warp, n.weft} + d);
+        for (const Site& d : structural) {
+            open_ends_.push_back(Site{n.warp, n.weft} + d);
+            open_rest_.push_back(Site{n.warp, n.weft} + d);
+        }
+    }
+}
+
+/// Energy diffusion: each crossing in turn to rest between its neighbours; one that leaves the surface is dropped.
+void Loom::settle() {
+    const double negligible =
+        1e-20 * options_.warp_stiffness * spacing_ * spacing_ * static_cast<double>(nodes_.size());
+    double previous = std::numeric_limits<double>::infinity();
+    while (true) {
+        fit_.energy = 0;
+        for (std::size_t n = 0; n < nodes_.size(); ++n) {
+            if (!nodes_[n].placed) continue;
+            const Site site{nodes_[n].warp, nodes_[n].weft};
+            const Neighbourhood around = look(nodes_[n].at, site, woven_reach);
+            fit_.energy += 0.5 * energy(around);
+            if (nodes_[n].tendon || fit_.iterations >= options_.max_iterations) continue;
+            const Vec2 move = newton_step(around);
+            if (move.norm() < 1e-12 * spacing_) continue;
+            const Walk walk = surface_.walk(nodes_[n].at, move, move.norm());
+            unlink(static_cast<int>(n));
+            nodes_[n].at = walk.end;
+            nodes_[n].placed = !walk.hit_boundary || move.norm() - walk.walked <= 1e-9 * spacing_;
+            if (nodes_[n].placed)
+                link(static_cast<int>(n));
+            else
+                site_.erase(key(site));
+        }
+        fit_.at_rest =
+            std::abs(previous - fit_.energy) <= options_.energy_tolerance * fit_.energy || fit_.energy <= negligible;
+        if (fit_.at_rest || fit_.iterations >= options_.max_iterations) return;
+        previous = fit_.energy;
+        ++fit_.iterations;
+    }
+}
+
+WovenFit Loom::cut_off() {
+    fit_.spacing = spacing_;
+    fit_.nodes = std::move(nodes_);
+    return std::move(fit_);
+}
+
+}  // namespace
+
+WovenFit fit_woven_mesh(const UnfoldedSurface& surface, const SurfacePoint& centre, const Vec2& warp, double spacing,
+                        int max_nodes, const WovenOptions& options) {
+    Loom loom(surface, spacing, max_nodes, options);
+    loom.lay_tendons(centre, warp.normalized());
+    loom.fill_quadrants();
+    loom.propagate();
+    loom.settle();
+    loom.reopen();
+    loom.propagate();
+    loom.settle();
+    return loom.cut_off();
+}
+
+}  // namespace ripstop
