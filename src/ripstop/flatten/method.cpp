@@ -1,12 +1,32 @@
 #include "ripstop/flatten/method.h"
 
+#include <array>
+
 #include "ripstop/base/error.h"
+#include "ripstop/flatten/arap.h"
+#include "ripstop/flatten/lscm.h"
+#include "ripstop/flatten/paper.h"
+#include "ripstop/flatten/woven_mesh.h"
 
 namespace ripstop {
+namespace {
 
-std::span<const Method> methods() {
-    return {};
-}
+constexpr std::array table = {
+    Method{"paper", "Kubicek, Zemcik: woven mesh fit, then springs along warp and weft, midpoint rule",
+           [](const Tile& tile, const Fabric& fabric) { return flatten_paper(tile, fabric); }},
+    Method{"paper-adaptive", "the same with the adaptive time step the paper leaves to future work",
+           [](const Tile& tile, const Fabric& fabric) { return flatten_paper(tile, fabric, {.adaptive = true}); }},
+    Method{"woven", "Wang, Tang, Yeung 2005: a woven mesh fitted to the surface, the paper's first step alone",
+           [](const Tile& tile, const Fabric& fabric) { return flatten_woven(tile, fabric); }},
+    Method{"lscm", "Levy, Petitjean, Ray, Maillot 2002: least squares conformal map, angles true, lengths not",
+           [](const Tile& tile, const Fabric&) { return flatten_lscm(tile); }},
+    Method{"arap", "Liu, Zhang, Xu, Gotsman, Gortler 2008: as rigid as possible, isotropic",
+           [](const Tile& tile, const Fabric&) { return flatten_arap(tile); }},
+};
+
+}  // namespace
+
+std::span<const Method> methods() { return table; }
 
 const Method& method_named(const std::string& name) {
     std::string known;

@@ -1,0 +1,99 @@
+/// ripstop design natural: writes the natural-shape hot-air balloon, gores by panels.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "commands.h"
+#include "ripstop/base/error.h"
+#include "ripstop/base/units.h"
+#include "ripstop/design/design_summary.h"
+#include "ripstop/io/obj.h"
+
+namespace ripstop::cli {
+namespace {
+
+struct Arguments {
+    EnvelopeDesign design;
+    std::filesystem::path file;
+    std::string edge, crown, panel_height;
+    double lobes = 0;
+    int triangles = 0;
+    bool force = false;
+};
+
+void write_file(const std::filesystem::path& file, const std::vector<NamedMesh>& tiles, bool force) {
+    if (std::filesystem::exists(file) && !force)
+        throw InputError(file.string() + ": exists; give another name, or --force to replace it");
+    const std::filesystem::path partial = file.string() + ".partial";
+    std::ofstream out(partial, std::ios::binary);
+    write_obj(out, tiles);
+    out.close();
+    std::error_code error;
+    if (out) std::filesystem::rename(partial, file, error);
+    if (!out || error) {
+        std::filesystem::remove(partial, error);
+        throw InputError(file.string() + ": cannot be written; does its folder exist, and is there room on the disk?");
+    }
+}
+
+void print_summary(const DesignSummary& summary) {
+    const NaturalShape& shape = summary.shape;
+    const int handles_closed = summary.euler + summary.openings;
+    fmt::print("{} tiles, {} panels a gore, {} triangles; Euler number {} with {} openings (a sphere with them: {})\n",
+               summary.tiles, summary.panels, summary.triangles, summary.euler, summary.openings,
+               handles_closed == 2 ? "right" : "WRONG");
+    fmt::print("                    as drawn   equilibrium\n");
+    fmt::print("height [m]        {:10.3f}    {:10.3f}\n", summary.height, shape.height);
+    fmt::print("diameter [m]      {:10.3f}    {:10.3f}\n", summary.diameter, 2 * shape.max_radius);
+    fmt::print("area [m2]         {:10.2f}    {:10.2f}\n", summary.area, shape.area);
+    fmt::print("volume [m3]       {:10.1f}    {:10.1f}\n", summary.volume, shape.volume);
+    fmt::print("gore length {:.3f} m, load {:.0f} N, crown pressure {:.1f} Pa, (F + W) / bV - 1 = {:.1e}\n", shape.length,
+               shape.load, shape.crown_pressure, shape.imbalance);
+    fmt::print("panels {:.3f} m high, up to {:.3f} m wide; edges {:.3f} to {:.3f} m, smallest angle {:.1f} degrees\n",
+               summary.panel_height, summary.panel_width, summary.edge_min, summary.edge_max, summary.angle_min / degree);
+    fmt::print("triangles turn by up to {:.2f} degrees an edge, {:.2f} mm off the surface\n", summary.turn_max / degree,
+               summary.chord_error / millimetre);
+}
+
+void run(Arguments given) {
+    EnvelopeDesign& design = given.design;
+    design.bulge = given.lobes * degree;
+    if (!given.crown.empty()) design.crown_radius = parse_length(given.crown, "--crown");
+    if (!given.panel_height.empty()) design.panel_height = parse_length(given.panel_height, "--panel-height");
+    if (!given.edge.empty()) design.edge_length = parse_length(given.edge, "--edge");
+    if (given.triangles > 0) design.edge_length = edge_length_for(design, given.triangles);
+    const std::vector<NamedMesh> tiles = design_natural(design);
+    write_file(given.file, tiles, given.force);
+    print_summary(measure_design(design, tiles));
+    fmt::print("{}\n", given.file.string());
+}
+
+}  // namespace
+
+void add_design(CLI::App& app) {
+    CLI::App* shapes = app.add_subcommand("design", "Write an envelope to work on");
+    shapes->require_subcommand(1);
+    auto given = std::make_shared<Arguments>();
+    CLI::App* natural = shapes->add_subcommand("natural", "The natural shape: no hoop tension, gores by panels");
+    natural->add_option("-o,--output", given->file, "The OBJ to write, in metres, a tile an object: G01P01 is gore 1, panel 1 from the mouth")
+        ->required();
+    natural->add_option("--gores", given->design.gores, "Gores")->capture_default_str();
+    natural->add_option("--panels", given->design.panels, "Panels a gore")->capture_default_str();
+    natural->add_option("--panel-height", given->panel_height, "Instead: as many panels as keep each below this, such as 1450mm");
+    natural->add_option("--volume", given->design.volume, "Cubic metres, as if closed at the crown")->capture_default_str();
+    natural->add_option("--mouth", given->design.mouth_ratio, "Radius of the mouth over the largest; 0: closed")->capture_default_str();
+    natural->add_option("--crown", given->crown, "Radius of the opening at the top, such as 250mm (the default); 0m: closed");
+    natural->add_option("--lobes", given->lobes, "Half-angle of the lobes between load tapes, degrees; 0: smooth")->capture_default_str();
+    auto* edge = natural->add_option("--edge", given->edge, "Length of a triangle's edge, such as 150mm (the default)");
+    natural->add_option("--triangles", given->triangles, "Instead: about so many triangles a tile")->excludes(edge);
+    natural->add_option("--inside", given->design.air.inside, "Temperature of the hot air, Celsius")->capture_default_str();
+    natural->add_option("--outside", given->design.air.outside, "Temperature outside, Celsius")->capture_default_str();
+    natural->add_option("--altitude", given->design.air.altitude, "Pressure altitude, metres")->capture_default_str();
+    natural->add_option("--mass", given->design.fabric_mass, "Mass of the cloth, kg/m2")->capture_default_str();
+    natural->add_flag("--force", given->force, "Replace the file where it exists");
+    natural->footer("Example: ripstop design natural --gores 24 --panels 15 --volume 3000 -o envelope.obj");
+    natural->callback([given] { run(*given); });
+}
+
+}  // namespace ripstop::cli

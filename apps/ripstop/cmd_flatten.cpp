@@ -1,0 +1,78 @@
+/// ripstop flatten: an envelope in, every tile flattened and judged, a cut plan out.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include "commands.h"
+#include "options.h"
+#include "progress_bar.h"
+#include "ripstop/base/error.h"
+#include "ripstop/base/sha256.h"
+#include "ripstop/io/mesh_file.h"
+#include "ripstop/pattern/pieces.h"
+#include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/report/directory.h"
+#include "ripstop/report/report_json.h"
+#include "ripstop/report/tables.h"
+
+namespace ripstop::cli {
+namespace {
+
+struct Arguments {
+    InputArguments input;
+    std::filesystem::path directory;
+    int jobs = 0;
+    bool force = false, json = false, quiet = false, reproducible = false;
+};
+
+/// Where no unit was given, the size tells whether metres were the right guess.
+void print_assumed_size(const Envelope& envelope) {
+    Eigen::AlignedBox3d box;
+    for (const Tile& tile : envelope.tiles)
+        for (Eigen::Index v = 0; v < tile.mesh.positions.rows(); ++v)
+            box.extend(Vec3(tile.mesh.positions.row(v)));
+    const Vec3 size = box.sizes();
+    fmt::print(stderr, "No unit given: taken as metres, which makes the envelope {:.3f} x {:.3f} x {:.3f} m (--unit changes it)\n",
+               size.x(), size.y(), size.z());
+}
+
+ExitCode run(const Arguments& given) {
+    require_writable(given.directory, given.force);
+    const Input input = resolve(given.input);
+    const Envelope envelope = read_envelope(given.input.file, input.read);
+    warn_of_unused_names(input, envelope);
+    if (input.unit_assumed && !given.quiet) print_assumed_size(envelope);
+
+    FlattenOptions options{given.input.method, input.fabric, input.tolerances, given.jobs, progress_bar(given.quiet)};
+    CutPlan plan = flatten_envelope(envelope, options);
+    plan.input_file = given.input.file.filename().string();
+    plan.input_sha256 = sha256_of_file(given.input.file);
+    plan.unit = input.unit;
+
+    const std::vector<PatternPiece> pieces = make_pieces(plan);
+    write_directory(given.directory, plan, pieces, lay_out(pieces, 0.1), {given.force, given.reproducible, true});
+    if (given.json) fmt::print("{}", report_json(plan, given.reproducible));
+    else if (!given.quiet) fmt::print("{}\n{}\n", tiles_table(plan), given.directory.string());
+    return plan.manufacturable() ? manufacturable : not_manufacturable;
+}
+
+}  // namespace
+
+void add_flatten(CLI::App& app) {
+    auto given = std::make_shared<Arguments>();
+    CLI::App* command = app.add_subcommand("flatten", "Flatten every tile, judge it, write the cut plan");
+    add_input_options(*command, given->input);
+    add_method_option(*command, given->input);
+    command->add_option("-o,--output", given->directory, "The folder to write; must not exist or be empty")->required();
+    command->add_flag("--force", given->force, "Replace the folder where it is not empty");
+    command->add_option("-j,--jobs", given->jobs, "Threads (0: one a core)")->check(CLI::Range(0, 1024));
+    command->add_flag("--json", given->json, "Print report.json on stdout instead of the table");
+    command->add_flag("--quiet", given->quiet, "No table, no progress");
+    command->add_flag("--reproducible", given->reproducible, "Leave the seconds out of report.json");
+    command->footer("Example: ripstop flatten envelope.obj --unit mm --fabric nylon -o cut-plan");
+    command->callback([given] {
+        if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
+    });
+}
+
+}  // namespace ripstop::cli

@@ -1,0 +1,95 @@
+#include "options.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "ripstop/base/error.h"
+#include "ripstop/base/units.h"
+#include "ripstop/flatten/method.h"
+#include "ripstop/io/fabric_json.h"
+#include "ripstop/measure/judge.h"
+
+namespace ripstop::cli {
+namespace {
+
+template <class LookUp>
+CLI::Validator known(LookUp look_up) {
+    return CLI::Validator(
+        [look_up](const std::string& text) {
+            try {
+                look_up(text);
+                return std::string();
+            } catch (const InputError& error) {
+                return std::string(error.what());
+            }
+        },
+        "");
+}
+
+}  // namespace
+
+CLI::Validator known_method() {
+    return known([](const std::string& name) {
+        if (name != "given") method_named(name);
+    });
+}
+
+CLI::Validator known_unit() {
+    return known([](const std::string& unit) { metres_per_unit(unit); });
+}
+
+void add_input_options(CLI::App& command, InputArguments& given) {
+    command.add_option("INPUT", given.file, "The envelope: Wavefront OBJ, one object or group a tile")->required();
+    command.add_option("--unit", given.unit, "Unit of the file: mm, cm, m, in, ft (else the project's, else metres)")
+        ->check(known_unit());
+    command.add_option("--project", given.project, "JSON with what the file cannot say: unit, fabric, warp, corners, tolerances")
+        ->check(CLI::ExistingFile);
+    command.add_option("--fabric", given.fabric, "A preset or a JSON file (else the project's, else isotropic)");
+    command.add_option("--grain", given.grain, "Turn the warp from each tile's longest axis, degrees counter-clockwise seen from outside")
+        ->check(CLI::Range(-360.0, 360.0));
+    command.add_option("--tile", given.tiles, "Only the tiles of this name; * and ? stand for others; may be repeated");
+}
+
+void add_method_option(CLI::App& command, InputArguments& given) {
+    command.add_option("--method", given.method, "How to flatten; `ripstop methods` lists them")
+        ->capture_default_str()
+        ->check(known_method());
+}
+
+Input resolve(const InputArguments& given) {
+    Input input;
+    if (!given.project.empty()) {
+        std::ifstream in(given.project, std::ios::binary);
+        input.read.project = read_project(in, given.project);
+    }
+    const auto& project = input.read.project;
+    if (!given.unit.empty()) {
+        input.unit = given.unit;
+    } else if (project && project->unit) {
+        input.unit = *project->unit;
+    } else {
+        input.unit_assumed = true;
+    }
+    input.read.metres_per_unit = metres_per_unit(input.unit);
+    input.read.grain_turn = given.grain * degree;
+    input.read.only = given.tiles;
+    if (!given.fabric.empty()) {
+        input.fabric = fabric_named(given.fabric);
+    } else {
+        input.fabric = fabric_named(project && project->fabric ? *project->fabric : "isotropic");
+    }
+    input.tolerances = tolerances_of(input.fabric);
+    if (project) input.tolerances = tolerances(*project, input.tolerances);
+    return input;
+}
+
+void warn_of_unused_names(const Input& input, const Envelope& envelope) {
+    if (!input.read.project) return;
+    std::vector<std::string> names;
+    for (const Tile& tile : envelope.tiles) names.push_back(tile.name);
+    for (const std::string& name : unused_names(*input.read.project, names))
+        fmt::print(stderr, "ripstop: {}: no tile is called \"{}\"\n", input.read.project->file, name);
+}
+
+}  // namespace ripstop::cli

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ripstop/model/fabric.h"
+#include "ripstop/model/verdict.h"
+#include "ripstop/pipeline/read_envelope.h"
+
+/// The options that several commands share.
+namespace ripstop::cli {
+
+struct InputArguments {
+    std::filesystem::path file;
+    std::string unit;     ///< empty: the project's, else metres
+    std::string project;  ///< empty: none
+    std::string fabric;   ///< empty: the project's, else isotropic
+    std::string method = "paper";
+    double grain = 0;     ///< [degrees]
+    std::vector<std::string> tiles;
+};
+
+/// What the arguments and the project file say together; the command line goes before the project.
+struct Input {
+    std::string unit = "m";
+    bool unit_assumed = false;
+    ReadOptions read;
+    Fabric fabric;
+    Tolerances tolerances;
+};
+
+void add_input_options(CLI::App& command, InputArguments& given);
+void add_method_option(CLI::App& command, InputArguments& given);
+
+/// Throws InputError.
+Input resolve(const InputArguments& given);
+
+/// A warning for each name of the project that fits no tile, on stderr.
+void warn_of_unused_names(const Input& input, const Envelope& envelope);
+
+/// `CLI::Validator` texts for names that the library looks up: the message of the look-up, exit code 2.
+CLI::Validator known_method();
+CLI::Validator known_unit();
+
+}  // namespace ripstop::cli
