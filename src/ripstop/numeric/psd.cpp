@@ -72,7 +72,7 @@ std::optional<Matrix4d> without_negative(const Matrix4d& m, Vector4d v, double s
         v /= v.norm();
         const Vector4d image = m * v;
         const double value = v.dot(image);
-        if ((image - value * v).squaredNorm() <= 1e-28 * size * size) {
+        if ((image - value * v).squaredNorm() <= 1e-25 * size * size) {
             if (!(value < 0)) return std::nullopt;
             return m - (value * v) * v.transpose();
         }

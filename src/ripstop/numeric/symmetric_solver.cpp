@@ -30,16 +30,15 @@ SymmetricSolver::SymmetricSolver(const SparsePattern& pattern) : factor_(std::ma
     const Eigen::VectorXd numbers = Eigen::VectorXd::LinSpaced(pattern.entry_count(), 0, pattern.entry_count() - 1);
     const Eigen::Map<const SparseMatrix> lower(size, size, pattern.entry_count(), pattern.column_start().data(),
                                                pattern.rows().data(), numbers.data());
-    const SparseMatrix full = lower.selfadjointView<Eigen::Lower>();
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
-    Eigen::AMDOrdering<int>()(full, inverse);
+    Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), inverse);
     factor_->order = inverse.inverse();
 
     factor_->ordered.resize(size, size);
     factor_->ordered.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(factor_->order);
     factor_->slot_of_entry.resize(static_cast<std::size_t>(pattern.entry_count()));
     for (std::size_t k = 0; k < factor_->slot_of_entry.size(); ++k)
-        factor_->slot_of_entry[k] = static_cast<int>(std::lround(factor_->ordered.valuePtr()[k]));
+        factor_->slot_of_entry[k] = static_cast<int>(factor_->ordered.valuePtr()[k]);
     factor_->ldlt.analyzePattern(factor_->ordered);
 }
 
