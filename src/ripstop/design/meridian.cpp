@@ -1,6 +1,7 @@
 #include "ripstop/design/meridian.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -87,6 +88,31 @@ MeridianPoint smooth_slope(const MeridianEquation& e, const MeridianPoint& y) {
     return {1, sine, cosine, turning, weight * cosine, 2 * pi * y.r, pi * y.r * y.r * cosine};
 }
 
+/// Cloth a length of meridian: the integral of |P_s x P_u| over u, of the surface in `design_point`. Gauss, five points over
+/// half the gore: the integrand is smooth and even in u.
+double lobed_area_slope(const MeridianEquation& e, const MeridianPoint& y, double turning) {
+    constexpr std::array<double, 5> places{0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155,
+                                           0.95308992296933200};
+    constexpr std::array<double, 5> weights{0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
+                                            0.23931433524968324, 0.11846344252809454};
+    const double sine = std::sin(y.theta);
+    const double cosine = std::cos(y.theta);
+    const double a = pi / e.tapes;
+    const double rho_slope = sine * std::sin(a) / std::sin(e.bulge);
+    const double rho = y.r * std::sin(a) / std::sin(e.bulge);
+    const Eigen::Vector3d normal(cosine, 0, -sine);  // radial, around, up
+    double sum = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double angle = places[i] * e.bulge;
+        const double out = std::cos(angle) - std::cos(e.bulge);
+        const Eigen::Vector3d up = Eigen::Vector3d(sine * std::cos(a), rho_slope * std::sin(angle), cosine) +
+                                   rho_slope * out * normal + rho * out * turning * Eigen::Vector3d(-sine, 0, -cosine);
+        const Eigen::Vector3d around = std::cos(angle) * Eigen::Vector3d::UnitY() - std::sin(angle) * normal;
+        sum += weights[i] * up.cross(around).norm();
+    }
+    return 2 * e.tapes * rho * e.bulge * sum;
+}
+
 MeridianPoint lobed_slope(const MeridianEquation& e, const MeridianPoint& y) {
     const double sine = std::sin(y.theta);
     const double cosine = std::cos(y.theta);
@@ -106,15 +132,20 @@ MeridianPoint lobed_slope(const MeridianEquation& e, const MeridianPoint& y) {
     const double stretch = 1 - turning * d;
     const double R = pull * stretch * cosine * std::cos(a) - hoop;
     const double Z = -pull * stretch * sine;
-    const double volume = e.tapes * (y.r * y.r * std::sin(a) * std::cos(a) * cosine +
-                                     section * rho * rho * (1 - turning * d_c));
-    return {1, sine, cosine, turning, -(R * sine + Z * cosine) + weight * cosine, e.tapes * 2 * rho * B, volume};
+    const double volume =
+        e.tapes * (y.r * y.r * std::sin(a) * std::cos(a) * cosine + section * rho * rho * (1 - turning * d_c));
+    return {1,     sine, cosine, turning, -(R * sine + Z * cosine) + weight * cosine, lobed_area_slope(e, y, turning),
+            volume};
 }
 
 }  // namespace
 
 MeridianPoint MeridianEquation::slope(const MeridianPoint& at) const {
     return bulge > 0 ? lobed_slope(*this, at) : smooth_slope(*this, at);
+}
+
+double MeridianEquation::hoop_tension(const MeridianPoint& at) const {
+    return bulge > 0 ? buoyancy * at.z * at.r * std::sin(pi / tapes) / std::sin(bulge) : 0;
 }
 
 MeridianPoint MeridianEquation::step(const MeridianPoint& from, double length) const {

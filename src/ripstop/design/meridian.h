@@ -29,9 +29,9 @@ struct MeridianPoint {
 ///
 ///     R = 2 p c [(1 - th' d) cos th cos a - sin a / tan B],  Z = -2 p c (1 - th' d) sin th      a tape, a tape length
 ///     T' = -n (R sin th + Z cos th) + W cos th,  T th' = -n (R cos th - Z sin th) - W sin th
-///     A' = n 2 rho B,  V' = n [r2 sin a cos a cos th + (B - sin B cos B) rho2 (1 - th' d_c)]
+///     V' = n [r2 sin a cos a cos th + (B - sin B cos B) rho2 (1 - th' d_c)]
 ///
-/// d_c is the offset of the lobe section's centroid. To leading order the lobes give the smooth equation a mean hoop
+/// W = n (2 rho B w + g), and A' is the true area of the bulging cloth. d_c is the offset of the lobe section's centroid. To leading order the lobes give the smooth equation a mean hoop
 /// tension k p r, k = sin a / tan B: a lobed envelope is taller than a smooth one. Good to B of 30 to 45 degrees.
 struct MeridianEquation {
     double buoyancy = 1;     ///< b [N/m3]
@@ -41,6 +41,8 @@ struct MeridianEquation {
     double bulge = 0;        ///< B, half-angle of the lobes [rad]; 0: smooth
 
     MeridianPoint slope(const MeridianPoint& at) const;
+    /// N_h = p rho of the lobes, with p = b z; 0 where smooth [N/m].
+    double hoop_tension(const MeridianPoint& at) const;
     /// One Runge-Kutta step of fifth order along the meridian (Dormand-Prince).
     MeridianPoint step(const MeridianPoint& from, double length) const;
 };

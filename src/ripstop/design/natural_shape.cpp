@@ -11,8 +11,8 @@
 namespace ripstop {
 namespace {
 
-using std::numbers::pi;
 using Eigen::Vector3d;
+using std::numbers::pi;
 
 // Everything here is in units of b and the length `unit`: the unknowns are x = (load, mouth radius, th0).
 struct Problem {
@@ -176,13 +176,14 @@ double buoyancy(const Air& air) {
 NaturalShape natural_shape(const NaturalShapeOptions& options) {
     require_valid(options);
     const double b = options.buoyancy;
-    const double unit = options.diameter ? *options.diameter : std::cbrt(options.load ? *options.load / b : options.volume);
-    const Problem problem{{1, options.weight / (b * unit), options.tapes, options.tape_weight / (b * unit * unit),
-                           options.bulge},
-                          options.mouth_ratio,
-                          options.diameter ? Problem::Size::diameter
-                          : options.load   ? Problem::Size::load
-                                           : Problem::Size::volume};
+    const double unit =
+        options.diameter ? *options.diameter : std::cbrt(options.load ? *options.load / b : options.volume);
+    const Problem problem{
+        {1, options.weight / (b * unit), options.tapes, options.tape_weight / (b * unit * unit), options.bulge},
+        options.mouth_ratio,
+        options.diameter ? Problem::Size::diameter
+        : options.load   ? Problem::Size::load
+                         : Problem::Size::volume};
     Solution solution = follow(problem);
     NaturalShape shape;
     shape.summary.iterations = solution.iterations;

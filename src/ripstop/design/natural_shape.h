@@ -22,15 +22,15 @@ double buoyancy(const Air& air);
 
 /// One size is given: the diameter if any, else the load if any, else the volume.
 struct NaturalShapeOptions {
-    double volume = 3000;            ///< [m3], > 0
-    std::optional<double> diameter;  ///< twice the largest radius (of the tapes, where lobed) [m], > 0
-    std::optional<double> load;      ///< hanging from the mouth [N], > 0
-    double mouth_ratio = 0.26;       ///< radius of the mouth over the largest, [0, 0.8]; 0: closed to a point
-    double buoyancy = 2.7365;        ///< b [N/m3], > 0
-    double weight = 0.065 * gravity; ///< of the cloth [N/m2], >= 0
-    int tapes = 24;                  ///< 3 to 1000
-    double tape_weight = 0;          ///< of one tape [N/m], >= 0
-    double bulge = 0;                ///< half-angle of the lobes between the tapes [rad], 0 (smooth) to pi/2
+    double volume = 3000;             ///< [m3], > 0
+    std::optional<double> diameter;   ///< twice the largest radius (of the tapes, where lobed) [m], > 0
+    std::optional<double> load;       ///< hanging from the mouth [N], > 0
+    double mouth_ratio = 0.26;        ///< radius of the mouth over the largest, [0, 0.8]; 0: closed to a point
+    double buoyancy = 2.7365;         ///< b [N/m3], > 0
+    double weight = 0.065 * gravity;  ///< of the cloth [N/m2], >= 0
+    int tapes = 24;                   ///< 3 to 1000
+    double tape_weight = 0;           ///< of one tape [N/m], >= 0
+    double bulge = 0;                 ///< half-angle of the lobes between the tapes [rad], 0 (smooth) to pi/2
 };
 
 /// The equilibrium shape of a hot-air envelope under its load, and how it was found.
@@ -49,7 +49,8 @@ struct NaturalShape {
     double mouth_tension = 0;   ///< T at the mouth, all round [N]
     double crown_tension = 0;   ///< T at the crown, all round [N]
     double crown_pressure = 0;  ///< b H [Pa]
-    double imbalance = 0;  ///< (F + W) / (b V) - 1: round-off for a smooth shape, the lobe model's own error for a lobed one
+    double imbalance =
+        0;  ///< (F + W) / (b V) - 1: round-off for a smooth shape, the lobe model's own error for a lobed one
     SolveSummary summary;
 
     MeridianPoint point_at(double s) const { return meridian.at(s); }
