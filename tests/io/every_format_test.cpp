@@ -1,0 +1,224 @@
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <clocale>
+#include <filesystem>
+#include <fstream>
+#include <locale>
+#include <sstream>
+
+#include "ripstop/base/error.h"
+#include "ripstop/io/mesh_file.h"
+#include "support/shapes.h"
+
+namespace ripstop {
+
+void PrintTo(const MeshFormat& format, std::ostream* out) {
+    *out << format.extension;
+}
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
+/// What any format of the table must do. A format that keeps less (no names, no drawn positions) says so here when it comes.
+class EveryFormat : public ::testing::TestWithParam<MeshFormat> {
+  protected:
+    static std::string written(const std::vector<NamedMesh>& surfaces) {
+        std::ostringstream out;
+        GetParam().write(out, surfaces);
+        return out.str();
+    }
+    static std::vector<NamedMesh> read(const std::string& bytes, double metres_per_unit = 1) {
+        std::istringstream in(bytes);
+        return GetParam().read(in, "tiles" + std::string(GetParam().extension), metres_per_unit);
+    }
+};
+
+/// Coordinates with many digits, far apart in size, and a surface with drawn positions beside one without.
+std::vector<NamedMesh> some_surfaces() {
+    std::vector<NamedMesh> surfaces;
+    surfaces.push_back({"G01P01", testing::moved(testing::octant(3)), std::nullopt});
+    const TriangleMesh saddle = testing::moved(testing::saddle(1.0 / 3, 0.7, 3));
+    surfaces.push_back({"G01P02 crown", saddle, Points2(saddle.positions.leftCols<2>() * 0.1)});
+    surfaces.push_back({"H\xC3\xBClle", testing::scaled(testing::cap(0.4, 2), 1.23456789e-7), std::nullopt});
+    surfaces.back().mesh.positions(0, 0) = -0.0;
+    return surfaces;
+}
+
+void expect_equal(const std::vector<NamedMesh>& a, const std::vector<NamedMesh>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i].name, b[i].name);
+        EXPECT_EQ(a[i].mesh.positions, b[i].mesh.positions) << a[i].name;
+        EXPECT_EQ(a[i].mesh.triangles, b[i].mesh.triangles) << a[i].name;
+        EXPECT_EQ(a[i].drawn, b[i].drawn) << a[i].name;
+    }
+}
+
+void expect_sound(const std::vector<NamedMesh>& surfaces) {
+    ASSERT_FALSE(surfaces.empty());
+    for (const NamedMesh& surface : surfaces) {
+        EXPECT_FALSE(surface.name.empty());
+        ASSERT_GT(surface.mesh.triangle_count(), 0);
+        EXPECT_TRUE(surface.mesh.positions.allFinite());
+        EXPECT_GE(surface.mesh.triangles.minCoeff(), 0);
+        EXPECT_LT(surface.mesh.triangles.maxCoeff(), surface.mesh.vertex_count());
+        if (surface.drawn) {
+            EXPECT_EQ(surface.drawn->rows(), surface.mesh.positions.rows());
+        }
+    }
+}
+
+TEST_P(EveryFormat, GivesBackExactlyWhatWasWritten) {
+    const std::vector<NamedMesh> surfaces = some_surfaces();
+    expect_equal(read(written(surfaces)), surfaces);
+    EXPECT_EQ(written(read(written(surfaces))), written(surfaces));
+}
+
+TEST_P(EveryFormat, ScalesWhatItReadsToMetres) {
+    const std::vector<NamedMesh> surfaces = some_surfaces();
+    const std::vector<NamedMesh> scaled = read(written(surfaces), 0.0254);
+    EXPECT_EQ(scaled[1].mesh.positions, surfaces[1].mesh.positions * 0.0254);
+    EXPECT_EQ(*scaled[1].drawn, *surfaces[1].drawn * 0.0254);
+}
+
+TEST_P(EveryFormat, CutShortAnywhereIsASurfaceOrARefusal) {
+    const TriangleMesh mesh = testing::octant(1);
+    const std::string bytes = written({{"a", mesh, Points2(mesh.positions.leftCols<2>())}, {"b", mesh, std::nullopt}});
+    int read_all_the_same = 0;
+    for (std::size_t length = 0; length < bytes.size(); ++length) try {
+            expect_sound(read(bytes.substr(0, length)));
+            ++read_all_the_same;
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), ::testing::StartsWith("tiles" + std::string(GetParam().extension) + ":"));
+        }
+    EXPECT_GT(read_all_the_same, 0) << "the first surface alone is a sound file";
+    EXPECT_LT(read_all_the_same, static_cast<int>(bytes.size()) / 2);
+}
+
+TEST_P(EveryFormat, DoesNotCareHowLinesEnd) {
+    std::string bytes;
+    for (const char c : written(some_surfaces())) {
+        if (c == '\n') bytes += '\r';
+        bytes += c;
+    }
+    expect_equal(read(bytes), some_surfaces());
+}
+
+/// Decimal comma and grouped thousands, as in much of the world.
+struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+TEST_P(EveryFormat, DoesNotCareForTheLocale) {
+    const std::string expected = written(some_surfaces());
+    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+    std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // for what does not go through streams, where the system has it
+    const std::string bytes = written(some_surfaces());
+    const std::vector<NamedMesh> again = read(expected);
+    std::setlocale(LC_NUMERIC, "C");
+    std::locale::global(before);
+    EXPECT_EQ(bytes, expected);
+    expect_equal(again, some_surfaces());
+}
+
+TEST_P(EveryFormat, ReadsAMillionTrianglesInASecond) {
+    const int side = sanitized ? 100 : 708;  // 2 x 708^2 = 1,002,528 triangles
+    const TriangleMesh mesh = testing::saddle(1, 3, side);
+    const std::string bytes = written({{"large", mesh, std::nullopt}});
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<NamedMesh> surfaces = read(bytes);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    EXPECT_EQ(surfaces[0].mesh.triangles, mesh.triangles);
+    RecordProperty("milliseconds", static_cast<int>(1000 * seconds.count()));
+#ifdef NDEBUG
+    EXPECT_LT(seconds.count(), 3.0) << "a second on an idle machine; three leave room for a busy one";
+#endif
+}
+
+TEST_P(EveryFormat, ReadsManySmallSurfacesAsFastAsOneLarge) {
+    const int count = sanitized ? 2000 : 100000;
+    std::vector<NamedMesh> surfaces;
+    for (int i = 0; i < count; ++i) surfaces.push_back({std::to_string(i), testing::octant(1), std::nullopt});
+    const std::string bytes = written(surfaces);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(read(bytes).size(), surfaces.size());
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    EXPECT_LT(seconds.count(), 3.0) << "quadratic would take minutes";
+}
+
+INSTANTIATE_TEST_SUITE_P(, EveryFormat, ::testing::ValuesIn(mesh_formats().begin(), mesh_formats().end()),
+                         [](const auto& format) { return std::string(format.param.extension + 1); });
+
+std::string refusal(const std::filesystem::path& path) {
+    try {
+        read_meshes(path, 1);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(MeshFile, RefusesWhatItCannotOpenOrDoesNotKnow) {
+    EXPECT_THAT(refusal("no/such/tile.obj"), ::testing::StartsWith("no/such/tile.obj: the file cannot be opened"));
+    EXPECT_THAT(refusal("tile.blend"),
+                ::testing::HasSubstr("no format with the extension \".blend\", expected one of: .obj"));
+    EXPECT_THAT(refusal("tile"), ::testing::HasSubstr("expected one of: .obj"));
+    const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "ripstop_folder.obj";
+    std::filesystem::create_directory(folder);
+    EXPECT_THAT(refusal(folder), ::testing::HasSubstr("is a folder"));
+    EXPECT_THROW(sha256_of_file(folder), InputError);
+}
+
+TEST(MeshFile, ReadsAndHashesAFileOfAnyCase) {
+    const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "ripstop_tile.OBJ";
+    std::ofstream(path) << "abc";
+    EXPECT_EQ(sha256_of_file(path), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_EQ(read_meshes(path, 1).at(0).name, "ripstop_tile");
+}
+
+std::vector<std::filesystem::path> shared_files(const std::string& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code absent;
+    const std::filesystem::path root = std::filesystem::path(RIPSTOP_SHARED_DATA) / folder;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root, absent))
+        for (const MeshFormat& format : mesh_formats())
+            if (entry.path().extension() == format.extension) files.push_back(entry.path());
+    return files;
+}
+
+TEST(FilesOfOthers, NastyOnesAreAMeshOrASentenceThatNamesThem) {
+    const auto files = shared_files("nasty");
+    if (files.empty()) GTEST_SKIP() << "no files in " << RIPSTOP_SHARED_DATA << "/nasty";
+    for (const auto& file : files) try {
+            expect_sound(read_meshes(file, 1));
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), ::testing::StartsWith(file.string() + ":"));
+        }
+}
+
+TEST(FilesOfOthers, SoundOnesAreReadInFull) {
+    for (const char* folder : {"uv_fixtures", "dress", "skirt"}) {
+        const auto files = shared_files(folder);
+        if (files.empty()) GTEST_SKIP() << "no files in " << RIPSTOP_SHARED_DATA << "/" << folder;
+        for (const auto& file : files) EXPECT_NO_THROW(expect_sound(read_meshes(file, 1))) << file;
+    }
+    const auto dress = read_meshes(RIPSTOP_SHARED_DATA "/dress/dress_knife_drape_3d.obj", 1);
+    ASSERT_EQ(dress.size(), 14U);
+    EXPECT_EQ(dress[0].name, "panel_00");
+    EXPECT_TRUE(dress[0].drawn);
+    const auto skirt = read_meshes(RIPSTOP_SHARED_DATA "/skirt/skirt__skirt_3D_0.obj", 0.01);
+    EXPECT_EQ(skirt.at(0).mesh.vertex_count(), 817) << "welding would sew the darts shut";
+    EXPECT_EQ(skirt.at(0).mesh.triangle_count(), 1472);
+}
+
+}  // namespace
+}  // namespace ripstop
