@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ripstop/flatten/grain.h"
+#include "ripstop/flatten/method.h"
+#include "ripstop/measure/accuracy.h"
+#include "ripstop/mesh/flips.h"
+#include "support/shapes.h"
+
+namespace ripstop {
+
+void PrintTo(const Method& method, std::ostream* out) { *out << method.name; }
+
+namespace {
+
+/// What any way to flatten must do, whatever it minimises. Runs over the whole table of methods.
+class EveryMethod : public ::testing::TestWithParam<Method> {
+  protected:
+    Fabric fabric;
+
+    Tile tile(const TriangleMesh& mesh) const { return make_tile("tile", mesh, {.warp = Vec3(0.2, 1, 0.5)}); }
+    Flattening flatten(const Tile& of) const { return GetParam().flatten(of, fabric); }
+    Accuracy accuracy(const Tile& of) const { return measure_accuracy(of, flatten(of).positions, fabric); }
+    /// The woven fit reads lengths off a grid of threads, so it is as good as its grid; the others are exact.
+    double developable_error() const { return std::string(GetParam().name) == "woven" ? 5e-3 : 1e-7; }
+    /// Iterations that stop at rest differ by what their stop leaves; how far another rounding takes them.
+    double pose_tolerance() const { return 1e-3; }
+};
+
+/// Lengths of all edges: what two flattenings share however they lie on the cloth.
+Eigen::VectorXd edge_lengths_of(const Triangles& triangles, const Points2& x) {
+    Eigen::VectorXd lengths(3 * triangles.rows());
+    for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+        for (int k = 0; k < 3; ++k)
+            lengths[3 * t + k] = (x.row(triangles(t, (k + 1) % 3)) - x.row(triangles(t, k))).norm();
+    return lengths;
+}
+
+TEST_P(EveryMethod, IsExactOnDevelopables) {
+    for (const auto& shape : testing::developable_shapes()) {
+        SCOPED_TRACE(shape.name);
+        const Accuracy found = accuracy(tile(shape.mesh));
+        EXPECT_LT(std::abs(found.area_error), developable_error());
+        EXPECT_LT(found.edge_error_abs, developable_error());
+        EXPECT_LT(found.boundary_error_max, 10 * developable_error());
+    }
+}
+
+TEST_P(EveryMethod, TurnsNoTriangleOver) {
+    for (const auto& shape : testing::curved_shapes()) {
+        const Tile of = tile(shape.mesh);
+        EXPECT_EQ(count_flipped(of.mesh.triangles, flatten(of).positions), 0) << shape.name;
+    }
+}
+
+TEST_P(EveryMethod, LaysTheWarpAlongX) {
+    for (const auto& shape : testing::curved_shapes()) {
+        const Tile of = tile(shape.mesh);
+        const Points2 x = flatten(of).positions;
+        Points2 again = x;
+        align_with_grain(of, again);
+        EXPECT_LT((again - x).cwiseAbs().maxCoeff(), 1e-9) << shape.name;
+    }
+}
+
+TEST_P(EveryMethod, GivesTheSameInAnyPose) {
+    for (const auto& shape : testing::curved_shapes()) {
+        SCOPED_TRACE(shape.name);
+        const Tile there = make_tile("tile", shape.mesh, {.warp = shape.mesh.corner(0, 1) - shape.mesh.corner(0, 0)});
+        const TriangleMesh turned = testing::moved(shape.mesh);
+        const Tile elsewhere = make_tile("tile", turned, {.warp = turned.corner(0, 1) - turned.corner(0, 0)});
+        const Flattening a = flatten(there), b = flatten(elsewhere);
+        EXPECT_LT((edge_lengths_of(shape.mesh.triangles, a.positions) - edge_lengths_of(shape.mesh.triangles, b.positions))
+                      .cwiseAbs()
+                      .maxCoeff(),
+                  pose_tolerance());
+    }
+}
+
+TEST_P(EveryMethod, ScalesWithTheTile) {
+    const auto shape = testing::curved_shapes().front();
+    const Points2 small = flatten(tile(shape.mesh)).positions;
+    const Points2 large = flatten(tile(testing::scaled(shape.mesh, 100))).positions;
+    EXPECT_LT((large / 100 - small).cwiseAbs().maxCoeff(), pose_tolerance());
+}
+
+TEST_P(EveryMethod, GivesTheSameBytesTwice) {
+    const Tile of = tile(testing::curved_shapes().back().mesh);
+    EXPECT_EQ(flatten(of).positions, flatten(of).positions);
+}
+
+TEST_P(EveryMethod, FlattensASingleTriangle) {
+    TriangleMesh mesh;
+    mesh.positions.resize(3, 3);
+    mesh.positions << 0, 0, 0, 2, 0, 1, 0, 1, 1;
+    mesh.triangles.resize(1, 3);
+    mesh.triangles << 0, 1, 2;
+    const Accuracy found = accuracy(tile(mesh));
+    EXPECT_LT(found.boundary_error_max, 1e-6);
+    EXPECT_EQ(found.flipped, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryMethod, ::testing::ValuesIn(methods().begin(), methods().end()),
+                         [](const auto& info) {
+                             std::string name = info.param.name;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+TEST(Methods, AnUnknownNameIsAnsweredWithTheList) {
+    try {
+        method_named("foo");
+        FAIL();
+    } catch (const std::exception& error) {
+        EXPECT_EQ(std::string(error.what()).rfind("no method \"foo\"; known: ", 0), 0u) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace ripstop
