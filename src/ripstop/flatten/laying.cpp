@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "ripstop/geometry/triangle.h"
 
@@ -27,12 +28,17 @@ double flat_area(const TriangleMesh& mesh, const Points2& positions, int triangl
     return signed_area(positions.row(corners[0]), positions.row(corners[1]), positions.row(corners[2]));
 }
 
-/// Flat over true area of the worst triangle at a vertex.
-double worst_around(const TriangleMesh& mesh, const Points2& positions, const std::vector<int>& outgoing) {
-    double worst = std::numeric_limits<double>::infinity();
-    for (const int h : outgoing)
-        worst = std::min(worst, flat_area(mesh, positions, h / 3) / triangle_area(mesh, h / 3));
-    return worst;
+/// How bad it is at a vertex, to be made less: how many of its triangles are flipped, then the worst one's flat area over
+/// the true one, negative.
+using Badness = std::pair<int, double>;
+Badness badness(const TriangleMesh& mesh, const Points2& positions, const std::vector<int>& outgoing) {
+    Badness bad{0, -std::numeric_limits<double>::infinity()};
+    for (const int h : outgoing) {
+        const double ratio = flat_area(mesh, positions, h / 3) / triangle_area(mesh, h / 3);
+        bad.first += !(ratio > 0);
+        bad.second = std::max(bad.second, -ratio);
+    }
+    return bad;
 }
 
 /// Moves `vertex` to the best of a few places for it; whether any was better than where it was.
@@ -50,18 +56,19 @@ bool improve(const TriangleMesh& mesh, const std::vector<int>& outgoing, int ver
     }
     const Vec2 old = positions.row(vertex);
     Vec2 best = old;
-    double best_worst = worst_around(mesh, positions, outgoing);
-    const double before = best_worst;
+    Badness least = badness(mesh, positions, outgoing);
+    bool moved = false;
     for (const Vec2& target : {Vec2(laid / total), Vec2(middle / total)})
         for (const double part : {1.0, 0.5, 0.25}) {
             positions.row(vertex) = (old + part * (target - old)).transpose();
-            const double worst = worst_around(mesh, positions, outgoing);
-            if (worst <= best_worst + 1e-9) continue;
-            best_worst = worst;
+            const Badness bad = badness(mesh, positions, outgoing);
+            if (bad >= Badness{least.first, least.second - 1e-9}) continue;
+            least = bad;
             best = positions.row(vertex);
+            moved = true;
         }
     positions.row(vertex) = best.transpose();
-    return best_worst > before;
+    return moved;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "ripstop/flatten/woven_fit.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -54,7 +55,7 @@ class Loom {
     void lay_tendons(const SurfacePoint& centre, const Vec2& warp);
     void fill_quadrants();
     void propagate();
-    void reopen();
+    bool refill();
     void settle();
     WovenFit cut_off();
 
@@ -65,10 +66,10 @@ class Loom {
         return found == site_.end() ? -1 : found->second;
     }
     static std::int64_t key(const Site& site) { return (std::int64_t{site.warp} << 32) + site.weft; }
-    WovenNode& node(int n) { return nodes_[static_cast<std::size_t>(n)]; }
     const WovenNode& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
 
     void place(const Site& site, const SurfacePoint& at, bool tendon);
+    void open_around(const Site& site);
     void link(int n);
     void unlink(int n);
     Neighbourhood look(const SurfacePoint& at, const Site& site, double reach) const;
@@ -93,7 +94,8 @@ class Loom {
     std::vector<int> first_in_;                   // the nodes of each triangle, as linked lists
     std::vector<int> next_in_;
     WovenFit fit_;
-    std::vector<Site> open_cells_, open_ends_, open_rest_;  // sites that may be placed, oldest first
+    // Sites to try, oldest first: across a cell, straight on from a crossing with its three other yarns, from any crossing.
+    std::array<std::vector<Site>, 3> open_;
 };
 
 void Loom::link(int n) {
@@ -114,17 +116,16 @@ void Loom::place(const Site& site, const SurfacePoint& at, bool tendon) {
     next_in_.push_back(-1);
     link(n);
     site_.emplace(key(site), n);
-    const auto open = [this](std::vector<Site>& list, const Site& empty) {
-        if (is_free(empty)) list.push_back(empty);
-    };
-    for (const Site& d : diagonal) open(open_cells_, site + d);
-    for (const Site& d : structural) {
-        open(open_cells_, site + d);
-        open(open_ends_, site + d);
-        open(open_rest_, site + d);
-        if (is_free(site + d)) continue;
-        for (const Site& e : structural) open(open_ends_, site + d + e);
-    }
+    open_around(site);
+    for (const Site& d : structural)
+        if (!is_free(site + d))
+            for (const Site& e : structural) open_[1].push_back(site + d + e);
+}
+
+void Loom::open_around(const Site& site) {
+    for (const Site& d : diagonal) open_[0].push_back(site + d);
+    for (const Site& d : structural)
+        for (auto& list : open_) list.push_back(site + d);
 }
 
 Neighbourhood Loom::look(const SurfacePoint& at, const Site& site, double reach) const {
@@ -176,12 +177,9 @@ Vec2 Loom::newton_step(const Neighbourhood& around) const {
         pull += stiffness(k) * (length - rest_length(k)) * unit;
     }
     hessian += 1e-6 * hessian.trace() * Mat22::Identity();
-    const double determinant = hessian(0, 0) * hessian(1, 1) - hessian(0, 1) * hessian(1, 0);
-    if (!(determinant > 0)) return Vec2::Zero();
-    const Vec2 step(hessian(1, 1) * pull.x() - hessian(0, 1) * pull.y(),
-                    hessian(0, 0) * pull.y() - hessian(1, 0) * pull.x());
-    const double length = step.norm() / determinant;
-    return step / determinant * std::min(1.0, 0.5 * spacing_ / std::max(length, 1e-300));
+    if (!(hessian.determinant() > 0)) return Vec2::Zero();
+    const Vec2 step = hessian.inverse() * pull;
+    return step * std::min(1.0, 0.5 * spacing_ / std::max(step.norm(), 1e-300));
 }
 
 /// Goes from a crossing to where `site` should lie, lets it settle there between its neighbours and places it, if it stays
@@ -190,22 +188,20 @@ bool Loom::try_site(const Site& site, const SurfacePoint& from, const Vec2& dire
     constexpr int local_steps = 10;
     Walk walk = surface_.walk(from, direction, length);
     if (walk.hit_boundary && length - walk.walked > 1e-9 * spacing_) return false;
-    for (int step = 0; step < local_steps; ++step) {
+    for (int step = 0;; ++step) {
         const Neighbourhood around = look(walk.end, site, woven_reach);
         const bool tied =
             std::any_of(structural.begin(), structural.end(), [&](const Site& d) { return around.sees(d); });
         if (around.is_crowded || !tied) return false;
         const Vec2 move = newton_step(around);
         const double distance = move.norm();
-        if (distance < 1e-3 * spacing_) {
+        if (distance < 1e-3 * spacing_ || step == local_steps) {
             place(site, walk.end, false);
             return true;
         }
         walk = surface_.walk(walk.end, move, distance);
         if (walk.hit_boundary && distance - walk.walked > 1e-9 * spacing_) return false;
     }
-    place(site, walk.end, false);
-    return true;
 }
 
 /// Diagonal node mapping: from the opposite corner of a cell with three corners placed, between its two sides.
@@ -274,37 +270,30 @@ void Loom::fill_quadrants() {
             }
 }
 
+/// Boundary propagation: cells first, then straight on, each placed crossing opening new sites.
 void Loom::propagate() {
-    std::size_t cell = 0, end = 0, rest = 0;
+    std::array<std::size_t, 3> next = {};
     while (static_cast<int>(nodes_.size()) < max_nodes_) {
-        if (cell < open_cells_.size()) {
-            const Site site = open_cells_[cell++];
-            if (is_free(site)) place_diagonally(site);
-        } else if (end < open_ends_.size()) {
-            const Site site = open_ends_[end++];
-            if (is_free(site)) extend(site, true);
-        } else if (rest < open_rest_.size()) {
-            const Site site = open_rest_[rest++];
-            if (is_free(site)) extend(site, false);
-        } else {
-            break;
-        }
+        std::size_t kind = 0;
+        while (kind < 3 && next[kind] == open_[kind].size()) ++kind;
+        if (kind == 3) break;
+        const Site site = open_[kind][next[kind]++];
+        if (!is_free(site)) continue;
+        if (kind == 0)
+            place_diagonally(site);
+        else
+            extend(site, kind == 1);
     }
-    open_cells_.clear();
-    open_ends_.clear();
-    open_rest_.clear();
+    for (auto& list : open_) list.clear();
 }
 
-/// Every site next to a placed crossing, once more.
-void Loom::reopen() {
-    for (const WovenNode& n : nodes_) {
-        if (!n.placed) continue;
-        for (const Site& d : diagonal) open_cells_.push_back(Site{n.warp, n.weft} + d);
-        for (const Site& d : structural) {
-            open_ends_.push_back(Site{n.warp, n.weft} + d);
-            open_rest_.push_back(Site{n.warp, n.weft} + d);
-        }
-    }
+/// Tries every free site beside a crossing once more; whether any could be placed.
+bool Loom::refill() {
+    const std::size_t before = nodes_.size();
+    for (const WovenNode& n : nodes_)
+        if (n.placed) open_around({n.warp, n.weft});
+    propagate();
+    return nodes_.size() > before;
 }
 
 /// Energy diffusion: each crossing in turn to rest between its neighbours; one that leaves the surface is dropped.
@@ -354,9 +343,7 @@ WovenFit fit_woven_mesh(const UnfoldedSurface& surface, const SurfacePoint& cent
     loom.fill_quadrants();
     loom.propagate();
     loom.settle();
-    loom.reopen();
-    loom.propagate();
-    loom.settle();
+    if (loom.refill()) loom.settle();
     return loom.cut_off();
 }
 

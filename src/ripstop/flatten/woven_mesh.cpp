@@ -32,15 +32,17 @@ void require_valid(const WovenOptions& options) {
         throw InputError("woven mesh: the number of iterations is negative; give 0 or more");
 }
 
-/// Half the mean edge, as the paper has it, but at least some 100 crossings on a tile of few triangles and no more than
-/// 20 a triangle where a few tiny edges draw the mean down.
-double yarn_spacing(const TriangleMesh& mesh, const Adjacency& adjacency, double relative) {
+/// Half the mean edge, as the paper has it, but three yarns across a narrow tile, some 100 crossings on one of few triangles
+/// and no more than 20 a triangle where tiny edges draw the mean down.
+double yarn_spacing(const Tile& tile, const Adjacency& adjacency, double relative) {
     double sum = 0;
     for (const int h : adjacency.edges())
-        sum += (mesh.positions.row(adjacency.from(h)) - mesh.positions.row(adjacency.to(h))).norm();
+        sum += (tile.mesh.positions.row(adjacency.from(h)) - tile.mesh.positions.row(adjacency.to(h))).norm();
     const double mean = sum / static_cast<double>(adjacency.edges().size());
-    const double area = surface_area(mesh);
-    return std::clamp(relative * mean, std::sqrt(area / (100 + 20.0 * mesh.triangle_count())), std::sqrt(area / 100));
+    const double area = surface_area(tile.mesh);
+    const double width = 2 * area / edge_lengths(tile.mesh.positions, closed(tile.boundary)).sum();
+    return std::clamp(std::min(relative * mean, width / 3), std::sqrt(area / (100 + 20.0 * tile.mesh.triangle_count())),
+                      std::sqrt(area / 100));
 }
 
 /// Length of the shortest way along edges from each vertex to the boundary (#V).
@@ -80,23 +82,25 @@ double distance_to_boundary(const Tile& tile, const Vec3& point) {
 }
 
 /// The point of the tile nearest its area centre; where that is close to the boundary, the middle of the triangle that is
-/// far from the boundary and yet not far from there.
+/// far from the boundary and yet not far from there. A little off every edge and vertex, so that the yarns of a regular
+/// mesh do not run into vertices, where rounding would choose their side.
 SurfacePoint weave_centre(const Tile& tile, const Adjacency& adjacency, const UnfoldedSurface& surface) {
     const Vec3 centre = centroid(tile.mesh);
-    const SurfacePoint nearest = surface.nearest(centre);
     const Eigen::VectorXd deep = depth(tile, adjacency);
-    if (distance_to_boundary(tile, surface.position(nearest)) >= 0.25 * deep.maxCoeff()) return nearest;
-    SurfacePoint best = nearest;
-    double best_score = -std::numeric_limits<double>::infinity();
-    for (int t = 0; t < tile.mesh.triangle_count(); ++t) {
-        const SurfacePoint middle = surface.at(t, Vec3::Constant(1.0 / 3));
-        const double here =
-            (deep[tile.mesh.triangles(t, 0)] + deep[tile.mesh.triangles(t, 1)] + deep[tile.mesh.triangles(t, 2)]) / 3;
-        const double score = here - 0.25 * (surface.position(middle) - centre).norm();
-        if (score <= best_score) continue;
-        best_score = score;
-        best = middle;
+    SurfacePoint best = surface.nearest(centre);
+    if (distance_to_boundary(tile, surface.position(best)) < 0.25 * deep.maxCoeff()) {
+        double best_score = -std::numeric_limits<double>::infinity();
+        for (int t = 0; t < tile.mesh.triangle_count(); ++t) {
+            const SurfacePoint middle = surface.at(t, Vec3::Constant(1.0 / 3));
+            const auto corners = tile.mesh.triangles.row(t);
+            const double score = (deep[corners[0]] + deep[corners[1]] + deep[corners[2]]) / 3 -
+                                 0.25 * (surface.position(middle) - centre).norm();
+            if (score <= best_score + 1e-9 * deep.maxCoeff()) continue;  // rounding must not choose among equals
+            best_score = score;
+            best = middle;
+        }
     }
+    best.local += 0.01 * (surface.at(best.triangle, Vec3::Constant(1.0 / 3)).local - best.local);
     return best;
 }
 
@@ -194,7 +198,7 @@ Flattening flatten_woven(const Tile& tile, const Fabric& /*fabric*/, const Woven
     const Adjacency adjacency(tile.mesh.triangles, tile.mesh.vertex_count());
     const UnfoldedSurface surface(tile.mesh);
     const SurfacePoint centre = weave_centre(tile, adjacency, surface);
-    const double spacing = yarn_spacing(tile.mesh, adjacency, options.spacing);
+    const double spacing = yarn_spacing(tile, adjacency, options.spacing);
     const Vec2 warp = warp_at(tile, surface, centre, 4 * spacing);
     const int max_nodes = 1000 + 60 * tile.mesh.triangle_count();
     const WovenFit fit = fit_woven_mesh(surface, centre, warp, spacing, max_nodes, options);

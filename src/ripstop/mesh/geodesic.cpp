@@ -104,8 +104,8 @@ SurfacePoint UnfoldedSurface::nearest(const Vec3& point) const {
                 local = on;
             }
         }
-        const double distance = (position({t, local}) - point).squaredNorm();
-        if (distance >= best_distance) continue;
+        const double distance = (position({t, local}) - point).norm();
+        if (distance >= best_distance - 1e-9 * f.corners[1].x()) continue;  // rounding must not choose among equals
         best_distance = distance;
         best = {t, local};
     }

@@ -77,7 +77,8 @@ class UnfoldedSurface {
     ///
     /// This is the logarithm of the surface about a point, exact, for all its neighbours in one go: `unfolded(p) -
     /// from.local` is the direction and the straight distance to the point p of the triangle, provided `hidden_by` is 0.
-    /// Where the surface is curved a triangle can be seen twice, round both sides of a vertex, or a part of it not at all.
+    /// A triangle is listed once for each gap it is seen through; on a flat surface a point of it lies in one of them, on a
+    /// curved one it may be seen round both sides of a vertex, or not at all.
     /// Cost: the triangles seen.
     std::vector<Sight> look_around(const SurfacePoint& from, double radius) const;
 
