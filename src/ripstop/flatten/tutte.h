@@ -11,8 +11,8 @@ namespace ripstop {
 ///
 /// Because the weights are symmetric and positive and the boundary is strictly convex, no triangle can flip, whatever the
 /// triangles' shape; inner edges between boundary vertices do no harm. The weights are Floater's mean values [2003] made
-/// symmetric, which keeps triangles' shapes better than equal ones. Where rounding flips a triangle all the same, as in
-/// needles thinner than about 1e-8, equal weights are tried; what is left is counted in the summary.
+/// symmetric, which keeps triangles' shapes better than equal ones. Where rounding flips a triangle all the same,
+/// equal weights are tried; what is left is counted in the summary.
 ///
 /// One sparse positive definite factorisation of size #inner vertices, or two.
 Flattening flatten_tutte(const Tile& tile);
