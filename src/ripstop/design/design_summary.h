@@ -22,7 +22,7 @@ struct DesignSummary {
     double angle_min = 0;  ///< smallest angle of any triangle [rad]
     double turn_max = 0;   ///< largest angle between triangles that share an edge within a tile [rad]
     double chord_error =
-        0;  ///< largest distance of triangle and arc over such an edge: turn h / 8, h their mean height [m]
+        0;  ///< largest distance of chord and arc across such an edge: turn h / 8, h the mean height [m]
     NaturalShape shape;
 };
 
