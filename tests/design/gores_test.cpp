@@ -228,7 +228,7 @@ TEST(DesignNatural, TrianglesAreWellShaped) {
     EXPECT_GT(measure_design(wide, design_natural(wide)).edge_min, 0.75 * design.edge_length);
 }
 
-TEST(DesignNatural, ClosedPointsKeepAnglesAboveAThirdOfTheGores) {
+TEST(DesignNatural, AtAClosedPointAnglesAreHalfTheGores) {
     EnvelopeDesign design = coarse();
     design.crown_radius = 0;  // each gore ends in 15 degrees, halved by an edge into the tile
     EXPECT_GT(measure_design(design, design_natural(design)).angle_min, 7 * degree);
@@ -249,6 +249,20 @@ TEST(DesignNatural, PanelHeightChoosesThePanels) {
     EXPECT_EQ(summary.panels, 19);
     EXPECT_LE(summary.panel_height, 1.4);
     EXPECT_GT(summary.panel_height * 19 / 18, 1.4);
+}
+
+TEST(DesignNatural, TakesADiameterInsteadOfAVolume) {
+    EnvelopeDesign design = coarse();
+    design.diameter = 20;
+    EXPECT_NEAR(measure_design(design, design_natural(design)).diameter, 20, 0.01);
+    EXPECT_NEAR(design_shape(design).max_radius, 10, 1e-8);
+}
+
+TEST(DesignNatural, TakesLobesUpToSixtyDegrees) {
+    EnvelopeDesign design = coarse();
+    design.gores = 12;
+    design.bulge = 60 * degree;
+    EXPECT_EQ(design_natural(design).size(), 180u);
 }
 
 TEST(DesignNatural, GivesTheSameBytesEveryTime) {

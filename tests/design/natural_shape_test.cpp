@@ -43,8 +43,8 @@ std::string refusal(const NaturalShapeOptions& options) {
 constexpr double digits2 = 0.5e-2, digits3 = 0.5e-3, digits4 = 0.5e-4, digits5 = 0.5e-5, digits6 = 0.5e-6;
 constexpr double last = 1.02;  // half a unit of the last printed digit, and the rounding of the comparison
 
-// An independent solver (DOP853, rtol 1e-11) made the reference figures of this file. Its heights of the equator are the
-// widest of sampled points, and some of its radii too (0.344375 for 0.344379, which a third solver confirms): hence
+// An independent solver (DOP853, rtol 1e-11) made the reference figures of this file. Its heights of the equator are
+// the widest of sampled points, and some of its radii too (0.344375 for 0.344379, which a third solver confirms): hence
 // the wider tolerances on those two.
 
 TEST(NaturalShape, ClosedFamilyHasTheKnownFigures) {

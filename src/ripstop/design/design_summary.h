@@ -19,10 +19,9 @@ struct DesignSummary {
     double panel_width = 0;   ///< widest cloth across a gore [m]
     double edge_min = 0;      ///< shortest and longest edge of any triangle [m]
     double edge_max = 0;
-    double angle_min = 0;  ///< smallest angle of any triangle [rad]
-    double turn_max = 0;   ///< largest angle between triangles that share an edge within a tile [rad]
-    double chord_error =
-        0;  ///< largest distance of triangle and arc over such an edge: turn h / 8, h their mean height [m]
+    double angle_min = 0;    ///< smallest angle of any triangle [rad]
+    double turn_max = 0;     ///< largest angle between triangles that share an edge within a tile [rad]
+    double chord_error = 0;  ///< largest distance of chord and arc across such an edge: turn height / 8 [m]
     NaturalShape shape;
 };
 

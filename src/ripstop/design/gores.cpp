@@ -19,9 +19,10 @@ void require_valid(const EnvelopeDesign& d) {
     require_range("number of panels", d.panels, 1, 1000, "");
     require_range("panel height", d.panel_height, 0, 1000, "m");
     require_above("volume", d.volume, 0, "m3");
+    require_range("diameter", d.diameter, 0, 1000, "m");
     require_range("mouth ratio", d.mouth_ratio, 0, 0.8, "");
     require_range("crown radius", d.crown_radius, 0, 1000, "m");
-    require_range("bulge half-angle", d.bulge / degree, 0, 60, "degrees");
+    require_angle("bulge half-angle", d.bulge, 60);
     require_above("edge length", d.edge_length, 0, "m");
     require_range("fabric mass", d.fabric_mass, 0, 10, "kg/m2");
 }
@@ -140,6 +141,7 @@ NaturalShape design_shape(const EnvelopeDesign& design) {
     require_valid(design);
     NaturalShapeOptions options;
     options.volume = design.volume;
+    if (design.diameter > 0) options.diameter = design.diameter;
     options.mouth_ratio = design.mouth_ratio;
     options.buoyancy = buoyancy(design.air);
     options.weight = design.fabric_mass * gravity;
@@ -148,9 +150,11 @@ NaturalShape design_shape(const EnvelopeDesign& design) {
     NaturalShape shape = natural_shape(options);
     if (shape.summary.usable()) return shape;
     std::string bulge = design.bulge > 0 ? " and lobes of " + format_shortest(design.bulge / degree) + " degrees" : "";
-    throw InputError("no natural shape exists for " + format_shortest(design.volume) + " m3, " +
-                     std::to_string(design.gores) + " gores, mouth ratio " + format_shortest(design.mouth_ratio) +
-                     ", cloth of " + format_shortest(design.fabric_mass) + " kg/m2" + bulge +
+    const std::string size = design.diameter > 0 ? format_shortest(design.diameter) + " m across, "
+                                                 : format_shortest(design.volume) + " m3, ";
+    throw InputError("no natural shape exists for " + size + std::to_string(design.gores) + " gores, mouth ratio " +
+                     format_shortest(design.mouth_ratio) + ", cloth of " + format_shortest(design.fabric_mass) +
+                     " kg/m2" + bulge +
                      "; give more volume or hotter air, or lobes of 20 degrees or more on more gores");
 }
 

@@ -88,8 +88,8 @@ MeridianPoint smooth_slope(const MeridianEquation& e, const MeridianPoint& y) {
     return {1, sine, cosine, turning, weight * cosine, 2 * pi * y.r, pi * y.r * y.r * cosine};
 }
 
-/// Cloth a length of meridian: the integral of |P_s x P_u| over u, of the surface in `design_point`. Gauss, five points over
-/// half the gore: the integrand is smooth and even in u.
+/// Cloth a length of meridian: the integral of |P_s x P_u| over u, of the surface in `design_point`. Gauss, five points
+/// over half the gore: the integrand is smooth and even in u.
 double lobed_area_slope(const MeridianEquation& e, const MeridianPoint& y, double turning) {
     constexpr std::array<double, 5> places{0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155,
                                            0.95308992296933200};

@@ -24,15 +24,16 @@ struct MeridianPoint {
 ///
 /// w the weight of the cloth, n tapes of weight g a length. T is the total force, so nothing is singular on the axis.
 ///
-/// Lobed: between n tapes the cloth bulges in arcs of half-angle B and carries hoop tension only, N_h = p rho. With
-/// a = pi/n, half chord c = r sin a, radius rho = c / sin B, d the mean normal offset of the lobe, p taken at z - d sin th:
+/// Lobed: between n tapes the cloth bulges in arcs of half-angle B and carries hoop tension only, N_h = p rho. With a =
+/// pi/n, half chord c = r sin a, radius rho = c / sin B, d the mean normal offset of the lobe, p taken at z - d sin th:
 ///
 ///     R = 2 p c [(1 - th' d) cos th cos a - sin a / tan B],  Z = -2 p c (1 - th' d) sin th      a tape, a tape length
 ///     T' = -n (R sin th + Z cos th) + W cos th,  T th' = -n (R cos th - Z sin th) - W sin th
 ///     V' = n [r2 sin a cos a cos th + (B - sin B cos B) rho2 (1 - th' d_c)]
 ///
-/// W = n (2 rho B w + g), and A' is the true area of the bulging cloth. d_c is the offset of the lobe section's centroid. To leading order the lobes give the smooth equation a mean hoop
-/// tension k p r, k = sin a / tan B: a lobed envelope is taller than a smooth one. Good to B of 30 to 45 degrees.
+/// W = n (2 rho B w + g), and A' is the true area of the bulging cloth. d_c is the offset of the lobe section's
+/// centroid. To leading order the lobes give the smooth equation a mean hoop tension k p r, k = sin a / tan B: a lobed
+/// envelope is taller than a smooth one. Good to B of 30 to 45 degrees.
 struct MeridianEquation {
     double buoyancy = 1;     ///< b [N/m3]
     double weight = 0;       ///< w, of the cloth [N/m2]
@@ -62,8 +63,8 @@ struct Meridian {
     MeridianPoint descent_to(double r) const;
 };
 
-/// Follows the equation from `start` until the meridian comes down to the axis, by adaptive steps of order 5(4). `unit` is
-/// the length against which errors are measured: each step errs by less than 1e-13 of it.
+/// Follows the equation from `start` until the meridian comes down to the axis, by adaptive steps of order 5(4). `unit`
+/// is the length against which errors are measured: each step errs by less than 1e-13 of it.
 Meridian trace_meridian(const MeridianEquation& equation, const MeridianPoint& start, double unit);
 
 }  // namespace ripstop

@@ -139,7 +139,7 @@ void require_valid(const NaturalShapeOptions& o) {
     require_range("cloth weight", o.weight, 0, 1000, "N/m2");
     require_range("number of tapes", o.tapes, 3, 1000, "");
     require_range("tape weight", o.tape_weight, 0, 1000, "N/m");
-    require_range("bulge half-angle", o.bulge / degree, 0, 90, "degrees");
+    require_angle("bulge half-angle", o.bulge, 90);
 }
 
 /// The meridian in metres and newtons.

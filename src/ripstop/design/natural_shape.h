@@ -16,8 +16,8 @@ struct Air {
     double altitude = 0;  ///< pressure altitude [m], 0 to 11000: the pressure of the standard atmosphere (ISA) there
 };
 
-/// b = g (rho_out - rho_in), rho = P / (287.053 T): the lift of a cubic metre, and the rise of the gauge pressure with height
-/// [N/m3]. Throws InputError unless inside is hotter than outside and both lie in [-90, 300] C.
+/// b = g (rho_out - rho_in), rho = P / (287.053 T): the lift of a cubic metre, and the rise of the gauge pressure with
+/// height [N/m3]. Throws InputError unless inside is hotter than outside and both lie in [-90, 300] C.
 double buoyancy(const Air& air);
 
 /// One size is given: the diameter if any, else the load if any, else the volume.
@@ -49,19 +49,21 @@ struct NaturalShape {
     double mouth_tension = 0;   ///< T at the mouth, all round [N]
     double crown_tension = 0;   ///< T at the crown, all round [N]
     double crown_pressure = 0;  ///< b H [Pa]
-    double imbalance =
-        0;  ///< (F + W) / (b V) - 1: round-off for a smooth shape, the lobe model's own error for a lobed one
+    /// (F + W) / (b V) - 1: round-off for a smooth shape, the lobe model's own error for a lobed one.
+    double imbalance = 0;
     SolveSummary summary;
 
     MeridianPoint point_at(double s) const { return meridian.at(s); }
 };
 
-/// Solves `MeridianEquation` with p = 0 at the mouth plane so that the meridian meets the axis square (r = 0, th = -90 degrees),
-/// the mouth has the wanted ratio and the envelope the wanted size: Newton's method on the load, the mouth's radius and th0, in
-/// the length unit V^(1/3) (or D, or (F/b)^(1/3)), following the weight and the lobes up from nothing where it must.
+/// Solves `MeridianEquation` with p = 0 at the mouth plane so that the meridian meets the axis square (r = 0, th = -90
+/// degrees), the mouth has the wanted ratio and the envelope the wanted size: Newton's method on the load, the mouth's
+/// radius and th0, in the length unit V^(1/3) (or D, or (F/b)^(1/3)), following the weight and the lobes up from
+/// nothing where it must.
 ///
-/// Throws InputError for options out of range. Where no such shape is found (lobes flatter than about 8 degrees on 24
-/// tapes, a cloth heavier than its lift) `summary` says failed and the figures are zero. A few milliseconds.
+/// Throws InputError for options out of range. Where no such shape is found `summary` says failed and the figures are
+/// zero: lobes flatter than about 8 degrees on 24 tapes, lobes on fewer than six tapes (beyond the model), a cloth as
+/// heavy as its lift. A few milliseconds; half a second to find none.
 NaturalShape natural_shape(const NaturalShapeOptions& options);
 
 }  // namespace ripstop

@@ -5,6 +5,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
+#include "ripstop/base/units.h"
 
 namespace ripstop {
 
@@ -14,6 +15,11 @@ inline void require_range(const std::string& option, double value, double low, d
     const std::string end = unit.empty() ? "" : " " + unit;
     throw InputError("the " + option + " is " + format_shortest(value) + end + "; it must lie between " +
                      format_shortest(low) + " and " + format_shortest(high) + end);
+}
+
+/// The same for an angle in radians that may run from 0 to `high` degrees; the message speaks of degrees.
+inline void require_angle(const std::string& option, double value, double high) {
+    if (!(value >= 0 && value <= high * degree)) require_range(option, value / degree, 0, high, "degrees");
 }
 
 /// Throws InputError that names the option and its value unless it is finite and greater than `low`.
