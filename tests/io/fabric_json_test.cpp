@@ -97,6 +97,12 @@ TEST(FabricJson, SaysInWhichLineATextIsNotJson) {
     EXPECT_THAT(refusal("{\"name\": \"\xFC\"}"), StartsWith("mine.json:1: not JSON"));
 }
 
+TEST(FabricJson, RefusesEndlessNestingBeforeItCostsTheStack) {
+    std::string text(1000000, '[');
+    text.append(1000000, ']');
+    EXPECT_THAT(refusal(text), HasSubstr("more than 64 deep"));
+}
+
 TEST(FabricPresets, AreTheFourThatComeWithTheProgramAndValid) {
     EXPECT_THAT(fabric_presets(), ElementsAre("isotropic", "nylon", "nylon-silicone", "polyester"));
     for (const std::string& preset : fabric_presets()) {

@@ -13,6 +13,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int deepest = 64;  // what we read is 5 deep; a value's text, its copy and its end cost stack for each level
+
 /// Notes the first key that an object has twice: the parser itself would silently take the last.
 class DuplicateKeys {
   public:
@@ -42,8 +44,12 @@ json read_json_object(std::istream& in, const std::string& name) {
     DuplicateKeys duplicates;
     json object;
     try {
-        object = json::parse(text,
-                             [&](int, json::parse_event_t event, json& value) { return duplicates.see(event, value); });
+        object = json::parse(text, [&](int depth, json::parse_event_t event, json& value) {
+            if (depth > deepest)
+                throw InputError(name + ": lists and objects stand more than " + std::to_string(deepest) +
+                                 " deep in one another, expected a few; this is another kind of file");
+            return duplicates.see(event, value);
+        });
     } catch (const json::parse_error& error) {
         const std::size_t at = std::min(text.size(), error.byte > 0 ? error.byte - 1 : 0);
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');

@@ -12,7 +12,7 @@
 namespace ripstop {
 
 /// The object that a JSON text holds. Throws InputError with `name` and the line where the text is not JSON, has a key twice
-/// in one object, or is something else than an object.
+/// in one object, is nested more than 64 deep, or is something else than an object.
 nlohmann::json read_json_object(std::istream& in, const std::string& name);
 
 /// Throws InputError unless `object` is an object in which every key is a known one. `place` begins the message.
