@@ -19,7 +19,7 @@ Points2 sew_line(const FlatTile& tile) {
     return outline;
 }
 
-/// Half of the widest chord, across the pole: where nothing better is to be had.
+/// Across the pole, within the circle and six tenths of the width: where nothing better is to be had.
 Points2 grain_line_at_pole(const Points2& outline, const Circle& room) {
     double half = 0.5 * room.radius;
     for (const auto& chord : horizontal_chords(outline, room.centre.y()))
@@ -44,8 +44,9 @@ PatternPiece make_piece(const FlatTile& tile) {
     PatternPiece piece;
     piece.name = tile.tile.name;
     piece.sew_line = sew_line(tile);
-    const double size = (piece.upper() - piece.lower()).maxCoeff();
-    const Circle room = largest_circle_inside(piece.sew_line, 0.005 * size);
+    // No circle inside is smaller than area over perimeter, so this is a tenth of its radius or better.
+    const double precision = 0.1 * signed_area(piece.sew_line) / perimeter(piece.sew_line);
+    const Circle room = largest_circle_inside(piece.sew_line, precision);
     // Two fifths of the circle's radius leave room for the arrow above or below; less if that was not enough.
     double largest = std::clamp(0.4 * room.radius, 0.003, 0.040);
     for (int attempt = 0; attempt < 3; ++attempt, largest /= 2) {

@@ -1,0 +1,302 @@
+#include "ripstop/report/picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "ripstop/base/number_text.h"
+#include "ripstop/base/units.h"
+#include "ripstop/geometry/triangle.h"
+#include "ripstop/io/text.h"
+#include "ripstop/report/colour_scale.h"
+#include "ripstop/report/figures.h"
+
+namespace ripstop {
+namespace {
+
+constexpr double page_width = 960;
+constexpr double head_height = 112;
+constexpr double foot_height = 116;
+constexpr double side = 96;    ///< left and right of the drawing, for the figures beside the chains
+constexpr double border = 44;  ///< above and below it
+constexpr double inner_width = page_width - 2 * side;
+constexpr double tallest = 620;
+
+std::string number(double value) {
+    return format_fixed(value, 2);
+}
+
+/// From the cloth [m, y up] to the page [units, y down].
+struct View {
+    double scale = 1;
+    Vec2 origin = Vec2::Zero();  ///< of the cloth, on the page
+    double height = tallest;     ///< of the drawing
+
+    Vec2 at(const Vec2& p) const { return {origin.x() + scale * p.x(), origin.y() - scale * p.y()}; }
+    double page_height() const { return head_height + height + 2 * border + foot_height; }
+    double foot() const { return page_height() - foot_height; }
+};
+
+View fitted(const Points2& positions) {
+    View view;
+    const Vec2 lower = positions.colwise().minCoeff(), upper = positions.colwise().maxCoeff();
+    const Vec2 size = (upper - lower).cwiseMax(1e-9);
+    view.scale = std::min(inner_width / size.x(), tallest / size.y());
+    view.height = std::max(90.0, view.scale * size.y());
+    const Vec2 middle = (lower + upper) / 2;
+    view.origin = Vec2(page_width / 2 - view.scale * middle.x(),
+                       head_height + border + view.height / 2 + view.scale * middle.y());
+    return view;
+}
+
+std::string pair(const Vec2& p) {
+    return number(p.x()) + " " + number(p.y());
+}
+
+struct Style {
+    double size = 14;
+    const char* anchor = "start";
+    const char* colour = "#1f2933";
+    bool bold = false;
+    bool halo = false;
+};
+
+std::string text(const Vec2& at, const std::string& content, const Style& style = {}) {
+    std::string result = "<text x=\"" + number(at.x()) + "\" y=\"" + number(at.y()) + "\" font-size=\"" +
+                         format_fixed(style.size, 0) + "\" fill=\"" + style.colour + "\" text-anchor=\"" +
+                         style.anchor + "\"";
+    if (style.bold) result += " font-weight=\"bold\"";
+    if (style.halo) result += " stroke=\"#ffffff\" stroke-width=\"4\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+    return result + ">" + xml_text(content) + "</text>\n";
+}
+
+/// A signed figure in percent, with a true minus: a hyphen is easily missed.
+std::string in_percent(double ratio, int decimals) {
+    const std::string text = shown(ratio / percent, decimals, true);
+    return text.front() == '-' && text.size() > 1 ? "−" + text.substr(1) : text;
+}
+
+/// Mean |L'/L - 1| over the edges of triangle t.
+double edge_error(const FlatTile& tile, int t) {
+    const TriangleMesh& mesh = tile.tile.mesh;
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const int a = mesh.triangles(t, k), b = mesh.triangles(t, (k + 1) % 3);
+        const Points2& flat = tile.flattening.positions;
+        sum +=
+            std::abs((flat.row(b) - flat.row(a)).norm() / (mesh.positions.row(b) - mesh.positions.row(a)).norm() - 1);
+    }
+    return sum / 3;
+}
+
+std::string cloth(const FlatTile& tile, const View& view, double limit) {
+    std::array<std::string, colour_classes> paths;
+    std::string flipped;
+    for (int t = 0; t < tile.tile.mesh.triangle_count(); ++t) {
+        std::array<Vec2, 3> corner;
+        for (int k = 0; k < 3; ++k)
+            corner[static_cast<std::size_t>(k)] = tile.flattening.positions.row(tile.tile.mesh.triangles(t, k));
+        const bool up = signed_area(corner[0], corner[1], corner[2]) > 0;
+        std::string& path = up ? paths[static_cast<std::size_t>(colour_class(edge_error(tile, t), limit))] : flipped;
+        path += "M" + pair(view.at(corner[0])) + "L" + pair(view.at(corner[1])) + " " + pair(view.at(corner[2])) + "z";
+    }
+    // A hairline of its own colour closes the gaps that renderers leave between neighbours.
+    std::string result = "<g stroke-width=\"0.5\" stroke-linejoin=\"round\">\n";
+    for (int c = 0; c < colour_classes; ++c) {
+        const std::string& path = paths[static_cast<std::size_t>(c)];
+        if (path.empty()) continue;
+        const std::string colour = class_colour(c);
+        result += "<path fill=\"" + colour + "\" stroke=\"" + colour + "\" d=\"" + path + "\"/>\n";
+    }
+    if (!flipped.empty())
+        result += "<path fill=\"#000000\" stroke=\"#000000\" stroke-width=\"1.5\" d=\"" + flipped + "\"/>\n";
+    return result + "</g>\n";
+}
+
+std::vector<Vec2> on_page(const FlatTile& tile, const View& view, const std::vector<int>& vertices) {
+    std::vector<Vec2> points;
+    for (const int v : vertices) points.push_back(view.at(tile.flattening.positions.row(v)));
+    return points;
+}
+
+std::string stroke(const std::vector<Vec2>& points, const std::string& colour, double width) {
+    std::string path;
+    for (const Vec2& p : points) path += (path.empty() ? "M" : " ") + pair(p);
+    return "<path fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + format_fixed(width, 1) +
+           "\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"" + path + "\"/>\n";
+}
+
+/// The place halfway along a line, and the direction away from the cloth there: to the right of the way, seen with y up.
+struct Halfway {
+    Vec2 at = Vec2::Zero();
+    Vec2 outward = Vec2::UnitY();
+};
+Halfway halfway(const std::vector<Vec2>& points) {
+    double total = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) total += (points[i + 1] - points[i]).norm();
+    double left = total / 2;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const Vec2 step = points[i + 1] - points[i];
+        const double length = step.norm();
+        if (length > 0 && left <= length) return {points[i] + left / length * step, Vec2(-step.y(), step.x()) / length};
+        left -= length;
+    }
+    return {};
+}
+
+/// Keeps written figures apart.
+class Writing {
+  public:
+    bool is_free(const Vec2& middle, const Vec2& half) const {
+        return std::all_of(taken_.begin(), taken_.end(), [&](const std::array<Vec2, 2>& other) {
+            return ((middle - other[0]).cwiseAbs().array() >= (half + other[1]).array()).any();
+        });
+    }
+    void take(const Vec2& middle, const Vec2& half) { taken_.push_back({middle, half}); }
+
+  private:
+    std::vector<std::array<Vec2, 2>> taken_;
+};
+
+std::string chain_figure(const Halfway& place, double error, bool beyond, Writing& writing) {
+    const std::string figure = in_percent(error, 3) + " %";
+    const Vec2 half(4.3 * static_cast<double>(figure.size()), 8);
+    double away = 12;
+    const auto middle = [&] { return Vec2(place.at + away * place.outward + place.outward.cwiseProduct(half)); };
+    while (away < 60 && !writing.is_free(middle(), half)) away += 8;
+    writing.take(middle(), half);
+    const Style style{14, "middle", beyond ? "#b3121f" : "#1f2933", true, true};
+    std::string result;
+    if (away > 12)
+        result = "<path stroke=\"#7b8794\" stroke-width=\"1\" d=\"M" + pair(place.at + 4 * place.outward) + "L" +
+                 pair(place.at + (away - 2) * place.outward) + "\"/>\n";
+    return result + text(middle() + Vec2(0, 5), figure, style);
+}
+
+std::string chains(const FlatTile& tile, const View& view, double limit) {
+    const std::vector<Chain>& chains = tile.tile.chains;
+    const bool measured = tile.accuracy.chains.size() == chains.size();
+    std::string casing, lines, corners, figures;
+    Writing writing;
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+        const std::vector<Vec2> points = on_page(tile, view, chains[i].vertices);
+        if (points.size() < 2) continue;
+        const double error = measured ? tile.accuracy.chains[i].error() : 0;
+        const int colour = colour_class(error, limit);
+        casing += stroke(points, "#1f2933", 7);
+        lines += stroke(points, measured ? class_colour(colour) : "#9aa5b1", 4.4);
+        if (chains.size() > 1)
+            corners += "<circle cx=\"" + number(points.front().x()) + "\" cy=\"" + number(points.front().y()) +
+                       "\" r=\"4\" fill=\"#ffffff\" stroke=\"#1f2933\" stroke-width=\"1.5\"/>\n";
+        if (measured) figures += chain_figure(halfway(points), error, colour == beyond_class, writing);
+    }
+    return casing + lines + corners + figures;
+}
+
+/// Findings lie on the surface; each is marked at the vertex nearest to it.
+std::string rings(const FlatTile& tile, const View& view) {
+    std::string result;
+    for (const Finding& finding : tile.verdict.findings) {
+        if (!finding.at.allFinite()) continue;
+        Eigen::Index nearest = 0;
+        (tile.tile.mesh.positions.rowwise() - finding.at.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+        const Vec2 p = view.at(tile.flattening.positions.row(nearest));
+        for (const auto& [colour, width] : {std::pair{"#ffffff", 5}, std::pair{"#b3121f", 2}})
+            result += "<circle cx=\"" + number(p.x()) + "\" cy=\"" + number(p.y()) +
+                      "\" r=\"11\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + std::to_string(width) +
+                      "\"/>\n";
+    }
+    return result;
+}
+
+std::string head(const FlatTile& tile) {
+    const Accuracy& a = tile.accuracy;
+    const bool good = tile.verdict.manufacturable();
+    const std::string verdict = good                  ? "manufacturable"
+                                : tile.verdict.judged ? "not manufacturable: " + failing_codes(tile.verdict)
+                                                      : "not judged";
+    const std::string lengths = "area " + in_percent(a.area_error, 3) + " %   ·   perimeter " +
+                                in_percent(a.perimeter_error, 3) + " %   ·   worst chain " +
+                                in_percent(worst_chain_error(a), 3) + " %";
+    const std::string strains = "strain of the cloth: warp " + in_percent(a.warp_strain_min, 2) + " … " +
+                                in_percent(a.warp_strain_max, 2) + " %,  weft " + in_percent(a.weft_strain_min, 2) +
+                                " … " + in_percent(a.weft_strain_max, 2) + " %,  shear up to " +
+                                shown(a.shear_max / degree, 2) + "°";
+    const char* colour = good ? "#18794e" : tile.verdict.judged ? "#b3121f" : "#7b8794";
+    return text({28, 40}, tile.tile.name, {24, "start", "#1f2933", true}) +
+           text({page_width - 28, 40}, verdict, {17, "end", colour, true}) +
+           text({28, 68}, lengths, {14, "start", "#1f2933"}) + text({28, 90}, strains, {14, "start", "#52606d"}) +
+           text({page_width - 28, 68}, tile.method, {14, "end", "#52606d"}) +
+           text({page_width - 28, 90}, std::to_string(tile.tile.mesh.triangle_count()) + " triangles",
+                {14, "end", "#52606d"});
+}
+
+std::string colour_bar(const Vec2& at, const std::string& title, double limit) {
+    constexpr double step = 6;
+    std::string result = text(at + Vec2(0, -8), title, {13, "start", "#1f2933"});
+    for (int c = 0; c < beyond_class; ++c)
+        result += "<rect x=\"" + number(at.x() + step * c) + "\" y=\"" + number(at.y()) +
+                  "\" width=\"6.5\" height=\"13\" fill=\"" + class_colour(c) + "\"/>\n";
+    const double end = at.x() + step * beyond_class;
+    result += "<rect x=\"" + number(end + 4) + "\" y=\"" + number(at.y()) + "\" width=\"30\" height=\"13\" fill=\"" +
+              class_colour(beyond_class) + "\"/>\n";
+    const auto value = [&](double share) { return format_shortest(clean(share * limit / percent)); };
+    const double y = at.y() + 29;
+    result += text({at.x(), y}, "0", {12, "middle", "#52606d"});
+    result += text({at.x() + step * beyond_class / 2, y}, value(0.5), {12, "middle", "#52606d"});
+    result += text({end, y}, value(1) + " %", {12, "middle", "#52606d"});
+    return result + text({end + 38, at.y() + 11}, "beyond", {12, "start", "#52606d"});
+}
+
+/// The longest of 1, 2, 5 times a power of ten that is no wider than a fifth of the page.
+std::string scale_bar(const Vec2& at, double scale) {
+    const double most = 0.2 * page_width / scale;
+    double length = std::pow(10, std::floor(std::log10(most)));
+    length *= most >= 5 * length ? 5 : most >= 2 * length ? 2 : 1;
+    const double right = at.x() + scale * length;
+    const std::string ends = "M" + pair(at + Vec2(0, -5)) + "v10M" + pair(at) + "H" + number(right) + "M" +
+                             pair(Vec2(right, at.y() - 5)) + "v10";
+    const std::string label =
+        length >= 1 ? format_shortest(clean(length)) + " m" : format_shortest(clean(length / millimetre)) + " mm";
+    return "<path fill=\"none\" stroke=\"#1f2933\" stroke-width=\"1.5\" d=\"" + ends + "\"/>\n" +
+           text({(at.x() + right) / 2, at.y() - 8}, label, {13, "middle", "#1f2933"});
+}
+
+std::string warp_arrow(const Vec2& at) {
+    const Vec2 head = at + Vec2(70, 0);
+    return "<path fill=\"none\" stroke=\"#1f2933\" stroke-width=\"1.5\" d=\"M" + pair(at) + "H" + number(head.x()) +
+           "M" + pair(head + Vec2(-10, -4)) + "L" + pair(head) + "l-10 4\"/>\n" +
+           text(head + Vec2(8, 5), "warp", {13, "start", "#1f2933"});
+}
+
+std::string foot(const View& view, double cloth_limit, double length_limit) {
+    const double y = view.foot();
+    return "<path stroke=\"#cbd2d9\" stroke-width=\"1\" d=\"M28 " + number(y) + "H" + number(page_width - 28) +
+           "\"/>\n" + colour_bar({36, y + 42}, "seams: |length error| of a chain", length_limit) +
+           colour_bar({356, y + 42}, "cloth: |edge length error|, mean of a triangle", cloth_limit) +
+           warp_arrow({690, y + 34}) + scale_bar({690, y + 84}, view.scale);
+}
+
+}  // namespace
+
+std::string tile_picture(const FlatTile& tile, const Tolerances& tolerances, const PictureOptions& options) {
+    const bool drawable = is_drawable(tile);
+    const View view = drawable ? fitted(tile.flattening.positions) : View{1, Vec2::Zero(), 90};
+    const std::string size = format_fixed(page_width, 0) + "\" height=\"" + number(view.page_height());
+    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" viewBox=\"0 0 " +
+                      format_fixed(page_width, 0) + " " + number(view.page_height()) +
+                      "\" font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<rect width=\"" + size +
+                      "\" fill=\"#ffffff\"/>\n" + head(tile);
+    if (drawable) {
+        const double cloth_limit = options.cloth_limit > 0 ? options.cloth_limit : tolerances.strain;
+        svg += cloth(tile, view, cloth_limit) + chains(tile, view, tolerances.length) + rings(tile, view) +
+               foot(view, cloth_limit, tolerances.length);
+    } else {
+        svg += text({page_width / 2, head_height + border + 45}, "no flat positions: " + tile.flattening.summary.text(),
+                    {17, "middle", "#b3121f"});
+    }
+    return svg + "</svg>\n";
+}
+
+}  // namespace ripstop

@@ -1,0 +1,28 @@
+#include "ripstop/io/text.h"
+
+#include <gtest/gtest.h>
+
+namespace ripstop {
+namespace {
+
+TEST(AsciiText, LosesAccentsAndKeepsTheRest) {
+    EXPECT_EQ(ascii_text("Příliš žluťoučký kůň"), "Prilis zlutoucky kun");
+    EXPECT_EQ(ascii_text("ĎÁBELSKÉ ÓDY łódź Straße Ærø"), "DABELSKE ODY lodz Strase Aro");
+    EXPECT_EQ(ascii_text("G01::P-02 (a)"), "G01::P-02 (a)");
+}
+
+TEST(AsciiText, LeavesNoLineEndsAndNoForeignBytes) {
+    EXPECT_EQ(ascii_text("a\r\nb\tc"), "a  b c");
+    EXPECT_EQ(ascii_text("気球"), "??");
+    EXPECT_EQ(ascii_text("\xff\xc3.\xe2\x82"), "??.??");
+    EXPECT_EQ(ascii_text("\xc0\xaf"), "??") << "an overlong slash is no slash";
+}
+
+TEST(XmlText, EscapesMarkupAndReplacesWhatXmlCannotHold) {
+    EXPECT_EQ(xml_text("<a & \"b\" 'c'>"), "&lt;a &amp; &quot;b&quot; &#39;c&#39;&gt;");
+    EXPECT_EQ(xml_text("Bílý 気球 🎈"), "Bílý 気球 🎈");
+    EXPECT_EQ(xml_text("a\x01\xff"), "a\xEF\xBF\xBD\xEF\xBF\xBD");
+}
+
+}  // namespace
+}  // namespace ripstop

@@ -1,0 +1,180 @@
+#include "ripstop/pattern/pieces.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ripstop/base/error.h"
+#include "ripstop/geometry/polygon.h"
+#include "support/flat_tiles.h"
+
+namespace ripstop {
+namespace {
+
+Points2 polygon(std::initializer_list<std::array<double, 2>> corners) {
+    Points2 result(static_cast<Eigen::Index>(corners.size()), 2);
+    Eigen::Index i = 0;
+    for (const auto& corner : corners) result.row(i++) << corner[0], corner[1];
+    return result;
+}
+
+const Points2 l_shape = polygon({{0, 0}, {0.3, 0}, {0.3, 0.1}, {0.1, 0.1}, {0.1, 0.3}, {0, 0.3}});
+
+/// A banana: two arcs around (0, -1), `width` apart, `half` radians to both sides of upright.
+Points2 banana(double width, double half) {
+    constexpr int n = 40;
+    Points2 result(2 * n, 2);
+    for (int i = 0; i < n; ++i) {
+        const double angle = half * (1 - 2.0 * i / (n - 1));
+        result.row(i) << (1 + width) * std::sin(-angle), (1 + width) * std::cos(angle) - 1;
+        result.row(2 * n - 1 - i) << std::sin(-angle), std::cos(angle) - 1;
+    }
+    return result.colwise().reverse();
+}
+
+PatternPiece piece_of(const std::string& name, const Points2& outline) {
+    return make_piece(testing::flat_polygon(name, outline));
+}
+
+/// The rectangle a label's letters cover at one height of width each.
+Box box_of(const Label& label) {
+    return {label.middle, label.height * Vec2(static_cast<double>(label.text.size()) / 2, 0.5), label.turn};
+}
+
+Box arrow_box(const PatternPiece& piece) {
+    const Vec2 tail = piece.grain_line.row(0), head = piece.grain_line.row(1);
+    const double length = (head - tail).norm();
+    return {(tail + head) / 2, {length / 2, arrow_half_width(length)}, 0};
+}
+
+bool apart(const Box& a, const Box& b) {
+    const auto reach = [](const Box& box) { return box.turn == 0 ? box.half : Vec2(box.half.y(), box.half.x()); };
+    return ((a.centre - b.centre).cwiseAbs().array() >= (reach(a) + reach(b)).array()).any();
+}
+
+double width_at(const Points2& outline, double y, double x) {
+    for (const auto& chord : horizontal_chords(outline, y))
+        if (chord[0] <= x && x <= chord[1]) return chord[1] - chord[0];
+    return 0;
+}
+
+TEST(PatternPiece, HasEveryBoundaryVertexOnItsSewLineCounterClockwise) {
+    const FlatTile tile = testing::flat_cylinder("G01P01");
+    const PatternPiece piece = make_piece(tile);
+    EXPECT_EQ(piece.name, "G01P01");
+    ASSERT_EQ(piece.sew_line.rows(), 2 * (12 + 8));
+    EXPECT_NEAR(signed_area(piece.sew_line), tile.accuracy.area, 1e-12);
+    EXPECT_NEAR(perimeter(piece.sew_line), tile.accuracy.perimeter, 1e-12);
+}
+
+TEST(PatternPiece, RunsCounterClockwiseAndStaysUnmirroredWhereTheFlatteningIsTurnedOver) {
+    FlatTile tile = testing::flat_cylinder("over");
+    tile.flattening.positions.col(0) *= -1;
+    const PatternPiece piece = make_piece(tile);
+    EXPECT_GT(signed_area(piece.sew_line), 0);
+    EXPECT_LE(piece.upper().x(), 0) << "the fault must stay visible, not be mirrored away";
+}
+
+struct Outline {
+    const char* name;
+    Points2 corners;
+    double letters_at_least;  ///< [m]
+};
+void PrintTo(const Outline& outline, std::ostream* out) {
+    *out << outline.name;
+}
+class EveryOutline : public ::testing::TestWithParam<Outline> {};
+
+TEST_P(EveryOutline, HoldsItsLabelAndItsGrainArrowApart) {
+    const PatternPiece piece = piece_of("G01P01", GetParam().corners);
+    ASSERT_FALSE(piece.labels.empty());
+    EXPECT_EQ(piece.labels[0].text, "G01P01");
+    EXPECT_GE(piece.labels[0].height, GetParam().letters_at_least);
+    EXPECT_LE(piece.labels[0].height, 0.040);
+    ASSERT_EQ(piece.grain_line.rows(), 2);
+    EXPECT_EQ(piece.grain_line(0, 1), piece.grain_line(1, 1)) << "the warp is level";
+    EXPECT_LT(piece.grain_line(0, 0), piece.grain_line(1, 0)) << "and points to +x";
+    const Box arrow = arrow_box(piece);
+    EXPECT_TRUE(contains(piece.sew_line, arrow));
+    EXPECT_LE(2 * arrow.half.x(), 0.6 * width_at(piece.sew_line, arrow.centre.y(), arrow.centre.x()) * (1 + 1e-12));
+    for (const Label& label : piece.labels) {
+        EXPECT_TRUE(contains(piece.sew_line, box_of(label))) << label.text;
+        EXPECT_TRUE(apart(box_of(label), arrow)) << label.text;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , EveryOutline,
+    ::testing::Values(Outline{"square", polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), 0.040}, Outline{"l", l_shape, 0.010},
+                      Outline{"banana", banana(0.1, 0.9), 0.010},
+                      Outline{"thin_along", polygon({{0, 0}, {1, 0}, {1, 0.012}, {0, 0.012}}), 0.003},
+                      Outline{"thin_upright", polygon({{0, 0}, {0.012, 0}, {0.012, 1}, {0, 1}}), 0.003},
+                      Outline{"gore_tip", polygon({{0, -0.05}, {2, 0}, {0, 0.05}}), 0.010},
+                      Outline{"tiny", polygon({{0, 0}, {0.02, 0}, {0.02, 0.015}, {0, 0.015}}), 0.001}),
+    [](const auto& outline) { return std::string(outline.param.name); });
+
+TEST(PatternPiece, TurnsItsLabelUprightWhereItIsNarrow) {
+    EXPECT_GT(piece_of("G01P01", polygon({{0, 0}, {0.012, 0}, {0.012, 1}, {0, 1}})).labels[0].turn, 1.5);
+    EXPECT_EQ(piece_of("G01P01", polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}})).labels[0].turn, 0);
+}
+
+TEST(PatternPiece, PutsTheLabelOfASpeckAtItsMiddle) {
+    const PatternPiece piece = piece_of("a name far too long", polygon({{0, 0}, {3e-3, 0}, {3e-3, 2e-3}, {0, 2e-3}}));
+    EXPECT_EQ(piece.labels[0].height, 0.001);
+    EXPECT_NEAR((piece.labels[0].middle - Vec2(1.5e-3, 1e-3)).norm(), 0, 6e-4);
+    ASSERT_EQ(piece.grain_line.rows(), 2);
+    EXPECT_TRUE(contains(piece.sew_line, Vec2(piece.grain_line.row(0))));
+    EXPECT_TRUE(contains(piece.sew_line, Vec2(piece.grain_line.row(1))));
+}
+
+TEST(PatternPiece, IsRefusedForATileThatWasNotFlattened) {
+    CutPlan plan = testing::two_tile_plan();
+    plan.tiles[0].flattening = {};
+    EXPECT_FALSE(has_flat_positions(plan.tiles[0]));
+    try {
+        make_piece(plan.tiles[0]);
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("tile G01 P01: has no flat positions"));
+    }
+    EXPECT_EQ(make_pieces(plan).size(), 1u);
+    plan.tiles[1].flattening.positions(3, 1) = std::nan("");
+    EXPECT_TRUE(make_pieces(plan).empty());
+}
+
+TEST(LayOut, KeepsPiecesApartInOrderAndAsTheyAreTurned) {
+    std::vector<PatternPiece> pieces;
+    for (int i = 0; i < 30; ++i) {
+        const double width = 0.2 + 0.13 * (i % 7), height = 0.1 + 0.07 * (i % 5);
+        PatternPiece piece;
+        piece.sew_line = polygon({{5, -3}, {5 + width, -3}, {5 + width, -3 + height}, {5, -3 + height}});
+        pieces.push_back(piece);
+    }
+    pieces[4].sew_line.resize(0, 2);
+    const double gap = 0.02;
+    const std::vector<Vec2> shifts = lay_out(pieces, gap);
+    ASSERT_EQ(shifts.size(), pieces.size());
+    Vec2 lowest = Vec2::Constant(1e9), highest = Vec2::Constant(-1e9);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (i == 4) continue;
+        const Vec2 lower = pieces[i].lower() + shifts[i], upper = pieces[i].upper() + shifts[i];
+        lowest = lowest.cwiseMin(lower);
+        highest = highest.cwiseMax(upper);
+        for (std::size_t j = 0; j < i; ++j) {
+            if (j == 4) continue;
+            const Vec2 other_lower = pieces[j].lower() + shifts[j], other_upper = pieces[j].upper() + shifts[j];
+            const double apart = std::max((lower - other_upper).maxCoeff(), (other_lower - upper).maxCoeff());
+            EXPECT_GE(apart, gap - 1e-12) << i << " and " << j;
+        }
+    }
+    EXPECT_NEAR(lowest.norm(), 0, 1e-12);
+    EXPECT_LT((highest - lowest).maxCoeff(), 2 * (highest - lowest).minCoeff()) << "about square";
+}
+
+TEST(LayOut, OfNothingIsNothing) {
+    EXPECT_TRUE(lay_out({}, 0.02).empty());
+}
+
+}  // namespace
+}  // namespace ripstop

@@ -1,0 +1,124 @@
+#include "ripstop/report/report_json.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "support/flat_tiles.h"
+#include "support/outside.h"
+
+namespace ripstop {
+namespace {
+
+using Json = nlohmann::json;
+
+Json report(const CutPlan& plan) {
+    return Json::parse(report_json(plan));
+}
+
+TEST(ReportJson, TellsTheInputAndTheTolerancesInRoundFigures) {
+    const Json json = report(testing::two_tile_plan());
+    EXPECT_EQ(json["input"]["file"], "balloon.obj");
+    EXPECT_EQ(json["input"]["unit"], "m");
+    EXPECT_EQ(json["tolerances"]["area_pct"], 1);
+    EXPECT_EQ(json["tolerances"]["length_pct"], 0.1);
+    EXPECT_EQ(json["tolerances"]["strain_pct"], 2);
+    EXPECT_EQ(json["fabric"]["roll_width_mm"], 1500);
+    EXPECT_THAT(report_json(testing::two_tile_plan()), ::testing::Not(::testing::HasSubstr("00000001")));
+}
+
+TEST(ReportJson, TellsEachTileInItsUnits) {
+    const CutPlan plan = testing::two_tile_plan();
+    const Json gore = report(plan)["tiles"][1];
+    EXPECT_EQ(gore["name"], "Bílý \"dráček\"");
+    EXPECT_EQ(gore["file"], "Bily__dracek_");
+    EXPECT_EQ(gore["triangles"], plan.tiles[1].tile.mesh.triangle_count());
+    EXPECT_EQ(gore["stop"], "converged");
+    EXPECT_EQ(gore["stop_reason"], "energy at rest");
+    EXPECT_EQ(gore["seconds"], 0.25);
+    EXPECT_EQ(gore["strain"]["warp_min_pct"], -1);
+    EXPECT_EQ(gore["strain"]["warp_max_pct"], 0.5);
+    EXPECT_EQ(gore["strain"]["shear_max_deg"], 2);
+    EXPECT_EQ(gore["energy_j"], 1.5);
+    ASSERT_EQ(gore["chains"].size(), plan.tiles[1].tile.chains.size());
+    const ChainAccuracy& chain = plan.tiles[1].accuracy.chains[0];
+    EXPECT_NEAR(gore["chains"][0]["error_mm"], 1000 * (chain.flat_length - chain.length), 1e-6);
+    EXPECT_NEAR(gore["chains"][0]["error_pct"], 100 * chain.error(), 1e-9);
+    EXPECT_TRUE(gore["chains"][0]["seam"].is_null());
+    EXPECT_EQ(gore["verdict"]["manufacturable"], false);
+    EXPECT_EQ(gore["verdict"]["findings"][0]["code"], "chain");
+    EXPECT_NEAR(gore["verdict"]["findings"][0]["at_mm"][2], 1000 * plan.tiles[1].verdict.findings[0].at.z(), 1e-6);
+}
+
+TEST(ReportJson, SumsUpTheEnvelope) {
+    const CutPlan plan = testing::two_tile_plan();
+    const Json json = report(plan);
+    EXPECT_EQ(json["envelope"]["tiles"], 2);
+    EXPECT_EQ(json["envelope"]["manufacturable"], false);
+    EXPECT_EQ(json["envelope"]["failed"], Json::array({"Bílý \"dráček\""}));
+    EXPECT_NEAR(json["envelope"]["area_m2"], plan.area(), 1e-9);
+    EXPECT_TRUE(json["seams"].is_array());
+}
+
+TEST(ReportJson, WritesNullForWhatIsNotFinite) {
+    CutPlan plan = testing::two_tile_plan();
+    plan.tiles[0].accuracy.energy = std::numeric_limits<double>::infinity();
+    plan.tiles[0].accuracy.chains[0].length = 0;
+    plan.tiles[0].accuracy.chains[0].flat_length = 0;
+    const Json tile = report(plan)["tiles"][0];
+    EXPECT_TRUE(tile["energy_j"].is_null());
+    EXPECT_TRUE(tile["chains"][0]["error_pct"].is_null());
+}
+
+TEST(ReportJson, LeavesTheSecondsOutWhereItMustBeReproducible) {
+    CutPlan plan = testing::two_tile_plan();
+    const std::string first = report_json(plan, true);
+    plan.tiles[0].seconds = 99;
+    EXPECT_EQ(report_json(plan, true), first);
+    EXPECT_NE(report_json(plan), first);
+    EXPECT_THAT(first, ::testing::Not(::testing::HasSubstr("\"seconds\"")));
+}
+
+TEST(ReportJson, SurvivesANameThatIsNoUtf8) {
+    CutPlan plan = testing::two_tile_plan();
+    plan.tiles[0].tile.name = "tile \xff";
+    EXPECT_EQ(report(plan)["tiles"][0]["name"], "tile \xEF\xBF\xBD");
+}
+
+/// What python3-jsonschema has against each of the reports: a line a fault, `NUMBER: message`.
+std::string schema_errors(const std::string& python, const std::vector<Json>& reports) {
+    const testing::ScratchDirectory scratch;
+    testing::write_text(scratch.path("reports.json"), Json(reports).dump());
+    testing::write_text(scratch.path("validate.py"), R"(import json, sys, jsonschema
+schema, reports = (json.load(open(name)) for name in sys.argv[1:])
+jsonschema.Draft202012Validator.check_schema(schema)
+for number, report in enumerate(reports):
+    for error in jsonschema.Draft202012Validator(schema).iter_errors(report): print(number, error.message, sep=': ')
+)");
+    return testing::run_command(python + " " + scratch.path("validate.py") +
+                                " " RIPSTOP_SOURCE_DIR "/docs/report.schema.json " + scratch.path("reports.json"))
+        .output;
+}
+
+TEST(ReportSchema, HoldsForWhatIsWrittenAndOnlyForThat) {
+    const std::string python = testing::python_with("jsonschema");
+    if (python.empty()) GTEST_SKIP() << "no Python with jsonschema here";
+    CutPlan plan = testing::two_tile_plan();
+    const Json written = report(plan), reproducible = Json::parse(report_json(plan, true));
+    plan.tiles[0].accuracy.energy = std::numeric_limits<double>::infinity();
+    plan.tiles[0].flattening = {};
+    const Json failed = report(plan);
+    EXPECT_EQ(schema_errors(python, {written, reproducible, failed, report(CutPlan{})}), "");
+    Json without = written, more = written, text = written;
+    without["tiles"][1].erase("perimeter_error_pct");
+    more["tiles"][1]["colour"] = "red";
+    text["envelope"]["area_m2"] = "5";
+    const std::string errors = schema_errors(python, {without, more, text});
+    EXPECT_THAT(errors, ::testing::HasSubstr("0: 'perimeter_error_pct' is a required property"));
+    EXPECT_THAT(errors, ::testing::HasSubstr("1: Additional properties are not allowed ('colour' was unexpected)"));
+    EXPECT_THAT(errors, ::testing::HasSubstr("2: '5' is not of type"));
+}
+
+}  // namespace
+}  // namespace ripstop

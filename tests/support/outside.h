@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+namespace ripstop::testing {
+
+/// A Python interpreter that has `module`, for independent readers of what we write; empty where there is none.
+std::string python_with(const std::string& module);
+
+/// What a command prints on stdout and stderr, and its exit code.
+struct CommandResult {
+    int code = -1;
+    std::string output;
+};
+CommandResult run_command(const std::string& command);
+
+/// A fresh directory of the running test's own, removed when this goes out of scope.
+class ScratchDirectory {
+  public:
+    ScratchDirectory();
+    ~ScratchDirectory();
+    ScratchDirectory(const ScratchDirectory&) = delete;
+    ScratchDirectory& operator=(const ScratchDirectory&) = delete;
+    std::string path(const std::string& name = "") const { return name.empty() ? path_ : path_ + "/" + name; }
+
+  private:
+    std::string path_;
+};
+
+/// Everything in a file.
+std::string content(const std::string& path);
+void write_text(const std::string& path, const std::string& text);
+
+}  // namespace ripstop::testing
