@@ -48,10 +48,11 @@ void print_summary(const DesignSummary& summary) {
     fmt::print("diameter [m]      {:10.3f}    {:10.3f}\n", summary.diameter, 2 * shape.max_radius);
     fmt::print("area [m2]         {:10.2f}    {:10.2f}\n", summary.area, shape.area);
     fmt::print("volume [m3]       {:10.1f}    {:10.1f}\n", summary.volume, shape.volume);
-    fmt::print("gore length {:.3f} m, load {:.0f} N, crown pressure {:.1f} Pa, (F + W) / bV - 1 = {:.1e}\n", shape.length,
-               shape.load, shape.crown_pressure, shape.imbalance);
+    fmt::print("gore length {:.3f} m, load {:.0f} N, crown pressure {:.1f} Pa, (F + W) / bV - 1 = {:.1e}\n",
+               shape.length, shape.load, shape.crown_pressure, shape.imbalance);
     fmt::print("panels {:.3f} m high, up to {:.3f} m wide; edges {:.3f} to {:.3f} m, smallest angle {:.1f} degrees\n",
-               summary.panel_height, summary.panel_width, summary.edge_min, summary.edge_max, summary.angle_min / degree);
+               summary.panel_height, summary.panel_width, summary.edge_min, summary.edge_max,
+               summary.angle_min / degree);
     fmt::print("triangles turn by up to {:.2f} degrees an edge, {:.2f} mm off the surface\n", summary.turn_max / degree,
                summary.chord_error / millimetre);
 }
@@ -76,18 +77,26 @@ void add_design(CLI::App& app) {
     shapes->require_subcommand(1);
     auto given = std::make_shared<Arguments>();
     CLI::App* natural = shapes->add_subcommand("natural", "The natural shape: no hoop tension, gores by panels");
-    natural->add_option("-o,--output", given->file, "The OBJ to write, in metres, a tile an object: G01P01 is gore 1, panel 1 from the mouth")
+    natural
+        ->add_option("-o,--output", given->file,
+                     "The OBJ to write, in metres, a tile an object: G01P01 is gore 1, panel 1 from the mouth")
         ->required();
     natural->add_option("--gores", given->design.gores, "Gores")->capture_default_str();
     natural->add_option("--panels", given->design.panels, "Panels a gore")->capture_default_str();
-    natural->add_option("--panel-height", given->panel_height, "Instead: as many panels as keep each below this, such as 1450mm");
-    natural->add_option("--volume", given->design.volume, "Cubic metres, as if closed at the crown")->capture_default_str();
-    natural->add_option("--mouth", given->design.mouth_ratio, "Radius of the mouth over the largest; 0: closed")->capture_default_str();
-    natural->add_option("--crown", given->crown, "Radius of the opening at the top, such as 250mm (the default); 0m: closed");
-    natural->add_option("--lobes", given->lobes, "Half-angle of the lobes between load tapes, degrees; 0: smooth")->capture_default_str();
+    natural->add_option("--panel-height", given->panel_height,
+                        "Instead: as many panels as keep each below this, such as 1450mm");
+    natural->add_option("--volume", given->design.volume, "Cubic metres, as if closed at the crown")
+        ->capture_default_str();
+    natural->add_option("--mouth", given->design.mouth_ratio, "Radius of the mouth over the largest; 0: closed")
+        ->capture_default_str();
+    natural->add_option("--crown", given->crown,
+                        "Radius of the opening at the top, such as 250mm (the default); 0m: closed");
+    natural->add_option("--lobes", given->lobes, "Half-angle of the lobes between load tapes, degrees; 0: smooth")
+        ->capture_default_str();
     auto* edge = natural->add_option("--edge", given->edge, "Length of a triangle's edge, such as 150mm (the default)");
     natural->add_option("--triangles", given->triangles, "Instead: about so many triangles a tile")->excludes(edge);
-    natural->add_option("--inside", given->design.air.inside, "Temperature of the hot air, Celsius")->capture_default_str();
+    natural->add_option("--inside", given->design.air.inside, "Temperature of the hot air, Celsius")
+        ->capture_default_str();
     natural->add_option("--outside", given->design.air.outside, "Temperature outside, Celsius")->capture_default_str();
     natural->add_option("--altitude", given->design.air.altitude, "Pressure altitude, metres")->capture_default_str();
     natural->add_option("--mass", given->design.fabric_mass, "Mass of the cloth, kg/m2")->capture_default_str();

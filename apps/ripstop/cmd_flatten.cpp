@@ -29,11 +29,12 @@ struct Arguments {
 void print_assumed_size(const Envelope& envelope) {
     Eigen::AlignedBox3d box;
     for (const Tile& tile : envelope.tiles)
-        for (Eigen::Index v = 0; v < tile.mesh.positions.rows(); ++v)
-            box.extend(Vec3(tile.mesh.positions.row(v)));
+        for (Eigen::Index v = 0; v < tile.mesh.positions.rows(); ++v) box.extend(Vec3(tile.mesh.positions.row(v)));
     const Vec3 size = box.sizes();
-    fmt::print(stderr, "No unit given: taken as metres, which makes the envelope {:.3f} x {:.3f} x {:.3f} m (--unit changes it)\n",
-               size.x(), size.y(), size.z());
+    fmt::print(
+        stderr,
+        "No unit given: taken as metres, which makes the envelope {:.3f} x {:.3f} x {:.3f} m (--unit changes it)\n",
+        size.x(), size.y(), size.z());
 }
 
 ExitCode run(const Arguments& given) {
@@ -51,8 +52,10 @@ ExitCode run(const Arguments& given) {
 
     const std::vector<PatternPiece> pieces = make_pieces(plan);
     write_directory(given.directory, plan, pieces, lay_out(pieces, 0.1), {given.force, given.reproducible, true});
-    if (given.json) fmt::print("{}", report_json(plan, given.reproducible));
-    else if (!given.quiet) fmt::print("{}\n{}\n", tiles_table(plan), given.directory.string());
+    if (given.json)
+        fmt::print("{}", report_json(plan, given.reproducible));
+    else if (!given.quiet)
+        fmt::print("{}\n{}\n", tiles_table(plan), given.directory.string());
     return plan.manufacturable() ? manufacturable : not_manufacturable;
 }
 

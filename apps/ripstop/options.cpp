@@ -43,10 +43,14 @@ void add_input_options(CLI::App& command, InputArguments& given) {
     command.add_option("INPUT", given.file, "The envelope: Wavefront OBJ, one object or group a tile")->required();
     command.add_option("--unit", given.unit, "Unit of the file: mm, cm, m, in, ft (else the project's, else metres)")
         ->check(known_unit());
-    command.add_option("--project", given.project, "JSON with what the file cannot say: unit, fabric, warp, corners, tolerances")
+    command
+        .add_option("--project", given.project,
+                    "JSON with what the file cannot say: unit, fabric, warp, corners, tolerances")
         ->check(CLI::ExistingFile);
     command.add_option("--fabric", given.fabric, "A preset or a JSON file (else the project's, else isotropic)");
-    command.add_option("--grain", given.grain, "Turn the warp from each tile's longest axis, degrees counter-clockwise seen from outside")
+    command
+        .add_option("--grain", given.grain,
+                    "Turn the warp from each tile's longest axis, degrees counter-clockwise seen from outside")
         ->check(CLI::Range(-360.0, 360.0));
     command.add_option("--tile", given.tiles, "Only the tiles of this name; * and ? stand for others; may be repeated");
 }

@@ -19,7 +19,7 @@ struct InputArguments {
     std::string project;  ///< empty: none
     std::string fabric;   ///< empty: the project's, else isotropic
     std::string method = "paper";
-    double grain = 0;     ///< [degrees]
+    double grain = 0;  ///< [degrees]
     std::vector<std::string> tiles;
 };
 

@@ -41,7 +41,8 @@ void line(State& state, double fraction, const std::string& what) {
 Progress progress_bar(bool quiet) {
     if (quiet) return {};
     const auto state = std::make_shared<State>();
-    if (isatty(STDERR_FILENO)) return [state](double fraction, const std::string& what) { draw(*state, fraction, what); };
+    if (isatty(STDERR_FILENO))
+        return [state](double fraction, const std::string& what) { draw(*state, fraction, what); };
     return [state](double fraction, const std::string& what) { line(*state, fraction, what); };
 }
 

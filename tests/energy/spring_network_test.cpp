@@ -17,7 +17,9 @@ Fabric woven() {
     return fabric;
 }
 
-Points2 flat_of(const TriangleMesh& mesh) { return mesh.positions.leftCols(2); }
+Points2 flat_of(const TriangleMesh& mesh) {
+    return mesh.positions.leftCols(2);
+}
 
 Points2 forces_at(const SpringNetwork& network, const Points2& x) {
     Points2 forces;
@@ -96,9 +98,8 @@ TEST(SpringNetwork, DampersTakeEnergyAndKeepMomentum) {
 TEST(SpringNetwork, EquilateralMeshImpliesItsStiffnessAndNuOneThird) {
     // Van Gelder 1998: springs of k = sum E A / L^2 on equilateral triangles are the isotropic membrane E, nu = 1/3.
     const int n = 24;
-    TriangleMesh mesh = testing::grid(n, n, [](double u, double v) {
-        return Vec3(n * u - n * v / 2, n * v * std::sqrt(0.75), 0);
-    });
+    TriangleMesh mesh =
+        testing::grid(n, n, [](double u, double v) { return Vec3(n * u - n * v / 2, n * v * std::sqrt(0.75), 0); });
     Fabric fabric;
     const Tile tile = make_tile("t", mesh, {.warp = Vec3::UnitX()});
     const Eigen::Matrix3d C = implied_elasticity(make_spring_network(tile, fabric), tile);

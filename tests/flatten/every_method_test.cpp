@@ -11,7 +11,9 @@
 
 namespace ripstop {
 
-void PrintTo(const Method& method, std::ostream* out) { *out << method.name; }
+void PrintTo(const Method& method, std::ostream* out) {
+    *out << method.name;
+}
 
 namespace {
 
@@ -72,10 +74,11 @@ TEST_P(EveryMethod, GivesTheSameInAnyPose) {
         const TriangleMesh turned = testing::moved(shape.mesh);
         const Tile elsewhere = make_tile("tile", turned, {.warp = turned.corner(0, 1) - turned.corner(0, 0)});
         const Flattening a = flatten(there), b = flatten(elsewhere);
-        EXPECT_LT((edge_lengths_of(shape.mesh.triangles, a.positions) - edge_lengths_of(shape.mesh.triangles, b.positions))
-                      .cwiseAbs()
-                      .maxCoeff(),
-                  pose_tolerance());
+        EXPECT_LT(
+            (edge_lengths_of(shape.mesh.triangles, a.positions) - edge_lengths_of(shape.mesh.triangles, b.positions))
+                .cwiseAbs()
+                .maxCoeff(),
+            pose_tolerance());
     }
 }
 

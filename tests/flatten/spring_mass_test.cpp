@@ -26,7 +26,9 @@ Setup rolled() {
     return setup;
 }
 
-Points2 squeezed(const Points2& x) { return x * Eigen::Vector2d(0.9, 1.07).asDiagonal(); }
+Points2 squeezed(const Points2& x) {
+    return x * Eigen::Vector2d(0.9, 1.07).asDiagonal();
+}
 
 TEST(SpringMass, LeavesAnIsometryAlone) {
     const Setup setup = rolled();
@@ -42,13 +44,15 @@ TEST(SpringMass, FindsTheIsometryOfADevelopableTile) {
     EXPECT_EQ(run.summary.termination, Termination::converged) << run.summary.text();
     EXPECT_EQ(run.halvings, 0);
     for (const Spring& spring : setup.network.springs)
-        EXPECT_NEAR((run.positions.row(spring.b) - run.positions.row(spring.a)).norm(), spring.rest, 1e-8 * spring.rest);
+        EXPECT_NEAR((run.positions.row(spring.b) - run.positions.row(spring.a)).norm(), spring.rest,
+                    1e-8 * spring.rest);
 }
 
 TEST(SpringMass, AdaptiveStepReachesTheSameRestInFewerSteps) {
     const Setup setup = rolled();
     const SpringMassRun fixed = relax_spring_mass(setup.network, squeezed(setup.exact), {.step = 0.4});
-    const SpringMassRun adaptive = relax_spring_mass(setup.network, squeezed(setup.exact), {.step = 0.4, .adaptive = true});
+    const SpringMassRun adaptive =
+        relax_spring_mass(setup.network, squeezed(setup.exact), {.step = 0.4, .adaptive = true});
     EXPECT_EQ(adaptive.summary.termination, Termination::converged);
     EXPECT_LT(adaptive.summary.iterations, fixed.summary.iterations);
 }
@@ -56,7 +60,8 @@ TEST(SpringMass, AdaptiveStepReachesTheSameRestInFewerSteps) {
 TEST(SpringMass, InstabilityIsCaughtAndTheStepHalved) {
     // masses far too light for the frequency bound that was used: the first steps would explode
     Setup setup = rolled();
-    const SpringMassRun run = relax_spring_mass(setup.network, squeezed(setup.exact) * 2.5, {.damping = 1, .step = 1.999});
+    const SpringMassRun run =
+        relax_spring_mass(setup.network, squeezed(setup.exact) * 2.5, {.damping = 1, .step = 1.999});
     EXPECT_TRUE(run.positions.allFinite());
     EXPECT_LE(run.energy, energy(setup.network, squeezed(setup.exact) * 2.5));
     EXPECT_EQ(run.summary.termination, Termination::converged) << run.summary.text();

@@ -18,7 +18,8 @@ struct Fixture {
     std::vector<TriangleDistortion> distortion;
     std::size_t overlaps = 0;
     int flipped() const {
-        return static_cast<int>(std::count_if(distortion.begin(), distortion.end(), [](const auto& d) { return d.flipped; }));
+        return static_cast<int>(
+            std::count_if(distortion.begin(), distortion.end(), [](const auto& d) { return d.flipped; }));
     }
     double largest(std::size_t t) const { return 1 / distortion[t].stretch_min; }
     double smallest(std::size_t t) const { return 1 / distortion[t].stretch_max; }
@@ -32,10 +33,10 @@ Fixture read(const std::filesystem::path& file) {
             overlapping_triangles(surface.mesh.triangles, *surface.drawn).size()};
 }
 
-#define EXPECT_ALL_STRETCHED(fixture, high, low)                             \
-    for (std::size_t t = 0; t < (fixture).distortion.size(); ++t) {          \
-        EXPECT_DOUBLE_EQ((fixture).largest(t), high) << "triangle " << t;    \
-        EXPECT_DOUBLE_EQ((fixture).smallest(t), low) << "triangle " << t;    \
+#define EXPECT_ALL_STRETCHED(fixture, high, low)                          \
+    for (std::size_t t = 0; t < (fixture).distortion.size(); ++t) {       \
+        EXPECT_DOUBLE_EQ((fixture).largest(t), high) << "triangle " << t; \
+        EXPECT_DOUBLE_EQ((fixture).smallest(t), low) << "triangle " << t; \
     }
 
 TEST(DistortionFixtures, SquareIsUndistorted) {

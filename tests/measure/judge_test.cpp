@@ -13,7 +13,9 @@ namespace {
 
 const Fabric fabric;
 
-Tile square() { return make_tile("square", testing::rectangle(1, 1, 4, 4), {.warp = Vec3::UnitX()}); }
+Tile square() {
+    return make_tile("square", testing::rectangle(1, 1, 4, 4), {.warp = Vec3::UnitX()});
+}
 
 std::vector<std::string> codes(const Verdict& verdict) {
     std::vector<std::string> result;
@@ -61,7 +63,9 @@ TEST(Judge, PassesAnIsometry) {
     EXPECT_TRUE(verdict.manufacturable());
 }
 
-TEST(Judge, AnUnjudgedTileIsNotManufacturable) { EXPECT_FALSE(Verdict{}.manufacturable()); }
+TEST(Judge, AnUnjudgedTileIsNotManufacturable) {
+    EXPECT_FALSE(Verdict{}.manufacturable());
+}
 
 TEST(Judge, NamesEveryLimitThatIsBroken) {
     const Tile tile = square();

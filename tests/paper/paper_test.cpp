@@ -71,8 +71,7 @@ TEST(Paper, AdaptiveStepReachesTheSameRestSooner) {
 TEST(Paper, FreeGoreIsAsMuchTooLongAsGeometryDemands) {
     // any good free flattening of a gore of angle b: perimeter + b^2 / 24
     const double beta = 2 * std::numbers::pi / 24;
-    const Accuracy found =
-        flattened(make_tile("gore", testing::lune(beta, 8, 96), {.warp = Vec3::UnitZ()}));
+    const Accuracy found = flattened(make_tile("gore", testing::lune(beta, 8, 96), {.warp = Vec3::UnitZ()}));
     EXPECT_NEAR(found.perimeter_error, beta * beta / 24, 0.15 * beta * beta / 24);
 }
 

@@ -26,7 +26,9 @@ constexpr std::array table = {
 
 }  // namespace
 
-std::span<const Method> methods() { return table; }
+std::span<const Method> methods() {
+    return table;
+}
 
 const Method& method_named(const std::string& name) {
     std::string known;

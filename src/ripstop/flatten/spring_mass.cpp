@@ -108,8 +108,10 @@ SpringMassRun relax_spring_mass(const SpringNetwork& network, const Points2& sta
             continue;
         }
         std::swap(state, next);
-        if (options.adaptive) h *= growth;
-        else if (h < full_step) h = std::min(full_step, growth * h);
+        if (options.adaptive)
+            h *= growth;
+        else if (h < full_step)
+            h = std::min(full_step, growth * h);
     }
     run.positions = state.x;
     run.energy = state.potential;

@@ -6,11 +6,11 @@
 namespace ripstop {
 
 struct SpringMassOptions {
-    int max_steps = 200000;           ///< > 0
-    double damping = 0.5;             ///< share of critical damping at the fastest frequency, in (0, 1]
-    double step = 1.2;                ///< time step times the fastest frequency, in (0, 2): stable below 2
-    bool adaptive = false;            ///< let the step grow while the total energy falls, halve it when it rises
-    double energy_tolerance = 1e-5;   ///< at rest when one swing lowers the energy by a smaller share, > 0
+    int max_steps = 200000;          ///< > 0
+    double damping = 0.5;            ///< share of critical damping at the fastest frequency, in (0, 1]
+    double step = 1.2;               ///< time step times the fastest frequency, in (0, 2): stable below 2
+    bool adaptive = false;           ///< let the step grow while the total energy falls, halve it when it rises
+    double energy_tolerance = 1e-5;  ///< at rest when one swing lowers the energy by a smaller share, > 0
 };
 
 /// What the fine tuning took, beside its result.

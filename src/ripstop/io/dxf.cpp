@@ -8,8 +8,8 @@
 
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
-#include "ripstop/io/sheet.h"
 #include "ripstop/io/escape.h"
+#include "ripstop/io/sheet.h"
 
 namespace ripstop {
 namespace {

@@ -1,7 +1,7 @@
 #include "ripstop/io/flat_obj.h"
 
 #include "ripstop/base/number_text.h"
-#include "ripstop/io/text.h"
+#include "ripstop/io/escape.h"
 
 namespace ripstop {
 

@@ -12,7 +12,9 @@
 namespace ripstop {
 namespace {
 
-Vec3 centre_of(const TriangleMesh& mesh, int t) { return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3; }
+Vec3 centre_of(const TriangleMesh& mesh, int t) {
+    return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
+}
 
 void measure_triangles(const Tile& tile, const Points2& flat, Accuracy& accuracy) {
     const std::vector<TriangleDistortion> distortion = measure_distortion(tile.mesh, flat);

@@ -8,7 +8,9 @@
 namespace ripstop {
 namespace {
 
-std::string percent_text(double ratio) { return format_fixed(std::abs(ratio) / percent, 3) + " %"; }
+std::string percent_text(double ratio) {
+    return format_fixed(std::abs(ratio) / percent, 3) + " %";
+}
 
 /// The middle of the chain, by edges.
 Vec3 middle_of(const Tile& tile, const Chain& chain) {
@@ -45,12 +47,12 @@ void judge_lengths(const Tile& tile, const Accuracy& accuracy, const Tolerances&
     for (std::size_t i = 0; i < accuracy.chains.size(); ++i) {
         const ChainAccuracy& chain = accuracy.chains[i];
         if (std::abs(chain.error()) <= tolerances.length) continue;
-        verdict.findings.push_back(
-            {"chain",
-             "edge " + std::to_string(i + 1) + " is " + percent_text(chain.error()) + " (" +
-                 format_fixed(std::abs(chain.flat_length - chain.length) / millimetre, 1) + " mm) " +
-                 (chain.error() > 0 ? "longer" : "shorter") + " than drawn",
-             middle_of(tile, tile.chains[i]), chain.error() / percent, tolerances.length / percent});
+        verdict.findings.push_back({"chain",
+                                    "edge " + std::to_string(i + 1) + " is " + percent_text(chain.error()) + " (" +
+                                        format_fixed(std::abs(chain.flat_length - chain.length) / millimetre, 1) +
+                                        " mm) " + (chain.error() > 0 ? "longer" : "shorter") + " than drawn",
+                                    middle_of(tile, tile.chains[i]), chain.error() / percent,
+                                    tolerances.length / percent});
     }
 }
 
@@ -66,10 +68,9 @@ void judge_strain(const Accuracy& accuracy, const Tolerances& tolerances, Verdic
     strain("warp_strain", "warp", accuracy.warp_strain_min, accuracy.warp_strain_max);
     strain("weft_strain", "weft", accuracy.weft_strain_min, accuracy.weft_strain_max);
     if (!(accuracy.shear_max <= tolerances.shear))
-        verdict.findings.push_back({"shear",
-                                    "the threads must shear by " + format_fixed(accuracy.shear_max / degree, 2) +
-                                        " degrees",
-                                    accuracy.worst_shear, accuracy.shear_max / degree, tolerances.shear / degree});
+        verdict.findings.push_back(
+            {"shear", "the threads must shear by " + format_fixed(accuracy.shear_max / degree, 2) + " degrees",
+             accuracy.worst_shear, accuracy.shear_max / degree, tolerances.shear / degree});
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ bool wanted(const std::string& name, const std::vector<std::string>& only) {
 [[noreturn]] void refuse(const std::vector<std::string>& faults) {
     std::string text;
     for (std::size_t i = 0; i < std::min(faults.size(), shown_faults); ++i) text += (i ? "\n" : "") + faults[i];
-    if (faults.size() > shown_faults) text += "\nand " + std::to_string(faults.size() - shown_faults) + " more like these";
+    if (faults.size() > shown_faults)
+        text += "\nand " + std::to_string(faults.size() - shown_faults) + " more like these";
     throw InputError(text);
 }
 

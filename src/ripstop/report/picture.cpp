@@ -8,7 +8,7 @@
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/geometry/triangle.h"
-#include "ripstop/io/text.h"
+#include "ripstop/io/escape.h"
 #include "ripstop/report/colour_scale.h"
 #include "ripstop/report/figures.h"
 

@@ -1,4 +1,4 @@
-#include "ripstop/io/text.h"
+#include "ripstop/io/escape.h"
 
 #include <gtest/gtest.h>
 
