@@ -28,21 +28,23 @@ double flat_area(const TriangleMesh& mesh, const Points2& positions, int triangl
     return signed_area(positions.row(corners[0]), positions.row(corners[1]), positions.row(corners[2]));
 }
 
-/// How bad it is at a vertex, to be made less: how many of its triangles are flipped, then the worst one's flat area over
-/// the true one, negative.
+/// What a repair makes less at a vertex: how many of its triangles are flipped, or the worst one's flat area over the true
+/// one, negative. To count alone gets stuck in folds, to look at the worst alone spreads them.
+enum class Aim { fewer, less_bad };
+
 using Badness = std::pair<int, double>;
-Badness badness(const TriangleMesh& mesh, const Points2& positions, const std::vector<int>& outgoing) {
+Badness badness(const TriangleMesh& mesh, const Points2& positions, const std::vector<int>& outgoing, Aim aim) {
     Badness bad{0, -std::numeric_limits<double>::infinity()};
     for (const int h : outgoing) {
         const double ratio = flat_area(mesh, positions, h / 3) / triangle_area(mesh, h / 3);
-        bad.first += !(ratio > 0);
+        bad.first += aim == Aim::fewer && !(ratio > 0);
         bad.second = std::max(bad.second, -ratio);
     }
     return bad;
 }
 
 /// Moves `vertex` to the best of a few places for it; whether any was better than where it was.
-bool improve(const TriangleMesh& mesh, const std::vector<int>& outgoing, int vertex, Points2& positions) {
+bool improve(const TriangleMesh& mesh, const std::vector<int>& outgoing, int vertex, Aim aim, Points2& positions) {
     Vec2 laid = Vec2::Zero();
     Vec2 middle = Vec2::Zero();
     double total = 0;
@@ -56,12 +58,12 @@ bool improve(const TriangleMesh& mesh, const std::vector<int>& outgoing, int ver
     }
     const Vec2 old = positions.row(vertex);
     Vec2 best = old;
-    Badness least = badness(mesh, positions, outgoing);
+    Badness least = badness(mesh, positions, outgoing, aim);
     bool moved = false;
     for (const Vec2& target : {Vec2(laid / total), Vec2(middle / total)})
         for (const double part : {1.0, 0.5, 0.25}) {
             positions.row(vertex) = (old + part * (target - old)).transpose();
-            const Badness bad = badness(mesh, positions, outgoing);
+            const Badness bad = badness(mesh, positions, outgoing, aim);
             if (bad >= Badness{least.first, least.second - 1e-9}) continue;
             least = bad;
             best = positions.row(vertex);
@@ -121,18 +123,26 @@ int count_flipped_triangles(const TriangleMesh& mesh, const Points2& positions) 
 }
 
 int repair_flipped_triangles(const TriangleMesh& mesh, const Adjacency& adjacency, int passes, Points2& positions) {
-    for (int pass = 0; pass < passes; ++pass) {
+    Points2 best = positions;
+    int fewest = count_flipped_triangles(mesh, positions);
+    bool moved = true;
+    for (int pass = 0; pass < passes && fewest > 0 && moved; ++pass) {
         std::vector<int> concerned;
         for (int t = 0; t < mesh.triangle_count(); ++t)
             if (!(flat_area(mesh, positions, t) > 0))
                 for (int k = 0; k < 3; ++k) concerned.push_back(mesh.triangles(t, k));
         std::sort(concerned.begin(), concerned.end());
         concerned.erase(std::unique(concerned.begin(), concerned.end()), concerned.end());
-        bool moved = false;
-        for (const int v : concerned) moved = improve(mesh, adjacency.outgoing(v), v, positions) || moved;
-        if (!moved) break;
+        moved = false;
+        for (const Aim aim : {Aim::less_bad, Aim::fewer})
+            for (const int v : concerned) moved = improve(mesh, adjacency.outgoing(v), v, aim, positions) || moved;
+        const int count = count_flipped_triangles(mesh, positions);
+        if (count >= fewest) continue;
+        fewest = count;
+        best = positions;
     }
-    return count_flipped_triangles(mesh, positions);
+    positions = best;
+    return fewest;
 }
 
 }  // namespace ripstop

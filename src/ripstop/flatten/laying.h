@@ -17,8 +17,8 @@ int lay_on_missing(const TriangleMesh& mesh, int seed, std::vector<bool> placed,
 int count_flipped_triangles(const TriangleMesh& mesh, const Points2& positions);
 
 /// Tries to turn flipped triangles back by moving their vertices one at a time to where the triangles round them or their
-/// neighbours would have them, if that leaves fewer flipped there or as many and the worst better; goes over them at most
-/// `passes` times. Leaves the rest of the tile as it is. Returns how many are still flipped: never more than before.
+/// neighbours would have them, where that makes it better there; goes over them at most `passes` times and keeps the best.
+/// Leaves the rest of the tile as it is. Returns how many are still flipped: never more than before.
 int repair_flipped_triangles(const TriangleMesh& mesh, const Adjacency& adjacency, int passes, Points2& positions);
 
 }  // namespace ripstop

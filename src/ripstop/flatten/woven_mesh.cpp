@@ -128,7 +128,6 @@ class ReadOff {
   private:
     Mat22 frame_of(const WovenNode& node, const std::vector<Sight>& sights) const;
 
-    const UnfoldedSurface& surface_;
     const WovenFit& fit_;
     std::vector<std::vector<int>> nodes_in_;
 };
@@ -158,7 +157,6 @@ Mat22 ReadOff::frame_of(const WovenNode& node, const std::vector<Sight>& sights)
 ReadOff::ReadOff(const TriangleMesh& mesh, const UnfoldedSurface& surface, const WovenFit& fit)
     : positions(Points2::Zero(mesh.vertex_count(), 2)),
       placed(static_cast<std::size_t>(mesh.vertex_count()), false),
-      surface_(surface),
       fit_(fit),
       nodes_in_(static_cast<std::size_t>(mesh.triangle_count())) {
     for (std::size_t n = 0; n < fit.nodes.size(); ++n)

@@ -34,8 +34,8 @@ struct WovenOptions {
 /// `summary.reason` counts all of these; a result with flipped triangles left is usable but no start for a method that
 /// needs none. `fabric` is not asked: the weave's ratio is the option's.
 ///
-/// Requires a discrete disk (`require_disk`). Throws InputError for options out of range. Cost: some 10 ms a thousand
-/// triangles.
+/// Requires a discrete disk (`require_disk`). Throws InputError for options out of range. Cost: 10 to 20 ms a thousand
+/// triangles, several times that where the surface is crumpled.
 Flattening flatten_woven(const Tile& tile, const Fabric& fabric, const WovenOptions& options = {});
 
 }  // namespace ripstop
