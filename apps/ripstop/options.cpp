@@ -27,6 +27,12 @@ CLI::Validator known(LookUp look_up) {
         "");
 }
 
+/// A project names its fabric file from where the project lies.
+Fabric fabric_beside(const std::filesystem::path& project, const std::string& name) {
+    const std::filesystem::path beside = project.parent_path() / name;
+    return fabric_named(std::filesystem::is_regular_file(beside) ? beside.string() : name);
+}
+
 }  // namespace
 
 CLI::Validator known_method() {
@@ -81,7 +87,8 @@ Input resolve(const InputArguments& given) {
     if (!given.fabric.empty()) {
         input.fabric = fabric_named(given.fabric);
     } else {
-        input.fabric = fabric_named(project && project->fabric ? *project->fabric : "isotropic");
+        input.fabric =
+            project && project->fabric ? fabric_beside(given.project, *project->fabric) : fabric_named("isotropic");
     }
     input.tolerances = tolerances_of(input.fabric);
     if (project) input.tolerances = tolerances(*project, input.tolerances);

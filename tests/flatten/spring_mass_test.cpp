@@ -10,14 +10,14 @@
 namespace ripstop {
 namespace {
 
-struct Setup {
+struct Rolled {
     Tile tile;
     SpringNetwork network;
     Points2 exact;
 };
 
-Setup rolled() {
-    Setup setup{make_tile("t", testing::cylinder(1, 1.2, 2, 10, 12)), {}, {}};
+Rolled rolled() {
+    Rolled setup{make_tile("t", testing::cylinder(1, 1.2, 2, 10, 12)), {}, {}};
     setup.network = make_spring_network(setup.tile, Fabric{});
     const double facet = 2 * std::sin(0.06);
     setup.exact.resize(11 * 13, 2);
@@ -31,7 +31,7 @@ Points2 squeezed(const Points2& x) {
 }
 
 TEST(SpringMass, LeavesAnIsometryAlone) {
-    const Setup setup = rolled();
+    const Rolled setup = rolled();
     const SpringMassRun run = relax_spring_mass(setup.network, setup.exact);
     EXPECT_EQ(run.summary.termination, Termination::converged);
     EXPECT_LT((run.positions - setup.exact).norm(), 1e-9);
@@ -39,7 +39,7 @@ TEST(SpringMass, LeavesAnIsometryAlone) {
 }
 
 TEST(SpringMass, FindsTheIsometryOfADevelopableTile) {
-    const Setup setup = rolled();
+    const Rolled setup = rolled();
     const SpringMassRun run = relax_spring_mass(setup.network, squeezed(setup.exact));
     EXPECT_EQ(run.summary.termination, Termination::converged) << run.summary.text();
     EXPECT_EQ(run.halvings, 0);
@@ -49,7 +49,7 @@ TEST(SpringMass, FindsTheIsometryOfADevelopableTile) {
 }
 
 TEST(SpringMass, AdaptiveStepReachesTheSameRestInFewerSteps) {
-    const Setup setup = rolled();
+    const Rolled setup = rolled();
     const SpringMassRun fixed = relax_spring_mass(setup.network, squeezed(setup.exact), {.step = 0.4});
     const SpringMassRun adaptive =
         relax_spring_mass(setup.network, squeezed(setup.exact), {.step = 0.4, .adaptive = true});
@@ -59,7 +59,7 @@ TEST(SpringMass, AdaptiveStepReachesTheSameRestInFewerSteps) {
 
 TEST(SpringMass, InstabilityIsCaughtAndTheStepHalved) {
     // masses far too light for the frequency bound that was used: the first steps would explode
-    Setup setup = rolled();
+    Rolled setup = rolled();
     const SpringMassRun run =
         relax_spring_mass(setup.network, squeezed(setup.exact) * 2.5, {.damping = 1, .step = 1.999});
     EXPECT_TRUE(run.positions.allFinite());
@@ -77,14 +77,14 @@ TEST(SpringMass, NeverEndsAboveTheEnergyItStartedFrom) {
 }
 
 TEST(SpringMass, SaysWhenItRanOutOfSteps) {
-    const Setup setup = rolled();
+    const Rolled setup = rolled();
     const SpringMassRun run = relax_spring_mass(setup.network, squeezed(setup.exact), {.max_steps = 3});
     EXPECT_EQ(run.summary.termination, Termination::iteration_limit);
     EXPECT_EQ(run.summary.iterations, 3);
 }
 
 TEST(SpringMass, RefusesOptionsOutOfRange) {
-    const Setup setup = rolled();
+    const Rolled setup = rolled();
     EXPECT_THROW(relax_spring_mass(setup.network, setup.exact, {.step = 2.5}), InputError);
     EXPECT_THROW(relax_spring_mass(setup.network, setup.exact, {.energy_tolerance = 0}), InputError);
 }

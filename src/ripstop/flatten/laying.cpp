@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/mesh/flips.h"
 
 namespace ripstop {
 namespace {
@@ -116,15 +117,9 @@ int lay_on_missing(const TriangleMesh& mesh, int seed, std::vector<bool> placed,
     return before - missing();
 }
 
-int count_flipped_triangles(const TriangleMesh& mesh, const Points2& positions) {
-    int count = 0;
-    for (int t = 0; t < mesh.triangle_count(); ++t) count += !(flat_area(mesh, positions, t) > 0);
-    return count;
-}
-
 int repair_flipped_triangles(const TriangleMesh& mesh, const Adjacency& adjacency, int passes, Points2& positions) {
     Points2 best = positions;
-    int fewest = count_flipped_triangles(mesh, positions);
+    int fewest = count_flipped(mesh.triangles, positions);
     bool moved = true;
     for (int pass = 0; pass < passes && fewest > 0 && moved; ++pass) {
         std::vector<int> concerned;
@@ -136,7 +131,7 @@ int repair_flipped_triangles(const TriangleMesh& mesh, const Adjacency& adjacenc
         moved = false;
         for (const Aim aim : {Aim::less_bad, Aim::fewer})
             for (const int v : concerned) moved = improve(mesh, adjacency.outgoing(v), v, aim, positions) || moved;
-        const int count = count_flipped_triangles(mesh, positions);
+        const int count = count_flipped(mesh.triangles, positions);
         if (count >= fewest) continue;
         fewest = count;
         best = positions;

@@ -13,9 +13,6 @@ namespace ripstop {
 /// a round. Returns how many it placed.
 int lay_on_missing(const TriangleMesh& mesh, int seed, std::vector<bool> placed, Points2& positions);
 
-/// How many triangles lie with their outside down, or have no area, on the cloth.
-int count_flipped_triangles(const TriangleMesh& mesh, const Points2& positions);
-
 /// Tries to turn flipped triangles back by moving their vertices one at a time to where the triangles round them or their
 /// neighbours would have them, where that makes it better there; goes over them at most `passes` times and keeps the best.
 /// Leaves the rest of the tile as it is. Returns how many are still flipped: never more than before.

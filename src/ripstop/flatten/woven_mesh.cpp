@@ -13,6 +13,7 @@
 #include "ripstop/flatten/laying.h"
 #include "ripstop/flatten/woven_fit.h"
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/mesh/flips.h"
 
 namespace ripstop {
 namespace {
@@ -205,7 +206,7 @@ Flattening flatten_woven(const Tile& tile, const Fabric& /*fabric*/, const Woven
     constexpr int handful = 9;
     if (read.crossings < handful) std::fill(read.placed.begin(), read.placed.end(), false);
     const int laid = lay_on_missing(tile.mesh, centre.triangle, read.placed, read.positions);
-    const int flipped = count_flipped_triangles(tile.mesh, read.positions);
+    const int flipped = count_flipped(tile.mesh.triangles, read.positions);
     const int left = flipped ? repair_flipped_triangles(tile.mesh, adjacency, 50, read.positions) : 0;
     align_with_grain(tile, read.positions);
 

@@ -36,11 +36,11 @@ struct Tile {
 
 struct TileOptions {
     double corner_angle = 30 * degree;  ///< a boundary vertex that turns by more is a corner [rad]
-    std::vector<Vec3> corners;          ///< if any: these instead, each the boundary vertex nearest to the point
-    std::optional<Vec3> warp;           ///< if none: the longest axis
+    std::vector<Vec3> corners = {};     ///< if any: these instead, each the boundary vertex nearest to the point
+    std::optional<Vec3> warp = {};      ///< if none: the longest axis
     std::string warp_source = "given";  ///< where `warp` comes from, in words
     double grain_turn = 0;              ///< turns the longest axis, counter-clockwise seen from outside [rad]
-    std::optional<Points2> drawn;
+    std::optional<Points2> drawn = {};
 };
 
 /// The tile of a mesh. Corners are where the boundary turns by more than `corner_angle` on the surface: pi less the sum of

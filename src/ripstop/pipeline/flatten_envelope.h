@@ -10,10 +10,10 @@ namespace ripstop {
 struct FlattenOptions {
     std::string method =
         "paper";  ///< a name of `methods()`, or `given`: judge the flat positions that came with the tiles
-    Fabric fabric;
-    Tolerances tolerances;
+    Fabric fabric = {};
+    Tolerances tolerances = {};
     int threads = 0;  ///< 0: one a core
-    Progress progress;
+    Progress progress = {};
 };
 
 /// The main job: flattens every tile by one method and judges it. Tiles are independent and worked on in parallel; the

@@ -14,7 +14,7 @@ struct ReadOptions {
     double metres_per_unit = 1;     ///< of the file
     std::vector<std::string> only;  ///< globs of tile names to keep; all where empty
     double grain_turn = 0;          ///< where no warp is given: the longest axis turned by this [rad]
-    std::optional<Project> project;
+    std::optional<Project> project = {};
 };
 
 /// Reads a mesh file and makes every surface in it a tile. Throws InputError for a file that cannot be read, and for
