@@ -12,7 +12,8 @@
 namespace ripstop {
 
 double clean(double value) {
-    if (!std::isfinite(value) || value == 0) return value + 0.0;
+    if (!std::isfinite(value)) return value;
+    if (std::abs(value) < 1e-12) return 0;
     std::array<char, 32> buffer;
     const auto text =
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific, 11);
