@@ -23,8 +23,10 @@ double clean(double value) {
 
 double worst_chain_error(const Accuracy& accuracy) {
     double worst = 0;
-    for (const ChainAccuracy& chain : accuracy.chains)
-        if (!(std::abs(chain.error()) <= std::abs(worst))) worst = chain.error();
+    for (const ChainAccuracy& chain : accuracy.chains) {
+        if (std::isnan(chain.error())) return chain.error();
+        if (std::abs(chain.error()) > std::abs(worst)) worst = chain.error();
+    }
     return worst;
 }
 
