@@ -119,6 +119,11 @@ TEST(PatternPiece, TurnsItsLabelUprightWhereItIsNarrow) {
     EXPECT_EQ(piece_of("G01P01", polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}})).labels[0].turn, 0);
 }
 
+TEST(PatternPiece, HasALongArrowOnASlenderGore) {
+    const PatternPiece piece = piece_of("G01P01", polygon({{-1.5, 0}, {0, -0.012}, {1.5, 0}, {0, 0.012}}));
+    EXPECT_GT(piece.grain_line(1, 0) - piece.grain_line(0, 0), 0.3);
+}
+
 TEST(PatternPiece, PutsTheLabelOfASpeckAtItsMiddle) {
     const PatternPiece piece = piece_of("a name far too long", polygon({{0, 0}, {3e-3, 0}, {3e-3, 2e-3}, {0, 2e-3}}));
     EXPECT_EQ(piece.labels[0].height, 0.001);
@@ -126,6 +131,18 @@ TEST(PatternPiece, PutsTheLabelOfASpeckAtItsMiddle) {
     ASSERT_EQ(piece.grain_line.rows(), 2);
     EXPECT_TRUE(contains(piece.sew_line, Vec2(piece.grain_line.row(0))));
     EXPECT_TRUE(contains(piece.sew_line, Vec2(piece.grain_line.row(1))));
+}
+
+TEST(PatternPiece, OfAnOutlineWithoutInsideStillEnds) {
+    for (const double x : {0.0, 1.0}) {
+        FlatTile tile = testing::flat_cylinder("flat");
+        tile.flattening.positions.col(0) *= x;
+        tile.flattening.positions.col(1).setZero();
+        const PatternPiece piece = make_piece(tile);
+        EXPECT_EQ(piece.sew_line.rows(), 40);
+        EXPECT_EQ(piece.labels.size(), 1u);
+        EXPECT_TRUE(piece.grain_line.allFinite());
+    }
 }
 
 TEST(PatternPiece, IsRefusedForATileThatWasNotFlattened) {

@@ -181,7 +181,8 @@ TEST(FlatObj, HasEachVertexInSpaceAndOnTheCloth) {
 TEST(Clean, TakesAwayTheNoiseOfBinaryArithmetic) {
     EXPECT_EQ(clean(0.07 / 0.01), 7);
     EXPECT_EQ(clean(1.0 / 3), 0.333333333333);
-    EXPECT_FALSE(std::signbit(clean(-0.0)));
+    EXPECT_FALSE(std::signbit(clean(-1e-17)));
+    EXPECT_EQ(clean(-1e-17), 0);
     EXPECT_EQ(clean(-123456.789), -123456.789);
 }
 

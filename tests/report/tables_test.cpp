@@ -83,7 +83,10 @@ TEST(TilesCsv, HasALineATileAndAFieldAColumn) {
 TEST(TilesCsv, LeavesEmptyWhatIsNotFinite) {
     CutPlan plan = testing::two_tile_plan();
     plan.tiles[0].accuracy.energy = std::numeric_limits<double>::infinity();
+    plan.tiles[0].accuracy.chains[0] = {0, 0};
     EXPECT_THAT(tiles_csv(plan), Not(HasSubstr("inf")));
+    EXPECT_THAT(tiles_csv(plan), Not(HasSubstr("nan")));
+    EXPECT_EQ(fields(lines(tiles_csv(plan))[1])[14], "");
     EXPECT_EQ(fields(lines(tiles_csv(plan))[1])[20], "");
 }
 

@@ -127,7 +127,7 @@ Circle largest_circle_inside(const Points2& polygon, double precision) {
     for (double x = 0; x < size.x() || x == 0; x += cell)
         for (double y = 0; y < size.y() || y == 0; y += cell)
             queue.push(make_cell(polygon, lower + Vec2(x + cell / 2, y + cell / 2), cell / 2));
-    const double step = std::max(precision, 1e-6 * cell);
+    const double step = std::max(1e-6 * cell, precision);
     while (!queue.empty()) {
         const Cell top = queue.top();
         queue.pop();

@@ -29,7 +29,7 @@ struct PatternPiece {
 
 /// Length along the shaft of the arrow head of a grain line `length` long, and half its width [m].
 inline double arrow_head(double length) {
-    return std::min(0.03, 0.2 * length);
+    return std::min(0.012, 0.2 * length);
 }
 inline double arrow_half_width(double length) {
     return 0.3 * arrow_head(length);

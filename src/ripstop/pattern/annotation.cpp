@@ -114,13 +114,23 @@ std::vector<std::array<double, 2>> clear_of(const std::array<double, 2>& chord, 
     return parts;
 }
 
-/// The longest arrow centred on a part of a chord whose head and barbs stay inside and off the label; 0 if none.
-double arrow_length(const Points2& outline, const Vec2& middle, double longest, double least, const Box& label) {
-    for (double length = longest; length > least; length *= 0.8) {
+struct Arrow {
+    Vec2 middle = Vec2::Zero();
+    double length = 0;
+};
+
+/// The longest arrow on a part of a chord, as near to the pole as it goes, whose head and barbs stay inside and off the
+/// label; length 0 if none is longer than `least`.
+Arrow longest_arrow(const Points2& outline, const std::array<double, 2>& part, double y, const Vec2& pole, double least,
+                    const Box& label) {
+    const double width = part[1] - part[0];
+    for (double length = 0.6 * width; length > std::max(least, 0.1 * width); length *= 0.8) {
+        const double room = length / 2 + 0.05 * width;
+        const Vec2 middle(std::clamp(pole.x(), part[0] + room, part[1] - room), y);
         const Box box{middle, {length / 2, 1.5 * arrow_half_width(length)}, 0};
-        if (!overlaps(box, label) && contains(outline, box)) return length;
+        if (!overlaps(box, label) && contains(outline, box)) return {middle, length};
     }
-    return 0;
+    return {};
 }
 
 }  // namespace
@@ -142,26 +152,22 @@ LabelPlace place_label(const Points2& outline, const Circle& room, const std::st
 Points2 place_grain_line(const Points2& outline, const Circle& room, const Box& label) {
     const double bottom = outline.col(1).minCoeff(), top = outline.col(1).maxCoeff();
     constexpr int rows = 48;
-    Vec2 best_middle = Vec2::Zero();
-    double best_length = 0, best_score = 0;
+    Arrow best;
+    double best_score = 0;
     for (int row = 0; row < rows; ++row) {
         const double y = bottom + (top - bottom) * (row + 0.5) / rows;
         const double liking = 1 - 0.5 * std::abs(y - room.centre.y()) / (top - bottom);
         for (const auto& chord : horizontal_chords(outline, y))
             for (const auto& part : clear_of(chord, y, label)) {
-                const Vec2 middle((part[0] + part[1]) / 2, y);
-                const double longest = 0.6 * (part[1] - part[0]);
-                const double least = std::max(best_score / liking, 0.2 * longest);
-                const double length = arrow_length(outline, middle, longest, least, label);
-                if (length * liking <= best_score) continue;
-                best_score = length * liking;
-                best_length = length;
-                best_middle = middle;
+                const Arrow arrow = longest_arrow(outline, part, y, room.centre, best_score / liking, label);
+                if (arrow.length * liking <= best_score) continue;
+                best_score = arrow.length * liking;
+                best = arrow;
             }
     }
-    if (best_length == 0) return Points2(0, 2);
+    if (best.length == 0) return Points2(0, 2);
     Points2 line(2, 2);
-    line << best_middle.x() - best_length / 2, best_middle.y(), best_middle.x() + best_length / 2, best_middle.y();
+    line << best.middle.x() - best.length / 2, best.middle.y(), best.middle.x() + best.length / 2, best.middle.y();
     return line;
 }
 

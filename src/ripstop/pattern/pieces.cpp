@@ -44,8 +44,10 @@ PatternPiece make_piece(const FlatTile& tile) {
     PatternPiece piece;
     piece.name = tile.tile.name;
     piece.sew_line = sew_line(tile);
-    // No circle inside is smaller than area over perimeter, so this is a tenth of its radius or better.
-    const double precision = 0.1 * signed_area(piece.sew_line) / perimeter(piece.sew_line);
+    // The radius is at least area over perimeter, so this is a tenth of it or better; the floor is for outlines without
+    // inside, which failed flattenings have.
+    const double precision = std::max(1e-4 * (piece.upper() - piece.lower()).maxCoeff(),
+                                      0.1 * signed_area(piece.sew_line) / perimeter(piece.sew_line));
     const Circle room = largest_circle_inside(piece.sew_line, precision);
     // Two fifths of the circle's radius leave room for the arrow above or below; less if that was not enough.
     double largest = std::clamp(0.4 * room.radius, 0.003, 0.040);

@@ -12,7 +12,8 @@
 namespace ripstop {
 
 double clean(double value) {
-    if (!std::isfinite(value) || value == 0) return value + 0.0;
+    if (!std::isfinite(value)) return value;
+    if (std::abs(value) < 1e-12) return 0;
     std::array<char, 32> buffer;
     const auto text =
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific, 11);
@@ -22,8 +23,10 @@ double clean(double value) {
 
 double worst_chain_error(const Accuracy& accuracy) {
     double worst = 0;
-    for (const ChainAccuracy& chain : accuracy.chains)
-        if (!(std::abs(chain.error()) <= std::abs(worst))) worst = chain.error();
+    for (const ChainAccuracy& chain : accuracy.chains) {
+        if (std::isnan(chain.error())) return chain.error();
+        if (std::abs(chain.error()) > std::abs(worst)) worst = chain.error();
+    }
     return worst;
 }
 

@@ -8,10 +8,10 @@
 namespace ripstop {
 
 /// `value` without the noise of binary arithmetic: rounded to 12 significant digits, so that 7 % is 7 and not
-/// 7.000000000000001. Never -0; what is not finite stays so.
+/// 7.000000000000001, and 0 below 1e-12 in size, which no unit of the report can mean. What is not finite stays so.
 double clean(double value);
 
-/// The worst length error of a tile's chains, with its sign; 0 without chains.
+/// The worst length error of a tile's chains, with its sign; 0 without chains, not a number if one's is.
 double worst_chain_error(const Accuracy& accuracy);
 
 /// The codes of the findings, each once, in their order: `chain, flipped`; `not judged` where nobody judged; empty where

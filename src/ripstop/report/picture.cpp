@@ -93,13 +93,19 @@ double edge_error(const FlatTile& tile, int t) {
 std::string cloth(const FlatTile& tile, const View& view, double limit) {
     std::array<std::string, colour_classes> paths;
     std::string flipped;
+    // Many triangles are small ones: a tenth of a unit will do for them.
+    const int decimals = tile.tile.mesh.triangle_count() > 5000 ? 1 : 2;
+    const auto at = [&](const Vec2& p) {
+        const Vec2 q = view.at(p);
+        return format_fixed(q.x(), decimals) + " " + format_fixed(q.y(), decimals);
+    };
     for (int t = 0; t < tile.tile.mesh.triangle_count(); ++t) {
         std::array<Vec2, 3> corner;
         for (int k = 0; k < 3; ++k)
             corner[static_cast<std::size_t>(k)] = tile.flattening.positions.row(tile.tile.mesh.triangles(t, k));
         const bool up = signed_area(corner[0], corner[1], corner[2]) > 0;
         std::string& path = up ? paths[static_cast<std::size_t>(colour_class(edge_error(tile, t), limit))] : flipped;
-        path += "M" + pair(view.at(corner[0])) + "L" + pair(view.at(corner[1])) + " " + pair(view.at(corner[2])) + "z";
+        path += "M" + at(corner[0]) + "L" + at(corner[1]) + " " + at(corner[2]) + "z";
     }
     // A hairline of its own colour closes the gaps that renderers leave between neighbours.
     std::string result = "<g stroke-width=\"0.5\" stroke-linejoin=\"round\">\n";
