@@ -35,7 +35,7 @@ TEST(SpringMass, LeavesAnIsometryAlone) {
     const SpringMassRun run = relax_spring_mass(setup.network, setup.exact);
     EXPECT_EQ(run.summary.termination, Termination::converged);
     EXPECT_LT((run.positions - setup.exact).norm(), 1e-9);
-    EXPECT_LE(run.summary.iterations, 5);
+    EXPECT_LE(run.summary.iterations, 10);
 }
 
 TEST(SpringMass, FindsTheIsometryOfADevelopableTile) {

@@ -1,5 +1,6 @@
 #include "ripstop/energy/spring_network.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ripstop/geometry/triangle.h"
@@ -47,6 +48,24 @@ double add_guards(const SpringNetwork& network, const Points2& positions, Points
     return sum;
 }
 
+/// Twice the stiffness of the springs at each particle (#V): the bound of its squared frequency times its mass.
+Eigen::VectorXd stiffness_at_particles(const SpringNetwork& network) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(network.mass.size());
+    for (const Spring& spring : network.springs) {
+        sum[spring.a] += 2 * spring.stiffness;
+        sum[spring.b] += 2 * spring.stiffness;
+    }
+    return sum;
+}
+
+void slow_down_the_fastest(SpringNetwork& network) {
+    const Eigen::VectorXd stiffness = stiffness_at_particles(network);
+    Eigen::VectorXd squared_frequency = stiffness.cwiseQuotient(network.mass);
+    const auto middle = squared_frequency.begin() + squared_frequency.size() / 2;
+    std::nth_element(squared_frequency.begin(), middle, squared_frequency.end());
+    network.mass = network.mass.cwiseMax(stiffness / *middle);
+}
+
 }  // namespace
 
 SpringNetwork make_spring_network(const Tile& tile, const Fabric& fabric) {
@@ -75,6 +94,7 @@ SpringNetwork make_spring_network(const Tile& tile, const Fabric& fabric) {
         }
         network.springs.push_back(spring);
     }
+    slow_down_the_fastest(network);
     return network;
 }
 
@@ -108,12 +128,7 @@ double energy(const SpringNetwork& network, const Points2& positions) {
 }
 
 double frequency_bound(const SpringNetwork& network) {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(network.mass.size());
-    for (const Spring& spring : network.springs) {
-        sum[spring.a] += spring.stiffness;
-        sum[spring.b] += spring.stiffness;
-    }
-    return std::sqrt(2 * sum.cwiseQuotient(network.mass).maxCoeff());
+    return std::sqrt(stiffness_at_particles(network).cwiseQuotient(network.mass).maxCoeff());
 }
 
 Eigen::Matrix3d implied_elasticity(const SpringNetwork& network, const Tile& tile) {

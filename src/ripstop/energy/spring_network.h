@@ -22,7 +22,8 @@ struct Spring {
 ///
 ///     k = sum_t A_t (E_warp cos^2 + E_weft sin^2) / l0^2        over the triangles at the edge, cos = edge · warp
 ///
-/// Masses are a third of the triangles' at each particle [WSY02, eq. 10]. The second sum is zero until a triangle has lost
+/// Masses are a third of the triangles' at each particle [WSY02, eq. 10], more where a particle would swing faster than the
+/// median one: small triangles would else dictate the time step, and rest does not depend on mass. The second sum is zero until a triangle has lost
 /// 70 % of its area (a on the cloth, a0 on the surface): it plays the part of the penalty against overlap of [WSY02,
 /// eq. 14] and turns flipped triangles back. Springs alone force c12 = c33 whatever k is: see `implied_elasticity`.
 struct SpringNetwork {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ripstop/base/error.h"
 
@@ -66,13 +67,14 @@ SpringMassRun relax_spring_mass(const SpringNetwork& network, const Points2& sta
     Integrator integrator(network, 2 * options.damping / frequency);
     const double scale = energy_scale(network);
     const double nothing = 1e-22 * scale;  // strains of 1e-11: the isometry is reached
-    constexpr double growth = 1.02;
+    constexpr double growth = 1.02;        // a step
 
     SpringMassRun run;
     State state{start, Points2::Zero(start.rows(), 2), {}};
     State next;
     integrator.evaluate(state);
     double h = full_step;
+    double largest = options.adaptive ? std::numeric_limits<double>::infinity() : full_step;
     double swing_start = state.potential;
     int quiet_swings = 0;
     run.summary = {Termination::iteration_limit, 0, 0, "the energy was still falling"};
@@ -82,6 +84,7 @@ SpringMassRun relax_spring_mass(const SpringNetwork& network, const Points2& sta
         const bool stable = std::isfinite(next.total()) && next.total() <= state.total() * (1 + 1e-9) + nothing;
         if (!stable) {
             ++run.halvings;
+            largest = options.adaptive ? 0.8 * h : full_step;
             h *= 0.5;
             state.v.setZero();
             integrator.evaluate(state);
@@ -108,10 +111,7 @@ SpringMassRun relax_spring_mass(const SpringNetwork& network, const Points2& sta
             continue;
         }
         std::swap(state, next);
-        if (options.adaptive)
-            h *= growth;
-        else if (h < full_step)
-            h = std::min(full_step, growth * h);
+        h = std::min(largest, growth * h);
     }
     run.positions = state.x;
     run.energy = state.potential;

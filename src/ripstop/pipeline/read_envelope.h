@@ -11,9 +11,9 @@
 namespace ripstop {
 
 struct ReadOptions {
-    double metres_per_unit = 1;     ///< of the file
-    std::vector<std::string> only;  ///< globs of tile names to keep; all where empty
-    double grain_turn = 0;          ///< where no warp is given: the longest axis turned by this [rad]
+    double metres_per_unit = 1;          ///< of the file
+    std::vector<std::string> only = {};  ///< globs of tile names to keep; all where empty
+    double grain_turn = 0;               ///< where no warp is given: the longest axis turned by this [rad]
     std::optional<Project> project = {};
 };
 
