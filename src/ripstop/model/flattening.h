@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "ripstop/base/solve_summary.h"
 #include "ripstop/geometry/types.h"
 
@@ -9,6 +11,7 @@ namespace ripstop {
 struct Flattening {
     Points2 positions;  ///< #V x 2 [m]
     SolveSummary summary;
+    std::string note;  ///< what the method has to say of this tile beside the figures; may be empty
 };
 
 }  // namespace ripstop

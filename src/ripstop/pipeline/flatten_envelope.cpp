@@ -16,7 +16,7 @@ Flattening given_flattening(const Tile& tile) {
     if (!tile.drawn)
         throw InputError("tile " + tile.name +
                          ": came without flat positions to judge; write one texture coordinate (vt) for each vertex");
-    Flattening flat{*tile.drawn, {}};
+    Flattening flat{*tile.drawn, {}, {}};
     flat.summary = {Termination::converged, 0, 0, "came with the input"};
     return flat;
 }

@@ -99,6 +99,7 @@ Json tile_json(const FlatTile& tile, const std::string& stem, bool reproducible)
     json["factorizations"] = summary.factorizations;
     json["stop"] = name(summary.termination);
     json["stop_reason"] = summary.reason;
+    if (!tile.flattening.note.empty()) json["note"] = tile.flattening.note;
     add_accuracy(json, tile.accuracy);
     json["verdict"] = verdict_json(tile.verdict);
     return json;
