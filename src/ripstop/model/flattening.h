@@ -11,7 +11,7 @@ namespace ripstop {
 struct Flattening {
     Points2 positions;  ///< #V x 2 [m]
     SolveSummary summary;
-    std::string note;  ///< what the method has to say of this tile beside the figures; may be empty
+    std::string note = {};  ///< what the method has to say of this tile beside the figures; may be empty
 };
 
 }  // namespace ripstop
