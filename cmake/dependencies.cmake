@@ -11,3 +11,8 @@ endif()
 if(RIPSTOP_BENCHMARKS)
     find_package(benchmark REQUIRED)
 endif()
+if(RIPSTOP_CHOLMOD)
+    # Its supernodal module is GPL-2+: docs/decisions/0002-cholmod.md.
+    list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+    find_package(CHOLMOD REQUIRED)
+endif()
