@@ -1,7 +1,10 @@
 #pragma once
 
+#include <memory>
+
 #include "ripstop/base/solve_summary.h"
 #include "ripstop/flatten/seam_problem.h"
+#include "ripstop/flatten/seam_step.h"
 
 namespace ripstop {
 
@@ -34,7 +37,17 @@ struct SeamSolution {
 /// lambda += rho (J d + c) with that one factorisation, each 1/rho closer; grain and area by a border of two columns.
 /// Where a pivot is negative the element Hessians are clamped, then a multiple of the identity is added. Steps stop short
 /// of the first triangle that would lose its area, then satisfy an l1 merit with a second-order correction.
-SeamSolution minimize_with_seams(const SeamProblem& problem, const Eigen::VectorXd& start,
-                                 const SeamNewtonOptions& options = {});
+class SeamNewton {
+  public:
+    /// Analyses the problem's pattern once, for every `minimize`. Keeps a reference to the problem.
+    explicit SeamNewton(const SeamProblem& problem);
+    ~SeamNewton();
+
+    SeamSolution minimize(const Eigen::VectorXd& start, const SeamNewtonOptions& options = {});
+
+  private:
+    const SeamProblem& problem_;
+    std::unique_ptr<SeamStep> step_;
+};
 
 }  // namespace ripstop
