@@ -18,7 +18,7 @@ struct InputArguments {
     std::string unit;     ///< empty: the project's, else metres
     std::string project;  ///< empty: none
     std::string fabric;   ///< empty: the project's, else isotropic
-    std::string method = "paper";
+    std::string method = "seam-exact";
     double grain = 0;  ///< [degrees]
     std::vector<std::string> tiles;
 };

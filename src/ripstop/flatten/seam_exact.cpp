@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ripstop/base/error.h"
+#include "ripstop/base/number_text.h"
 #include "ripstop/flatten/arap.h"
 #include "ripstop/flatten/grain.h"
 #include "ripstop/flatten/lscm.h"
@@ -35,13 +37,13 @@ Vector lengths_at(const Tile& tile, const Vector& u) {
 }
 
 /// Leads the edges from the lengths they have to the true ones, halving the stride where a step fails.
-SeamSolution lead_lengths(SeamProblem& problem, SeamNewton& newton, const SeamNewtonOptions& options, const Vector& start,
-                          const Vector& free_lengths, const Vector& true_lengths) {
+SeamSolution lead_lengths(SeamProblem& problem, SeamNewton& newton, const SeamNewtonOptions& options,
+                          const Vector& start, const Vector& free_lengths, const Vector& true_lengths) {
     SeamSolution at;
     at.u = start;
     double reached = 0, stride = 0.25;
     int iterations = 0, factorizations = 0;
-    while (reached < 1 && stride > 0.01) {
+    while (reached < 1 && stride > 0.04) {
         const double next = std::min(1.0, reached + stride);
         problem.set_lengths((1 - next) * free_lengths + next * true_lengths);
         SeamSolution there = newton.minimize(at.u, options);
@@ -58,18 +60,26 @@ SeamSolution lead_lengths(SeamProblem& problem, SeamNewton& newton, const SeamNe
     problem.set_lengths(true_lengths);
     at.summary.iterations = iterations;
     at.summary.factorizations = factorizations;
-    if (reached < 1) at.summary.termination = Termination::iteration_limit;
+    if (reached < 1) {
+        at.summary.termination = Termination::iteration_limit;
+        at.summary.reason =
+            "the edges could be led only " + format_fixed(100 * reached, 0) + " % of the way to their lengths";
+        at.length_residual = problem.edge_residual(at.u).cwiseQuotient(true_lengths).lpNorm<Eigen::Infinity>();
+    }
     return at;
 }
 
 }  // namespace
 
 Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const SeamExactOptions& options) {
-    const Vector true_lengths = edge_lengths(tile.mesh.positions, closed(tile.boundary));
-    SeamProblem problem(tile, fabric, true_lengths, {options.bending, options.keep_area});
+    if (!(options.bending >= 0) || options.max_iterations <= 0)
+        throw InputError("seam-exact options: bending >= 0, max_iterations > 0");
+    SeamProblem problem(tile, fabric, {options.bending, options.keep_area});
+    const Vector true_lengths = problem.lengths();
     SeamNewton newton(problem);
     const Vector start = as_vector(starting_positions(tile, options.start));
-    const SeamNewtonOptions free{.hold_edges = false, .max_iterations = options.max_iterations, .force_tolerance = 1e-3};
+    const SeamNewtonOptions free{
+        .hold_edges = false, .max_iterations = options.max_iterations, .force_tolerance = 1e-3};
     const SeamSolution loose = newton.minimize(start, free);
     const SeamNewtonOptions held{.max_iterations = options.max_iterations};
     SeamSolution exact = newton.minimize(loose.u, held);
@@ -85,6 +95,8 @@ Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const Seam
     result.summary = exact.summary;
     result.summary.iterations = iterations;
     result.summary.factorizations = factorizations;
+    result.certificate = {exact.force_residual, exact.length_residual, exact.strict_minimum};
+    result.seam_tension = exact.lambda;
     align_with_grain(tile, result.positions);
     return result;
 }

@@ -17,7 +17,8 @@ class Search {
     Search(const SeamProblem& problem, const SeamNewtonOptions& options) : problem_(problem), options_(options) {}
 
     double infeasibility(const Vector& u) const {
-        return (options_.hold_edges ? problem_.edge_residual(u).lpNorm<1>() : 0) + problem_.dense_residual(u).lpNorm<1>();
+        return (options_.hold_edges ? problem_.edge_residual(u).lpNorm<1>() : 0) +
+               problem_.dense_residual(u).lpNorm<1>();
     }
 
     /// Moves u along the step, or along it and its correction; the length of the step taken, 0 where none helps.
@@ -28,11 +29,13 @@ class Search {
         const double before = infeasibility(u);
         const double merit = system.energy() + weight_ * before;
         const double slope = system.gradient().dot(step.d) - weight_ * before;
-        const double noise = 1e-13 * (std::abs(merit) + problem_.stiffness() * 1e-6 * problem_.size() * problem_.size());
+        const double noise =
+            1e-13 * (std::abs(merit) + problem_.stiffness() * 1e-6 * problem_.size() * problem_.size());
         double length = std::min(1.0, problem_.longest_step(u, step.d));
         for (int halving = 0; halving < 30; ++halving, length *= 0.5) {
             const auto accepted = [&](const Vector& at) {
-                return problem_.energy(at) + weight_ * infeasibility(at) <= merit + 1e-4 * length * std::min(slope, 0.0) + noise;
+                return problem_.energy(at) + weight_ * infeasibility(at) <=
+                       merit + 1e-4 * length * std::min(slope, 0.0) + noise;
             };
             const Vector trial = u + length * step.d;
             if (accepted(trial)) {
@@ -42,7 +45,8 @@ class Search {
             if (halving == 0 && length > 0.99) {
                 const Vector zero = Vector::Zero(problem_.unknowns());
                 const auto correction =
-                    system.solve(zero, problem_.edge_residual(trial), problem_.dense_residual(trial), Vector::Zero(problem_.edge_count()));
+                    system.solve(zero, problem_.edge_residual(trial), problem_.dense_residual(trial),
+                                 Vector::Zero(problem_.edge_count()));
                 const Vector corrected = trial + correction.d;
                 if (problem_.longest_step(u, corrected - u) > 0.99 && accepted(corrected)) {
                     u = corrected;
@@ -86,13 +90,16 @@ SeamSolution SeamNewton::minimize(const Vector& start, const SeamNewtonOptions& 
         if (options.hold_edges) residual += problem.edge_transposed(at.u, at.lambda);
         at.force_residual = residual.lpNorm<Eigen::Infinity>() / force_scale;
         at.length_residual =
-            options.hold_edges ? problem.edge_residual(at.u).cwiseQuotient(problem.lengths()).lpNorm<Eigen::Infinity>() : 0;
+            options.hold_edges ? problem.edge_residual(at.u).cwiseQuotient(problem.lengths()).lpNorm<Eigen::Infinity>()
+                               : 0;
         const double dense = problem.dense_residual(at.u).lpNorm<Eigen::Infinity>() / problem.size();
         if (at.force_residual <= options.force_tolerance && at.length_residual <= options.length_tolerance &&
             dense <= options.length_tolerance) {
             at.summary.termination = Termination::converged;
             at.summary.reason = "forces in balance";
-            at.strict_minimum = at.summary.iterations > 0 && system.exact();
+            // the last factorisation was one step before; one more only where there was none, or it was helped
+            at.strict_minimum = (at.summary.iterations > 0 && system.exact()) ||
+                                (system.factorize(at.u, at.lambda, at.mu) && system.exact());
             break;
         }
         if (at.summary.iterations == options.max_iterations) break;
@@ -102,7 +109,8 @@ SeamSolution SeamNewton::minimize(const Vector& start, const SeamNewtonOptions& 
             at.summary.reason = "no shift makes the Newton system positive definite";
             break;
         }
-        const auto step = system.solve(system.gradient(), problem.edge_residual(at.u), problem.dense_residual(at.u), at.lambda);
+        const auto step =
+            system.solve(system.gradient(), problem.edge_residual(at.u), problem.dense_residual(at.u), at.lambda);
         const double length = search.move(system, step, at.u);
         if (length == 0) {
             at.summary.termination = Termination::stagnated;

@@ -9,9 +9,9 @@
 namespace ripstop {
 
 struct SeamNewtonOptions {
-    bool hold_edges = true;         ///< false: a free boundary, only the grain (and the area) is held
-    int max_iterations = 60;        ///< > 0
-    double force_tolerance = 1e-8;  ///< largest force out of balance, in E times the mean boundary edge
+    bool hold_edges = true;           ///< false: a free boundary, only the grain (and the area) is held
+    int max_iterations = 60;          ///< > 0
+    double force_tolerance = 1e-8;    ///< largest force out of balance, in E times the mean boundary edge
     double length_tolerance = 1e-11;  ///< largest |length_i| left, in l_i
 };
 
@@ -21,9 +21,9 @@ struct SeamSolution {
     Eigen::VectorXd lambda;  ///< tension of each boundary edge: the force that holds it at its length [N]
     Eigen::VectorXd mu;      ///< of the grain and the area
     SolveSummary summary;
-    double energy = 0;          ///< [J]
-    double force_residual = 0;  ///< largest entry of grad energy + Jᵀ lambda, in E times the mean boundary edge
-    double length_residual = 0; ///< largest |length_i| / l_i
+    double energy = 0;            ///< [J]
+    double force_residual = 0;    ///< largest entry of grad energy + Jᵀ lambda, in E times the mean boundary edge
+    double length_residual = 0;   ///< largest |length_i| / l_i
     bool strict_minimum = false;  ///< the last Hessian was positive definite along the constraints, nothing added to it
 };
 

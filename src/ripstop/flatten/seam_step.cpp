@@ -13,7 +13,9 @@ constexpr int max_updates = 8;
 
 }  // namespace
 
-SeamStep::SeamStep(const SeamProblem& problem) : problem_(problem), solver_(problem.pattern()) { hold_edges(true); }
+SeamStep::SeamStep(const SeamProblem& problem) : problem_(problem), solver_(problem.pattern()) {
+    hold_edges(true);
+}
 
 void SeamStep::hold_edges(bool hold) {
     hold_edges_ = hold;

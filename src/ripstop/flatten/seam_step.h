@@ -30,7 +30,7 @@ class SeamStep {
     /// growing multiple of the identity is added; false where no amount does.
     bool factorize(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda, const Eigen::VectorXd& mu);
 
-    double energy() const { return energy_; }                     ///< at the last u [J]
+    double energy() const { return energy_; }                      ///< at the last u [J]
     const Eigen::VectorXd& gradient() const { return gradient_; }  ///< of the energy there
     bool exact() const { return exact_; }  ///< nothing was clamped or added: the constrained minimum is strict
     int factorizations() const { return solver_.factorizations(); }
