@@ -35,6 +35,9 @@ struct Input {
 void add_input_options(CLI::App& command, InputArguments& given);
 void add_method_option(CLI::App& command, InputArguments& given);
 
+/// The method's name, `--keep-area` taken in. Throws a usage error where the method cannot keep the area.
+std::string method_of(const InputArguments& given);
+
 /// Throws InputError.
 Input resolve(const InputArguments& given);
 
