@@ -8,7 +8,9 @@ namespace ripstop {
 namespace {
 
 /// First and second derivative of the direction angle atan2(y, x) of an edge.
-Vec2 angle_gradient(const Vec2& d) { return Vec2(-d.y(), d.x()) / d.squaredNorm(); }
+Vec2 angle_gradient(const Vec2& d) {
+    return Vec2(-d.y(), d.x()) / d.squaredNorm();
+}
 
 Mat22 angle_hessian(const Vec2& d) {
     const double r4 = d.squaredNorm() * d.squaredNorm();

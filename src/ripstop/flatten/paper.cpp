@@ -28,7 +28,8 @@ Flattening flatten_paper(const Tile& tile, const Fabric& fabric, const SpringMas
         run.summary.iterations += spent;
         run.summary.reason += ", from Tutte's embedding as the woven start left triangles turned over";
     }
-    Flattening result{std::move(run.positions), run.summary, elasticity_note(network, tile)};
+    Flattening result{std::move(run.positions), run.summary};
+    result.note = elasticity_note(network, tile);
     align_with_grain(tile, result.positions);
     return result;
 }

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <memory>
+
 #include "ripstop/base/solve_summary.h"
 #include "ripstop/flatten/seam_problem.h"
+#include "ripstop/flatten/seam_step.h"
 
 namespace ripstop {
 
 struct SeamNewtonOptions {
-    bool hold_edges = true;         ///< false: a free boundary, only the grain (and the area) is held
-    int max_iterations = 60;        ///< > 0
-    double force_tolerance = 1e-8;  ///< largest force out of balance, in E times the mean boundary edge
+    bool hold_edges = true;           ///< false: a free boundary, only the grain (and the area) is held
+    int max_iterations = 60;          ///< > 0
+    double force_tolerance = 1e-8;    ///< largest force out of balance, in E times the mean boundary edge
     double length_tolerance = 1e-11;  ///< largest |length_i| left, in l_i
 };
 
@@ -18,9 +21,9 @@ struct SeamSolution {
     Eigen::VectorXd lambda;  ///< tension of each boundary edge: the force that holds it at its length [N]
     Eigen::VectorXd mu;      ///< of the grain and the area
     SolveSummary summary;
-    double energy = 0;          ///< [J]
-    double force_residual = 0;  ///< largest entry of grad energy + Jᵀ lambda, in E times the mean boundary edge
-    double length_residual = 0; ///< largest |length_i| / l_i
+    double energy = 0;            ///< [J]
+    double force_residual = 0;    ///< largest entry of grad energy + Jᵀ lambda, in E times the mean boundary edge
+    double length_residual = 0;   ///< largest |length_i| / l_i
     bool strict_minimum = false;  ///< the last Hessian was positive definite along the constraints, nothing added to it
 };
 
@@ -34,7 +37,17 @@ struct SeamSolution {
 /// lambda += rho (J d + c) with that one factorisation, each 1/rho closer; grain and area by a border of two columns.
 /// Where a pivot is negative the element Hessians are clamped, then a multiple of the identity is added. Steps stop short
 /// of the first triangle that would lose its area, then satisfy an l1 merit with a second-order correction.
-SeamSolution minimize_with_seams(const SeamProblem& problem, const Eigen::VectorXd& start,
-                                 const SeamNewtonOptions& options = {});
+class SeamNewton {
+  public:
+    /// Analyses the problem's pattern once, for every `minimize`. Keeps a reference to the problem.
+    explicit SeamNewton(const SeamProblem& problem);
+    ~SeamNewton();
+
+    SeamSolution minimize(const Eigen::VectorXd& start, const SeamNewtonOptions& options = {});
+
+  private:
+    const SeamProblem& problem_;
+    std::unique_ptr<SeamStep> step_;
+};
 
 }  // namespace ripstop

@@ -11,7 +11,9 @@
 namespace ripstop {
 namespace {
 
-std::array<int, 6> unknowns_of(int a, int b, int c) { return {2 * a, 2 * a + 1, 2 * b, 2 * b + 1, 2 * c, 2 * c + 1}; }
+std::array<int, 6> unknowns_of(int a, int b, int c) {
+    return {2 * a, 2 * a + 1, 2 * b, 2 * b + 1, 2 * c, 2 * c + 1};
+}
 
 /// Adds a symmetric block, given in full, to the slots of an element.
 template <class Block>
@@ -39,17 +41,19 @@ Eigen::VectorXd make_grain_row(const Tile& tile) {
 
 }  // namespace
 
-SeamProblem::SeamProblem(const Tile& tile, const Fabric& fabric, Eigen::VectorXd lengths, const Options& options)
+SeamProblem::SeamProblem(const Tile& tile, const Fabric& fabric, const Options& options)
     : vertex_count_(tile.mesh.vertex_count()),
       triangles_(tile.mesh.triangles),
-      metrics_(triangle_metrics(tile.mesh)),
       boundary_(tile.boundary),
-      lengths_(std::move(lengths)),
+      lengths_(target_lengths(tile)),
       grain_row_(make_grain_row(tile)),
       membrane_(fabric),
       stiffness_(0.5 * (fabric.c11() + fabric.c22())),
-      area_(surface_area(tile.mesh)),
       keep_area_(options.keep_area) {
+    for (const Mat22& target : target_triangles(tile)) {
+        metrics_.push_back(triangle_metric(target));
+        area_ += 0.5 * target.determinant();
+    }
     size_ = std::sqrt(area_);
     bending_ = options.bending * stiffness_ * area_ * size_;
     if (bending_ > 0) {
@@ -141,7 +145,8 @@ double SeamProblem::energy(const Eigen::VectorXd& u) const {
 }
 
 double SeamProblem::assemble(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda, const Eigen::VectorXd& mu,
-                             double rho, Curvature curvature, Eigen::VectorXd& gradient, Eigen::VectorXd& values) const {
+                             double rho, Curvature curvature, Eigen::VectorXd& gradient,
+                             Eigen::VectorXd& values) const {
     gradient.setZero(unknowns());
     values.setZero(pattern_->entry_count());
     double energy = 0;

@@ -25,8 +25,8 @@ class SeamProblem {
         bool keep_area = false;  ///< the whole area as one more equality
     };
 
-    /// `lengths`: of the boundary edges, boundary[i] to boundary[i + 1], on the cloth [m].
-    SeamProblem(const Tile& tile, const Fabric& fabric, Eigen::VectorXd lengths, const Options& options);
+    /// Triangles and edges are to be what the tile's compensation makes of them (`target_triangles`, `target_lengths`).
+    SeamProblem(const Tile& tile, const Fabric& fabric, const Options& options);
 
     int unknowns() const { return 2 * vertex_count_; }
     int edge_count() const { return static_cast<int>(lengths_.size()); }
@@ -79,7 +79,7 @@ class SeamProblem {
     Eigen::VectorXd lengths_;
     Eigen::VectorXd grain_row_;
     WovenMembrane membrane_;
-    double stiffness_, size_, area_;
+    double stiffness_, size_ = 0, area_ = 0;
     double bending_;
     bool keep_area_;
     struct Bend {
