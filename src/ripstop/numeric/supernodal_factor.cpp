@@ -11,16 +11,44 @@
 namespace ripstop {
 namespace {
 
+template <class Function>
+Function* loaded(const char* name) {
+    return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
+}
+
 /// One thread in OpenBLAS, for the whole process: tiles are solved in parallel already, and sums must not depend on how
 /// many threads there are. The BLAS is chosen when the program is loaded, so it is asked for then.
 void keep_blas_to_one_thread() {
-    using SetThreads = void (*)(int);
     static const bool done = [] {
-        if (const auto set = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))) set(1);
+        if (auto* const set = loaded<void(int)>("openblas_set_num_threads")) set(1);
         return true;
     }();
     static_cast<void>(done);
 }
+
+/// While it lives, OpenMP starts no threads for the thread it was made on. CHOLMOD would, four for every large block, and
+/// nothing else keeps it from that; waking them costs more than they do.
+class WithoutOpenMp {
+  public:
+    WithoutOpenMp() {
+        static auto* const get = loaded<int()>("omp_get_max_active_levels");
+        if (!set() || !get) return;
+        before_ = get();
+        set()(0);
+    }
+    ~WithoutOpenMp() {
+        if (before_ >= 0) set()(before_);
+    }
+    WithoutOpenMp(const WithoutOpenMp&) = delete;
+    WithoutOpenMp& operator=(const WithoutOpenMp&) = delete;
+
+  private:
+    static void (*set())(int) {
+        static auto* const function = loaded<void(int)>("omp_set_max_active_levels");
+        return function;
+    }
+    int before_ = -1;
+};
 
 class SupernodalFactor : public SymmetricFactor {
   public:
@@ -61,6 +89,7 @@ class SupernodalFactor : public SymmetricFactor {
     bool factorize() override {
         state_ = State::failed;
         if (!factor_ || !values_.allFinite()) return false;
+        const WithoutOpenMp alone;
         if (!cholmod_factorize(&matrix_, factor_, &common_)) return false;
         if (factor_->minor < factor_->n)
             state_ = State::indefinite;
