@@ -10,7 +10,7 @@ namespace ripstop {
 namespace {
 
 /// Entries of the lower triangle from which dense blocks pay for what they cost: docs/decisions/0002-cholmod.md.
-constexpr int supernodal_from = 300'000;
+constexpr int supernodal_from = 75'000;
 
 bool wants_supernodal(const SparsePattern& pattern, SolverKind kind) {
     return kind == SolverKind::supernodal ||
