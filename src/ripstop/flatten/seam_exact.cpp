@@ -22,7 +22,7 @@ Points2 starting_positions(const Tile& tile, SeamStart start) {
     if (start != SeamStart::tutte) {
         Flattening flat = flatten_lscm(tile);
         if (start == SeamStart::arap && flat.summary.usable())
-            flat = flatten_arap(tile, flat.positions, {.max_iterations = 20, .tolerance = 1e-3});
+            flat = flatten_arap(tile, flat.positions, {.max_iterations = 4, .tolerance = 1e-3});
         if (flat.summary.usable() && count_flipped(tile.mesh.triangles, flat.positions) == 0) return flat.positions;
     }
     return flatten_tutte(tile).positions;
