@@ -90,8 +90,8 @@ long SymmetricSolver::factor_entries() const {
 }
 
 std::string numeric_libraries() {
-    const std::string eigen = "Eigen " + std::to_string(EIGEN_WORLD_VERSION) + "." +
-                              std::to_string(EIGEN_MAJOR_VERSION) + " (MPL-2)";
+    const std::string eigen =
+        "Eigen " + std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + " (MPL-2)";
 #ifdef RIPSTOP_CHOLMOD
     return eigen + ", CHOLMOD supernodal (GPL-2+)";
 #else
