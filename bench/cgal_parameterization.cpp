@@ -24,8 +24,7 @@ struct CgalParameterization::Data {
 CgalParameterization::CgalParameterization(const TriangleMesh& mesh) : data_(new Data) {
     std::vector<Mesh::Vertex_index> vertices;
     for (int v = 0; v < mesh.vertex_count(); ++v)
-        vertices.push_back(
-            data_->mesh.add_vertex({mesh.positions(v, 0), mesh.positions(v, 1), mesh.positions(v, 2)}));
+        vertices.push_back(data_->mesh.add_vertex({mesh.positions(v, 0), mesh.positions(v, 1), mesh.positions(v, 2)}));
     const auto corner = [&](int t, int k) { return vertices[static_cast<std::size_t>(mesh.triangles(t, k))]; };
     for (int t = 0; t < mesh.triangle_count(); ++t) data_->mesh.add_face(corner(t, 0), corner(t, 1), corner(t, 2));
     data_->border = CGAL::Polygon_mesh_processing::longest_border(data_->mesh).first;

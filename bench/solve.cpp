@@ -117,8 +117,7 @@ std::vector<Row> rows() {
         {"floor", [](const Tile& tile) { return floor_of(tile, SolverKind::automatic); }},
         {"floor-simplicial", [](const Tile& tile) { return floor_of(tile, SolverKind::simplicial); }},
         {"floor-supernodal", [](const Tile& tile) { return floor_of(tile, SolverKind::supernodal); }},
-        {"seam-exact",
-         [](const Tile& tile) { return best([&] { return said(flatten_seam_exact(tile, cloth())); }); }},
+        {"seam-exact", [](const Tile& tile) { return best([&] { return said(flatten_seam_exact(tile, cloth())); }); }},
         {"lscm", [](const Tile& tile) { return best([&] { return said(flatten_lscm(tile)); }); }},
         {"arap", [](const Tile& tile) { return best([&] { return said(flatten_arap(tile)); }); }},
     };
@@ -189,10 +188,13 @@ int main(int argc, char** argv) {
             names.push_back(argument);
     }
     if (sizes.empty()) sizes = {3000, 10'000, 100'000};
-    fmt::print("| tile, triangles | what | seconds | of the floor | of CGAL's ARAP | iterations | factorisations | peak "
-               "MiB | good |\n|---|---|---|---|---|---|---|---|---|\n");
+    fmt::print(
+        "| tile, triangles | what | seconds | of the floor | of CGAL's ARAP | iterations | factorisations | peak "
+        "MiB | good |\n|---|---|---|---|---|---|---|---|---|\n");
     for (const int size : sizes) {
-        print_table("panel", [size] { return panel(size); }, names);
-        print_table("octant", [size] { return octant(size); }, names);
+        print_table(
+            "panel", [size] { return panel(size); }, names);
+        print_table(
+            "octant", [size] { return octant(size); }, names);
     }
 }

@@ -59,7 +59,7 @@ class SymmetricSolver {
 
     SolverKind kind() const;      ///< simplicial or supernodal
     int factorizations() const;   ///< all attempts so far
-    long factor_entries() const;  ///< of L below the diagonal
+    long factor_entries() const;  ///< of L below the diagonal, once factorised
 
   private:
     struct Factor;
