@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include "commands.h"
 #include "ripstop/base/error.h"
@@ -18,13 +19,27 @@ struct Arguments {
     std::filesystem::path file;
     std::string edge, crown, panel_height;
     double lobes = 0;
-    int triangles = 0;
+    std::optional<int> triangles;
     bool force = false;
 };
 
-void write_file(const std::filesystem::path& file, const std::vector<NamedMesh>& tiles, bool force) {
+/// Lengths of which 0 would mean something else inside.
+double positive_length(const std::string& text, const std::string& option) {
+    const double length = parse_length(text, option);
+    if (!(length > 0)) throw InputError(option + ": " + text + " is too little; give a length above 0");
+    return length;
+}
+
+void require_writable(const std::filesystem::path& file, bool force) {
+    if (std::filesystem::is_directory(file))
+        throw InputError(file.string() + ": is a folder; name the file to write in it");
     if (std::filesystem::exists(file) && !force)
         throw InputError(file.string() + ": exists; give another name, or --force to replace it");
+    if (const auto folder = std::filesystem::absolute(file).parent_path(); !std::filesystem::is_directory(folder))
+        throw InputError(file.string() + ": cannot be written: " + folder.string() + " is no folder; make it first");
+}
+
+void write_file(const std::filesystem::path& file, const std::vector<NamedMesh>& tiles) {
     const std::filesystem::path partial = file.string() + ".partial";
     std::ofstream out(partial, std::ios::binary);
     write_obj(out, tiles);
@@ -33,7 +48,8 @@ void write_file(const std::filesystem::path& file, const std::vector<NamedMesh>&
     if (out) std::filesystem::rename(partial, file, error);
     if (!out || error) {
         std::filesystem::remove(partial, error);
-        throw InputError(file.string() + ": cannot be written; does its folder exist, and is there room on the disk?");
+        throw InputError(file.string() +
+                         ": cannot be written; is its folder open to you, and is there room on the disk?");
     }
 }
 
@@ -58,14 +74,15 @@ void print_summary(const DesignSummary& summary) {
 }
 
 void run(Arguments given) {
+    require_writable(given.file, given.force);
     EnvelopeDesign& design = given.design;
     design.bulge = given.lobes * degree;
     if (!given.crown.empty()) design.crown_radius = parse_length(given.crown, "--crown");
-    if (!given.panel_height.empty()) design.panel_height = parse_length(given.panel_height, "--panel-height");
+    if (!given.panel_height.empty()) design.panel_height = positive_length(given.panel_height, "--panel-height");
     if (!given.edge.empty()) design.edge_length = parse_length(given.edge, "--edge");
-    if (given.triangles > 0) design.edge_length = edge_length_for(design, given.triangles);
+    if (given.triangles) design.edge_length = edge_length_for(design, *given.triangles);
     const std::vector<NamedMesh> tiles = design_natural(design);
-    write_file(given.file, tiles, given.force);
+    write_file(given.file, tiles);
     print_summary(measure_design(design, tiles));
     fmt::print("{}\n", given.file.string());
 }
@@ -82,9 +99,11 @@ void add_design(CLI::App& app) {
                      "The OBJ to write, in metres, a tile an object: G01P01 is gore 1, panel 1 from the mouth")
         ->required();
     natural->add_option("--gores", given->design.gores, "Gores")->capture_default_str();
-    natural->add_option("--panels", given->design.panels, "Panels a gore")->capture_default_str();
-    natural->add_option("--panel-height", given->panel_height,
-                        "Instead: as many panels as keep each below this, such as 1450mm");
+    auto* panels = natural->add_option("--panels", given->design.panels, "Panels a gore")->capture_default_str();
+    natural
+        ->add_option("--panel-height", given->panel_height,
+                     "Instead: as many panels as keep each below this, such as 1450mm")
+        ->excludes(panels);
     natural->add_option("--volume", given->design.volume, "Cubic metres, as if closed at the crown")
         ->capture_default_str();
     natural->add_option("--mouth", given->design.mouth_ratio, "Radius of the mouth over the largest; 0: closed")

@@ -14,6 +14,7 @@
 #include "ripstop/report/directory.h"
 #include "ripstop/report/report_json.h"
 #include "ripstop/report/tables.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 namespace {
@@ -31,10 +32,9 @@ void print_assumed_size(const Envelope& envelope) {
     for (const Tile& tile : envelope.tiles)
         for (Eigen::Index v = 0; v < tile.mesh.positions.rows(); ++v) box.extend(Vec3(tile.mesh.positions.row(v)));
     const Vec3 size = box.sizes();
-    fmt::print(
-        stderr,
-        "No unit given: taken as metres, which makes the envelope {:.3f} x {:.3f} x {:.3f} m (--unit changes it)\n",
-        size.x(), size.y(), size.z());
+    tell(fmt::format(
+        "No unit given: taken as metres, which makes the envelope {:.4g} x {:.4g} x {:.4g} m (--unit changes it)\n",
+        size.x(), size.y(), size.z()));
 }
 
 ExitCode run(const Arguments& given) {

@@ -1,12 +1,48 @@
 /// ripstop: curved tiles in, cut patterns out.
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <exception>
+#include <string>
 
 #include "commands.h"
 #include "ripstop/base/error.h"
 #include "ripstop/numeric/symmetric_solver.h"
 #include "ripstop/version.h"
+#include "tell.h"
+
+namespace ripstop::cli {
+namespace {
+
+/// One sentence, and where to read on. A word where a command belongs is named, with the commands there are.
+std::string usage_message(const CLI::App* app, const CLI::Error& error) {
+    std::string path = app->get_name();
+    while (!app->get_subcommands().empty()) {
+        app = app->get_subcommands().front();
+        path += " " + app->get_name();
+    }
+    std::string commands;
+    for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
+        commands += (commands.empty() ? "" : ", ") + command->get_name();
+    std::string text = error.what();
+    if (!commands.empty()) {
+        const std::vector<std::string> words = app->remaining();
+        const bool is_word = !words.empty() && words.front().rfind('-', 0) != 0;
+        if (is_word) text = "no command \"" + words.front() + "\"; known: " + commands;
+        if (words.empty()) text = "a command is missing; known: " + commands;
+    }
+    return fmt::format("ripstop: {}\n`{} --help` tells more\n", text, path);
+}
+
+/// What was printed is a result: where it did not arrive, the run has failed.
+int arrived(int code) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    tell("ripstop: standard output cannot be written; is there room on the disk?\n");
+    return unusable_input;
+}
+
+}  // namespace
+}  // namespace ripstop::cli
 
 int main(int argc, char** argv) {
     using namespace ripstop;
@@ -14,6 +50,7 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version",
                          fmt::format("ripstop {}\nApache-2.0; built with {}", version, numeric_libraries()));
     app.require_subcommand(1);
+    app.failure_message(cli::usage_message);
     app.footer(
         "Exit codes: 0 all manufacturable, 1 some not (all files written), 2 usage, 3 unusable input, 4 our fault.");
     cli::add_flatten(app);
@@ -22,15 +59,16 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::RuntimeError& result) {
-        return result.get_exit_code();
+        return cli::arrived(result.get_exit_code());
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? cli::manufacturable : cli::usage;
     } catch (const InputError& error) {
-        fmt::print(stderr, "ripstop: {}\n", error.what());
+        cli::tell(fmt::format("ripstop: {}\n", error.what()));
         return cli::unusable_input;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "ripstop: this is our fault, please report it: {}\n", error.what());
+        if (std::ferror(stdout) != 0) return cli::arrived(cli::unusable_input);
+        cli::tell(fmt::format("ripstop: this is our fault, please report it: {}\n", error.what()));
         return cli::our_fault;
     }
-    return cli::manufacturable;
+    return cli::arrived(cli::manufacturable);
 }

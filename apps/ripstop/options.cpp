@@ -5,10 +5,12 @@
 #include <fstream>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/flatten/method.h"
 #include "ripstop/io/fabric_json.h"
 #include "ripstop/measure/judge.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 namespace {
@@ -27,6 +29,25 @@ CLI::Validator known(LookUp look_up) {
         "");
 }
 
+/// CLI11's range lets "nan" through.
+CLI::Validator finite() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            const std::optional<double> value = parse_double(text);
+            return value ? std::string() : "\"" + text + "\" is not a number";
+        },
+        "");
+}
+
+/// Throws InputError where the file cannot be opened or read.
+Project read_project_file(const std::string& file) {
+    std::error_code unknown;
+    std::ifstream in(file, std::ios::binary);
+    if (!in || std::filesystem::is_directory(file, unknown))
+        throw InputError(file + ": the project file cannot be opened; check its name and its permissions");
+    return read_project(in, file);
+}
+
 /// A project names its fabric file from where the project lies.
 Fabric fabric_beside(const std::filesystem::path& project, const std::string& name) {
     const std::filesystem::path beside = project.parent_path() / name;
@@ -37,7 +58,12 @@ Fabric fabric_beside(const std::filesystem::path& project, const std::string& na
 
 CLI::Validator known_method() {
     return known([](const std::string& name) {
-        if (name != "given") method_named(name);
+        if (name == "given") return;
+        try {
+            method_named(name);
+        } catch (const InputError& error) {
+            throw InputError(std::string(error.what()) + ", given");
+        }
     });
 }
 
@@ -49,16 +75,17 @@ void add_input_options(CLI::App& command, InputArguments& given) {
     command.add_option("INPUT", given.file, "The envelope: Wavefront OBJ, one object or group a tile")->required();
     command.add_option("--unit", given.unit, "Unit of the file: mm, cm, m, in, ft (else the project's, else metres)")
         ->check(known_unit());
-    command
-        .add_option("--project", given.project,
-                    "JSON with what the file cannot say: unit, fabric, warp, corners, tolerances")
-        ->check(CLI::ExistingFile);
+    command.add_option("--project", given.project,
+                       "JSON with what the file cannot say: unit, fabric, warp, corners, tolerances");
     command.add_option("--fabric", given.fabric, "A preset or a JSON file (else the project's, else isotropic)");
     command
         .add_option("--grain", given.grain,
                     "Turn the warp from each tile's longest axis, degrees counter-clockwise seen from outside")
-        ->check(CLI::Range(-360.0, 360.0));
-    command.add_option("--tile", given.tiles, "Only the tiles of this name; * and ? stand for others; may be repeated");
+        ->check(CLI::Range(-360.0, 360.0))
+        ->check(finite());
+    // One name at a time, else `--tile G01 envelope.obj` would take the input for a second name.
+    command.add_option("--tile", given.tiles, "Only the tiles of this name; * and ? stand for others; may be repeated")
+        ->allow_extra_args(false);
 }
 
 void add_method_option(CLI::App& command, InputArguments& given) {
@@ -78,10 +105,7 @@ std::string method_of(const InputArguments& given) {
 
 Input resolve(const InputArguments& given) {
     Input input;
-    if (!given.project.empty()) {
-        std::ifstream in(given.project, std::ios::binary);
-        input.read.project = read_project(in, given.project);
-    }
+    if (!given.project.empty()) input.read.project = read_project_file(given.project);
     const auto& project = input.read.project;
     if (!given.unit.empty()) {
         input.unit = given.unit;
@@ -105,11 +129,11 @@ Input resolve(const InputArguments& given) {
 }
 
 void warn_of_unused_names(const Input& input, const Envelope& envelope) {
-    if (!input.read.project) return;
+    if (!input.read.project || !input.read.only.empty()) return;
     std::vector<std::string> names;
     for (const Tile& tile : envelope.tiles) names.push_back(tile.name);
     for (const std::string& name : unused_names(*input.read.project, names))
-        fmt::print(stderr, "ripstop: {}: no tile is called \"{}\"\n", input.read.project->file, name);
+        tell(fmt::format("ripstop: {}: no tile is called \"{}\"\n", input.read.project->file, name));
 }
 
 }  // namespace ripstop::cli

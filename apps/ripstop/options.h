@@ -42,7 +42,7 @@ std::string method_of(const InputArguments& given);
 /// Throws InputError.
 Input resolve(const InputArguments& given);
 
-/// A warning for each name of the project that fits no tile, on stderr.
+/// A warning for each name of the project that fits no tile, on stderr; none where only some tiles were asked for.
 void warn_of_unused_names(const Input& input, const Envelope& envelope);
 
 /// `CLI::Validator` texts for names that the library looks up: the message of the look-up, exit code 2.

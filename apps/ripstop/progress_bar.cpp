@@ -6,6 +6,8 @@
 #include <chrono>
 #include <memory>
 
+#include "tell.h"
+
 namespace ripstop::cli {
 namespace {
 
@@ -24,16 +26,16 @@ void draw(State& state, double fraction, const std::string& what) {
     const double spent = std::chrono::duration<double>(now - state.start).count();
     const int width = 32;
     const int full = static_cast<int>(fraction * width);
-    fmt::print(stderr, "\r\033[K[{:#>{}}{:.>{}}] {:3.0f} %  {:.0f} s left  {}", "", full, "", width - full,
-               100 * fraction, fraction > 0 ? spent / fraction - spent : 0, what);
-    if (fraction >= 1) fmt::print(stderr, "\r\033[K");
+    tell(fmt::format("\r\033[K[{:#>{}}{:.>{}}] {:3.0f} %  {:.0f} s left  {}", "", full, "", width - full,
+                     100 * fraction, fraction > 0 ? spent / fraction - spent : 0, what));
+    if (fraction >= 1) tell("\r\033[K");
 }
 
 void line(State& state, double fraction, const std::string& what) {
     const int tenths = static_cast<int>(fraction * 10 + 1e-9);
     if (tenths <= state.tenths) return;
     state.tenths = tenths;
-    fmt::print(stderr, "{:3d} % done, {}\n", 10 * tenths, what);
+    tell(fmt::format("{:3d} % done, {}\n", 10 * tenths, what));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 std::vector<std::string> lines(const std::string& text) {
     std::vector<std::string> result;
@@ -98,8 +99,17 @@ TEST(TilesTable, AlignsItsColumnsWhateverTheLetters) {
         return std::count_if(before.begin(), before.end(), [](char c) { return (c & 0xC0) != 0x80; });
     };
     EXPECT_EQ(letters_before(all[0], "verdict"), letters_before(all[1], "ok"));
-    EXPECT_EQ(letters_before(all[0], "verdict"), letters_before(all[2], "chain"));
+    EXPECT_EQ(letters_before(all[0], "verdict"), letters_before(all[2], "no: chain"));
     EXPECT_EQ(all[3], "1 of 2 tiles manufacturable, 1.08 m2 of cloth");
+}
+
+TEST(TilesTable, ShortensNamesThatWouldPushTheFiguresOffTheScreen) {
+    CutPlan plan = testing::two_tile_plan();
+    plan.tiles[0].tile.name = std::string(32, 'x');
+    plan.tiles[1].tile.name = std::string(31, 'y').append("ůů").append(300, 'y');
+    const auto all = lines(tiles_table(plan));
+    EXPECT_THAT(all[1], StartsWith(std::string(32, 'x').append(" ")));
+    EXPECT_THAT(all[2], StartsWith(std::string(31, 'y').append("ů… ")));
 }
 
 TEST(TilesTable, ShowsAllTilesUpToItsRowsAndThenTheFailingOnes) {

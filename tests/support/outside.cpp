@@ -30,10 +30,10 @@ std::string python_with(const std::string& module) {
     return "";
 }
 
-ScratchDirectory::ScratchDirectory() {
+ScratchDirectory::ScratchDirectory(const std::string& purpose) {
     const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
     path_ = ::testing::TempDir() + "ripstop-" + info->test_suite_name() + "-" + info->name() + "-" +
-            std::to_string(::getpid());
+            std::to_string(::getpid()) + purpose;
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
 }

@@ -14,10 +14,10 @@ struct CommandResult {
 };
 CommandResult run_command(const std::string& command);
 
-/// A fresh directory of the running test's own, removed when this goes out of scope.
+/// A fresh directory of the running test's own, removed when this goes out of scope. A second one needs another `purpose`.
 class ScratchDirectory {
   public:
-    ScratchDirectory();
+    explicit ScratchDirectory(const std::string& purpose = "");
     ~ScratchDirectory();
     ScratchDirectory(const ScratchDirectory&) = delete;
     ScratchDirectory& operator=(const ScratchDirectory&) = delete;

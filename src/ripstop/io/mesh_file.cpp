@@ -14,10 +14,14 @@ constexpr std::array<MeshFormat, 1> formats = {{
     {".obj", "Wavefront OBJ", read_obj, write_obj},
 }};
 
-std::ifstream open_file(const std::filesystem::path& path) {
+void require_no_folder(const std::filesystem::path& path) {
     std::error_code unknown;
     if (std::filesystem::is_directory(path, unknown))
         throw InputError(path.string() + ": is a folder, expected a file; name the file in it");
+}
+
+std::ifstream open_file(const std::filesystem::path& path) {
+    require_no_folder(path);
     std::ifstream in(path, std::ios::binary);
     if (!in) throw InputError(path.string() + ": the file cannot be opened; check its name and its permissions");
     return in;
@@ -30,6 +34,7 @@ std::span<const MeshFormat> mesh_formats() {
 }
 
 std::vector<NamedMesh> read_meshes(const std::filesystem::path& path, double metres_per_unit) {
+    require_no_folder(path);
     std::string extension = path.extension().string();
     for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     std::string known;

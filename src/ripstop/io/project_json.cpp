@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "ripstop/base/error.h"
@@ -137,7 +138,7 @@ TileOptions tile_options(const Project& project, const std::string& tile_name, d
     if (const ProjectTile* entry =
             deciding(project, tile_name, [](const ProjectTile& tile) { return tile.warp.has_value(); })) {
         options.warp = entry->warp;
-        options.warp_source = project.file + ", tile " + shown(entry->name);
+        options.warp_source = std::filesystem::path(project.file).filename().string() + ", tile " + shown(entry->name);
     }
     if (const ProjectTile* entry =
             deciding(project, tile_name, [](const ProjectTile& tile) { return !tile.corners.empty(); }))

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/number_text.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
@@ -68,9 +69,8 @@ Grain make_grain(const std::string& name, const TriangleMesh& mesh, const TileOp
     const Vec3 axis = longest_axis(mesh);
     if (options.grain_turn == 0) return {axis, "longest axis"};
     const Eigen::AngleAxisd turn(options.grain_turn, normal);
-    const double degrees = options.grain_turn / degree;
-    const std::string text = std::to_string(static_cast<long>(std::lround(degrees * 1000)) / 1000);
-    return {turn * axis, "longest axis turned by " + text + " degrees"};
+    const double degrees = std::round(options.grain_turn / degree * 1000) / 1000;
+    return {turn * axis, "longest axis turned by " + format_shortest(degrees) + " degrees"};
 }
 
 template <class Points>

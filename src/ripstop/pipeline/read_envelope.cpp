@@ -10,10 +10,24 @@ namespace ripstop {
 namespace {
 
 constexpr std::size_t shown_faults = 20;
+constexpr std::size_t shown_names = 10;
 
 bool wanted(const std::string& name, const std::vector<std::string>& only) {
     return only.empty() ||
            std::any_of(only.begin(), only.end(), [&name](const std::string& glob) { return glob_match(glob, name); });
+}
+
+/// Every name that was asked for must be there: a mistyped one would silently leave out a part of the job.
+void require_wanted(const std::vector<NamedMesh>& surfaces, const std::vector<std::string>& only) {
+    for (const std::string& glob : only) {
+        const auto fits = [&glob](const NamedMesh& surface) { return glob_match(glob, surface.name); };
+        if (std::any_of(surfaces.begin(), surfaces.end(), fits)) continue;
+        std::string names;
+        for (std::size_t i = 0; i < std::min(surfaces.size(), shown_names); ++i)
+            names += (i ? ", " : "") + surfaces[i].name;
+        throw InputError("no tile is called \"" + glob + "\"; the input has " + names +
+                         (surfaces.size() > shown_names ? ", …" : ""));
+    }
 }
 
 [[noreturn]] void refuse(const std::vector<std::string>& faults) {
@@ -27,6 +41,7 @@ bool wanted(const std::string& name, const std::vector<std::string>& only) {
 }  // namespace
 
 Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& options) {
+    require_wanted(surfaces, options.only);
     Envelope envelope;
     std::vector<std::string> faults;
     for (NamedMesh& surface : surfaces) {
@@ -42,13 +57,6 @@ Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& optio
         }
     }
     if (!faults.empty()) refuse(faults);
-    if (envelope.tiles.empty()) {
-        std::string names;
-        for (std::size_t i = 0; i < std::min<std::size_t>(surfaces.size(), 10); ++i)
-            names += (i ? ", " : "") + surfaces[i].name;
-        throw InputError("no tile has a name that was asked for; the input has " + names +
-                         (surfaces.size() > 10 ? ", …" : ""));
-    }
     return envelope;
 }
 

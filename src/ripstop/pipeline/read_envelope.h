@@ -18,7 +18,7 @@ struct ReadOptions {
 };
 
 /// Reads a mesh file and makes every surface in it a tile. Throws InputError for a file that cannot be read, and for
-/// surfaces that are no tiles: one sentence each, all of them at once.
+/// surfaces that are no tiles: one sentence each, all of them at once; and for a glob in `only` that fits no surface.
 Envelope read_envelope(const std::filesystem::path& file, const ReadOptions& options);
 
 /// The same from surfaces at hand.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <ostream>
 #include <string_view>
 
@@ -106,6 +107,9 @@ void require_writable(const fs::path& dir, bool force) {
         if (!fs::is_directory(target.parent_path()))
             throw InputError(dir.string() + ": cannot be written: " + target.parent_path().string() +
                              " is no directory; make it first");
+        if (::access(target.parent_path().c_str(), W_OK) != 0)
+            throw InputError(dir.string() + ": cannot be written: " + std::generic_category().message(errno) + " (" +
+                             target.parent_path().string() + "); choose another place");
         if (!fs::exists(target)) return;
         if (!fs::is_directory(target)) throw InputError(dir.string() + ": is a file, expected a directory or nothing");
         if (!force && !fs::is_empty(target))

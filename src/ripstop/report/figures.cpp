@@ -60,7 +60,7 @@ std::vector<std::string> file_stems(const std::vector<std::string>& names) {
                               c == '_' || c == '-';
             if (!kept) c = '_';
         }
-        if (base.empty() || base.front() == '.') base.insert(0, "_");
+        if (base.empty() || base.front() == '.' || base.front() == '-') base.insert(0, "_");
         std::string stem = base;
         for (int n = 2; !used.insert(lower(stem)).second; ++n) stem = base + "_" + std::to_string(n);
         stems.push_back(stem);

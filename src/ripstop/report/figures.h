@@ -21,7 +21,7 @@ std::string failing_codes(const Verdict& verdict);
 /// Has each vertex a finite place on the cloth? Only then is there something to draw.
 bool is_drawable(const FlatTile& tile);
 
-/// A file name stem for each name: ASCII letters, digits, `.`, `_`, `-`, all else `_`; no leading point, at most 80
+/// A file name stem for each name: ASCII letters, digits, `.`, `_`, `-`, all else `_`; no leading point or dash, at most 80
 /// characters, never empty, and unique even where upper and lower case are one (then `_2`, `_3` … in order).
 std::vector<std::string> file_stems(const std::vector<std::string>& names);
 std::vector<std::string> file_stems(const CutPlan& plan);

@@ -93,9 +93,24 @@ std::string range(double low, double high) {
     return shown(low / percent, 2, true) + " " + shown(high / percent, 2, true);
 }
 
+std::size_t width(const std::string& utf8) {
+    return static_cast<std::size_t>(
+        std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// The first letters of a name that would push all figures off the screen.
+std::string shortened(const std::string& utf8) {
+    constexpr std::size_t longest = 32;
+    if (width(utf8) <= longest) return utf8;
+    std::string text;
+    for (std::size_t i = 0; width(text) < longest || (static_cast<unsigned char>(utf8[i]) & 0xC0) == 0x80; ++i)
+        text += utf8[i];
+    return text.substr(0, text.find_last_not_of(' ') + 1) + "…";
+}
+
 Row table_row(const FlatTile& tile) {
     const Accuracy& a = tile.accuracy;
-    return {tile.tile.name,
+    return {shortened(tile.tile.name),
             std::to_string(tile.tile.mesh.triangle_count()),
             shown(a.area_error / percent, 3, true),
             shown(a.perimeter_error / percent, 3, true),
@@ -104,12 +119,7 @@ Row table_row(const FlatTile& tile) {
             range(a.weft_strain_min, a.weft_strain_max),
             shown(a.shear_max / degree, 2),
             std::to_string(a.flipped),
-            tile.verdict.manufacturable() ? "ok" : failing_codes(tile.verdict)};
-}
-
-std::size_t width(const std::string& utf8) {
-    return static_cast<std::size_t>(
-        std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+            tile.verdict.manufacturable() ? "ok" : "no: " + failing_codes(tile.verdict)};
 }
 
 /// Words to the left, figures to the right.
@@ -135,7 +145,7 @@ struct Worst {
     void consider(double candidate, const FlatTile& from) {
         if (std::isnan(value) || std::abs(candidate) <= std::abs(value)) return;
         value = candidate;
-        tile = from.tile.name;
+        tile = shortened(from.tile.name);
     }
     std::string text(const char* what, double unit, int decimals, const char* unit_text, bool with_sign) const {
         return std::string(what) + " " + shown(value / unit, decimals, with_sign) + unit_text +

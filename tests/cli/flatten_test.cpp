@@ -1,0 +1,311 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "ripstop/flatten/method.h"
+#include "ripstop/io/obj.h"
+#include "support/program.h"
+
+namespace ripstop {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using testing::ProgramRun;
+using ::testing::StartsWith;
+using testing::Workshop;
+
+Json report_of(const Workshop& workshop, const std::string& plan) {
+    return Json::parse(workshop.read(plan + "/report.json"));
+}
+
+/// The report of `ripstop flatten ARGUMENTS`.
+Json flattened(const Workshop& workshop, const std::string& arguments) {
+    const ProgramRun run = workshop.ripstop("flatten --force --quiet -o plan " + arguments);
+    EXPECT_LE(run.code, 1) << arguments << ": " << run.err;
+    return run.code <= 1 ? report_of(workshop, "plan") : Json();
+}
+
+std::vector<std::string> tile_names(const Json& report) {
+    std::vector<std::string> names;
+    for (const Json& tile : report["tiles"]) names.push_back(tile["name"]);
+    return names;
+}
+
+/// Width along the warp and height along the weft of a flat piece [m].
+Vec2 flat_size(const Workshop& workshop, const std::string& file) {
+    std::ifstream in(workshop.path(file), std::ios::binary);
+    const Points2 flat = read_obj(in, file, 1).at(0).drawn.value();
+    return (flat.colwise().maxCoeff() - flat.colwise().minCoeff()).transpose();
+}
+
+void expect_size(const Workshop& workshop, double width, double height) {
+    EXPECT_NEAR(flat_size(workshop, "plan/flat/plane.obj").x(), width, 1e-9);
+    EXPECT_NEAR(flat_size(workshop, "plan/flat/plane.obj").y(), height, 1e-9);
+}
+
+TEST(FlattenCommand, PrintsTheResultOnStdoutAndTheProgressOnStderr) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile(), testing::curved_tile()});
+    const ProgramRun run = workshop.ripstop("flatten envelope.obj -o plan");
+    EXPECT_THAT(run.out, StartsWith("tile "));
+    EXPECT_THAT(run.out, HasSubstr("\nplane "));
+    EXPECT_THAT(run.out, HasSubstr("  no: area, perimeter, chain"));
+    EXPECT_THAT(run.out, EndsWith("\nplan\n"));
+    EXPECT_THAT(run.out, Not(HasSubstr("done")));
+    EXPECT_THAT(run.err, HasSubstr(" 50 % done, "));
+    EXPECT_THAT(run.err, HasSubstr("100 % done, "));
+    EXPECT_THAT(run.err, Not(HasSubstr("\r"))) << "a bar where there is no terminal";
+}
+
+TEST(FlattenCommand, SaysWhatSizeFollowsWhereNoUnitIsGiven) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile()});
+    EXPECT_THAT(workshop.ripstop("flatten envelope.obj -o a").err,
+                HasSubstr("taken as metres, which makes the envelope 2 x 1 x 0 m"));
+    EXPECT_THAT(workshop.ripstop("flatten envelope.obj -o b --unit m").err, Not(HasSubstr("taken as metres")));
+}
+
+TEST(FlattenCommand, PrintsTheReportsBytesForMachines) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile(), testing::curved_tile()});
+    const ProgramRun run = workshop.ripstop("flatten envelope.obj -o plan --json");
+    EXPECT_EQ(run.out, workshop.read("plan/report.json"));
+    EXPECT_TRUE(Json::accept(run.out));
+    const ProgramRun quiet = workshop.ripstop("flatten envelope.obj -o quiet --json --quiet --reproducible");
+    EXPECT_EQ(quiet.out, workshop.read("quiet/report.json"));
+    EXPECT_THAT(quiet.err, IsEmpty());
+}
+
+TEST(FlattenCommand, PrintsNothingWhenQuiet) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile(), testing::curved_tile()});
+    const ProgramRun run = workshop.ripstop("flatten envelope.obj -o plan --quiet");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.out, IsEmpty());
+    EXPECT_THAT(run.err, IsEmpty());
+}
+
+TEST(FlattenCommand, LaysThePlanOutAsTheContractSays) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile("G01P01"), testing::bent_tile("Bílý dráček/2")});
+    ASSERT_EQ(workshop.ripstop("flatten envelope.obj -o plan").code, 0);
+    std::vector<std::string> written;
+    for (const auto& [name, bytes] : workshop.files("plan")) {
+        EXPECT_THAT(bytes, Not(IsEmpty())) << name;
+        written.push_back(name);
+    }
+    EXPECT_THAT(written, ElementsAre("cut/envelope.dxf", "cut/envelope.svg", "cut/tiles/Bily_dracek_2.dxf",
+                                     "cut/tiles/Bily_dracek_2.svg", "cut/tiles/G01P01.dxf", "cut/tiles/G01P01.svg",
+                                     "flat/Bily_dracek_2.obj", "flat/G01P01.obj", "pictures/Bily_dracek_2.svg",
+                                     "pictures/G01P01.svg", "report.json", "tiles.csv"));
+    EXPECT_THAT(workshop.names(), ElementsAre("envelope.obj", "plan"));
+    const Json report = report_of(workshop, "plan");
+    EXPECT_THAT(tile_names(report), ElementsAre("G01P01", "Bílý dráček/2"));
+    EXPECT_EQ(report["tiles"][1]["file"], "Bily_dracek_2");
+    EXPECT_EQ(report["input"]["file"], "envelope.obj");
+}
+
+TEST(FlattenCommand, WritesAReportThatItsSchemaAccepts) {
+    const std::string python = testing::python_with("jsonschema");
+    if (python.empty()) GTEST_SKIP() << "no Python with jsonschema here";
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile(), testing::curved_tile("a\"b")});
+    workshop.write("validate.py",
+                   "import json, sys, jsonschema\n"
+                   "schema, *reports = (json.load(open(name)) for name in sys.argv[1:])\n"
+                   "for report in reports: jsonschema.Draft202012Validator(schema).validate(report)\n");
+    workshop.ripstop("flatten envelope.obj -o a");
+    workshop.ripstop("flatten envelope.obj -o b --reproducible --fabric nylon --grain 12.5");
+    const auto result = testing::run_command(python + " " + workshop.path("validate.py") +
+                                             " " RIPSTOP_SOURCE_DIR "/docs/report.schema.json " +
+                                             workshop.path("a/report.json") + " " + workshop.path("b/report.json"));
+    EXPECT_EQ(result.code, 0) << result.output;
+}
+
+TEST(FlattenCommand, LeavesNothingBehindWhenItFails) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile()});
+    EXPECT_EQ(workshop.ripstop("flatten envelope.obj -o plan --method given").code, 3);
+    EXPECT_EQ(workshop.ripstop("flatten envelope.obj -o plan --tile missing").code, 3);
+    EXPECT_THAT(workshop.names(), ElementsAre("envelope.obj"));
+}
+
+TEST(FlattenCommand, GivesTheSameBytesOnAnyNumberOfThreads) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::curved_tile("a"), testing::flat_tile("b"), testing::bent_tile("c"),
+                                          testing::curved_tile("d"), testing::bent_tile("e")});
+    for (const char* const jobs : {"1", "2", "3"})
+        workshop.ripstop(std::string("flatten envelope.obj --reproducible -o jobs") + jobs + " --jobs " + jobs);
+    EXPECT_EQ(workshop.files("jobs1"), workshop.files("jobs2"));
+    EXPECT_EQ(workshop.files("jobs1"), workshop.files("jobs3"));
+    EXPECT_EQ(workshop.files("jobs1").size(), 24u);
+    EXPECT_THAT(workshop.read("jobs1/report.json"), Not(HasSubstr("\"seconds\"")));
+}
+
+TEST(FlattenCommand, TakesOnlyTheTilesThatWereAskedFor) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile("G01P01"), testing::flat_tile("G01P02"),
+                                          testing::flat_tile("G02P01"), testing::flat_tile("crown")});
+    EXPECT_THAT(tile_names(flattened(workshop, "envelope.obj --tile 'G01*'")), ElementsAre("G01P01", "G01P02"));
+    EXPECT_THAT(tile_names(flattened(workshop, "envelope.obj --tile 'G??P01'")), ElementsAre("G01P01", "G02P01"));
+    EXPECT_THAT(tile_names(flattened(workshop, "envelope.obj --tile crown --tile G02P01")),
+                ElementsAre("G02P01", "crown"));
+    EXPECT_THAT(tile_names(flattened(workshop, "--tile crown envelope.obj")), ElementsAre("crown"))
+        << "--tile has taken the input for a name";
+    const ProgramRun run = workshop.ripstop("flatten envelope.obj -o none --tile crown --tile 'g01*'");
+    EXPECT_EQ(run.code, 3);
+    EXPECT_THAT(run.err, HasSubstr("no tile is called \"g01*\"; the input has G01P01, G01P02, G02P01, crown"));
+}
+
+TEST(FlattenCommand, ReadsTheSameSurfaceInAnyUnit) {
+    const Workshop workshop;
+    const std::vector<NamedMesh> tiles{testing::flat_tile(), testing::curved_tile()};
+    workshop.write_tiles("m.obj", tiles);
+    const Json metres = flattened(workshop, "m.obj");
+    for (const auto& [unit, per_metre] :
+         {std::pair{"mm", 1000.0}, std::pair{"cm", 100.0}, std::pair{"in", 1 / 0.0254}, std::pair{"ft", 1 / 0.3048}}) {
+        workshop.write_tiles("scaled.obj", tiles, per_metre);
+        const Json scaled = flattened(workshop, std::string("scaled.obj --unit ") + unit);
+        EXPECT_EQ(scaled["input"]["unit"], unit);
+        for (const std::size_t i : {0u, 1u})
+            for (const char* const figure : {"area_m2", "flat_area_m2", "perimeter_mm"}) {
+                const double expected = metres["tiles"][i][figure];
+                // The coordinates are rounded once more; the paper's method carries 1e-16 along through its steps.
+                EXPECT_NEAR(scaled["tiles"][i][figure].get<double>(), expected, 1e-6 * expected) << unit << figure;
+            }
+    }
+}
+
+TEST(FlattenCommand, TakesUnitFabricAndTolerancesFromTheProject) {
+    const Workshop workshop;
+    workshop.write_tiles("mm.obj", {testing::flat_tile(), testing::curved_tile()}, 1000);
+    workshop.write("project.json", R"({"unit": "mm", "fabric": "nylon", "tolerances":
+        {"area_pct": 50, "length_pct": 60, "strain_pct": 70, "shear_deg": 80}})");
+    const Json report = flattened(workshop, "mm.obj --project project.json");
+    EXPECT_EQ(report["input"]["unit"], "mm");
+    EXPECT_NEAR(report["tiles"][0]["area_m2"], 2, 1e-12);
+    EXPECT_EQ(report["fabric"]["name"], "nylon");
+    EXPECT_EQ(report["tolerances"],
+              Json::parse(R"({"area_pct": 50, "length_pct": 60, "strain_pct": 70, "shear_deg": 80})"));
+    EXPECT_TRUE(report["envelope"]["manufacturable"]);
+    const Json other = flattened(workshop, "mm.obj --project project.json --unit cm --fabric polyester");
+    EXPECT_NEAR(other["tiles"][0]["area_m2"], 200, 1e-9) << "the command line goes before the project";
+    EXPECT_EQ(other["fabric"]["name"], "polyester");
+}
+
+TEST(FlattenCommand, FindsTheFabricBesideTheProject) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile()});
+    std::filesystem::create_directory(workshop.path("job"));
+    workshop.write("job/silk.json", R"({"name": "silk", "warp_stiffness_n_per_m": 1000,
+        "weft_stiffness_n_per_m": 2000, "shear_stiffness_n_per_m": 100})");
+    workshop.write("job/project.json", R"({"fabric": "silk.json"})");
+    EXPECT_EQ(flattened(workshop, "envelope.obj --project job/project.json")["fabric"]["name"], "silk");
+}
+
+TEST(FlattenCommand, LaysTheWarpAsTheProjectSays) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile()});
+    flattened(workshop, "envelope.obj");
+    expect_size(workshop, 2, 1);
+    workshop.write("direction.json", R"({"tiles": [{"name": "p*", "warp": {"direction": [0, 3, 0]}}]})");
+    const Json report = flattened(workshop, "envelope.obj --project direction.json");
+    expect_size(workshop, 1, 2);
+    EXPECT_EQ(report["tiles"][0]["grain"]["source"], "direction.json, tile \"p*\"");
+    workshop.write("points.json", R"({"tiles": [{"name": "plane", "warp": {"from": [5, 1, 0], "to": [5, 9, 0]}}]})");
+    flattened(workshop, "envelope.obj --project points.json");
+    expect_size(workshop, 1, 2);
+    flattened(workshop, "envelope.obj --project points.json --grain 30");
+    expect_size(workshop, 1, 2);
+}
+
+TEST(FlattenCommand, CutsTheChainsAtTheCornersOfTheProject) {
+    const Workshop workshop;
+    workshop.write_tiles("mm.obj", {testing::flat_tile()}, 1000);
+    const auto lengths = [&](const std::string& options) {
+        std::vector<double> result;
+        const Json report = flattened(workshop, "mm.obj --unit mm " + options);
+        for (const Json& chain : report["tiles"][0]["chains"])
+            result.push_back(std::round(chain["length_mm"].get<double>()));
+        return result;
+    };
+    EXPECT_THAT(lengths(""), ElementsAre(2000, 1000, 2000, 1000));
+    workshop.write("project.json", R"({"tiles": [{"name": "plane", "corners": [[0, 0, 0], [2000, 0, 0]]}]})");
+    EXPECT_THAT(lengths("--project project.json"), ElementsAre(2000, 4000));
+}
+
+TEST(FlattenCommand, WarnsOfNamesInTheProjectThatFitNoTile) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile("a"), testing::flat_tile("b")});
+    workshop.write("project.json", R"({"tiles": [{"name": "a", "warp": {"direction": [1, 0, 0]}},
+        {"name": "typo", "warp": {"direction": [1, 0, 0]}}]})");
+    const std::string warning = "project.json: no tile is called \"";
+    const ProgramRun run = workshop.ripstop("flatten envelope.obj -o plan --project project.json");
+    EXPECT_EQ(run.code, 0);
+    EXPECT_THAT(run.err, HasSubstr(warning + "typo\""));
+    EXPECT_THAT(run.err, Not(HasSubstr(warning + "a\"")));
+    EXPECT_THAT(workshop.ripstop("flatten envelope.obj -o b --tile b --project project.json").err,
+                Not(HasSubstr(warning)));
+}
+
+TEST(FlattenCommand, TurnsTheWarpByTheGrainSeenFromOutside) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile()});
+    const Json report = flattened(workshop, "envelope.obj --grain 90");
+    expect_size(workshop, 1, 2);
+    EXPECT_EQ(report["tiles"][0]["grain"]["source"], "longest axis turned by 90 degrees");
+    const Json slanted = flattened(workshop, "envelope.obj --grain 12.5");
+    EXPECT_EQ(slanted["tiles"][0]["grain"]["source"], "longest axis turned by 12.5 degrees");
+    EXPECT_NEAR(slanted["tiles"][0]["grain"]["direction"][1], std::sin(12.5 * M_PI / 180), 1e-9) << "clockwise";
+}
+
+TEST(FlattenCommand, SwapsWarpAndWeftWithTheGrainWhereTheMethodKnowsNoFabric) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::curved_tile()});
+    const Json along = flattened(workshop, "envelope.obj --method lscm")["tiles"][0];
+    const Json across = flattened(workshop, "envelope.obj --method lscm --grain 90")["tiles"][0];
+    for (const char* const end : {"min", "max"}) {
+        const std::string warp = std::string("warp_") + end + "_pct", weft = std::string("weft_") + end + "_pct";
+        // The grain is projected onto each triangle, so that the two mean directions are not quite a right angle apart.
+        EXPECT_NEAR(along["strain"][warp].get<double>(), across["strain"][weft].get<double>(), 0.01) << end;
+        EXPECT_NEAR(along["strain"][weft].get<double>(), across["strain"][warp].get<double>(), 0.01) << end;
+    }
+    EXPECT_GT(std::abs(along["strain"]["warp_max_pct"].get<double>() - along["strain"]["weft_max_pct"].get<double>()),
+              0.1)
+        << "both the same: nothing was shown";
+    EXPECT_DOUBLE_EQ(along["area_error_pct"], across["area_error_pct"]);
+}
+
+TEST(FlattenCommand, JudgesThePositionsThatCameWithTheFile) {
+    const Workshop workshop;
+    NamedMesh tile = testing::flat_tile();
+    tile.drawn = 1.01 * tile.mesh.positions.leftCols<2>();
+    workshop.write_tiles("drawn.obj", {tile});
+    const Json report = flattened(workshop, "drawn.obj --method given");
+    EXPECT_EQ(report["tiles"][0]["method"], "given");
+    EXPECT_NEAR(report["tiles"][0]["area_error_pct"], 2.01, 1e-9);
+    EXPECT_NEAR(report["tiles"][0]["perimeter_error_pct"], 1, 1e-9);
+    EXPECT_FALSE(report["envelope"]["manufacturable"]);
+    EXPECT_TRUE(flattened(workshop, "drawn.obj --method paper")["envelope"]["manufacturable"])
+        << "another method must not look at what was drawn";
+}
+
+TEST(FlattenCommand, RunsEveryMethodThatTheProgramNames) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::bent_tile()});
+    for (const Method& method : methods()) {
+        const Json report = flattened(workshop, std::string("envelope.obj --method ") + method.name);
+        EXPECT_EQ(report["tiles"][0]["method"], method.name);
+        EXPECT_TRUE(report["envelope"]["manufacturable"]) << method.name;
+    }
+}
+
+}  // namespace
+}  // namespace ripstop

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ripstop/model/envelope.h"
+#include "support/outside.h"
+
+namespace ripstop::testing {
+
+/// What a run of the built program left behind.
+struct ProgramRun {
+    int code = -1;
+    std::string out, err;  ///< stdout and stderr, neither of them a terminal
+};
+
+/// The built program in a folder of its own, where the file names of its arguments begin.
+class Workshop {
+  public:
+    /// `arguments` as a shell reads them.
+    ProgramRun ripstop(const std::string& arguments) const;
+
+    /// An OBJ with these tiles; `scale`: its units a metre.
+    void write_tiles(const std::string& file, const std::vector<NamedMesh>& tiles, double scale = 1) const;
+    void write(const std::string& file, const std::string& text) const { write_text(path(file), text); }
+
+    std::string path(const std::string& name) const { return scratch_.path(name); }
+    std::string read(const std::string& file) const { return content(path(file)); }
+    /// The files below `folder`, by their names from there on, with their bytes.
+    std::map<std::string, std::string> files(const std::string& folder) const;
+    /// What stands in the workshop itself, sorted.
+    std::vector<std::string> names() const;
+
+  private:
+    ScratchDirectory scratch_, output_{"output"};
+};
+
+NamedMesh flat_tile(const std::string& name = "plane");     ///< 2 m x 1 m along x and y
+NamedMesh curved_tile(const std::string& name = "sphere");  ///< a 90 degree lune of the unit sphere: cannot be made
+NamedMesh bent_tile(const std::string& name = "cylinder");  ///< 1.2 m x 1 m, developable
+
+}  // namespace ripstop::testing
