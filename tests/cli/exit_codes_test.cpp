@@ -74,7 +74,7 @@ TEST_F(ExitCode, Is2ForAWrongCommandLine) {
 
 TEST_F(ExitCode, Is2ForANameThatTheProgramDoesNotKnowWithThoseItKnows) {
     expect_refused(2, "flatten envelope.obj -o plan --unit yd", "no unit \"yd\"; known: mm, cm, m, in, ft");
-    expect_refused(2, "flatten envelope.obj -o plan --method foo", "no method \"foo\"; known: paper,");
+    expect_refused(2, "flatten envelope.obj -o plan --method foo", "no method \"foo\"; known: seam-exact,");
     expect_refused(2, "flatten envelope.obj -o plan --method foo", ", given\n");
 }
 
