@@ -19,6 +19,7 @@ struct InputArguments {
     std::string project;  ///< empty: none
     std::string fabric;   ///< empty: the project's, else isotropic
     std::string method = "seam-exact";
+    bool keep_area = false;
     double grain = 0;  ///< [degrees]
     std::vector<std::string> tiles;
 };

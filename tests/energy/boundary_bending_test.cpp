@@ -34,8 +34,7 @@ TEST(BoundaryBending, KnowsNothingOfPoseOrScale) {
     for (const Vector6& x : some_bends()) {
         const double before = at(x).energy;
         Vector6 moved;
-        for (int i = 0; i < 3; ++i)
-            moved.segment<2>(2 * i) = 3 * Vec2(-x[2 * i + 1], x[2 * i]) + Vec2(5, -2);
+        for (int i = 0; i < 3; ++i) moved.segment<2>(2 * i) = 3 * Vec2(-x[2 * i + 1], x[2 * i]) + Vec2(5, -2);
         EXPECT_NEAR(at(moved).energy, before, 1e-12);
     }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
@@ -85,7 +86,12 @@ Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const Seam
     SeamSolution exact = newton.minimize(loose.u, held);
     int iterations = loose.summary.iterations + exact.summary.iterations;
     int factorizations = loose.summary.factorizations + exact.summary.factorizations;
-    if (exact.summary.termination != Termination::converged) {
+    const double outline = true_lengths.sum();
+    const bool too_much_area =
+        options.keep_area && outline * outline < 4 * std::numbers::pi * problem.size() * problem.size();
+    if (exact.summary.termination != Termination::converged && too_much_area) {
+        exact.summary.reason = "no outline of this length encloses the whole area";
+    } else if (exact.summary.termination != Termination::converged) {
         exact = lead_lengths(problem, newton, held, loose.u, lengths_at(tile, loose.u), true_lengths);
         iterations += exact.summary.iterations;
         factorizations += exact.summary.factorizations;

@@ -12,6 +12,8 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
+constexpr double near_rest = 1e-4;  ///< of the lengths: from here on the Hessian is to be bent as little as possible
+
 class Search {
   public:
     Search(const SeamProblem& problem, const SeamNewtonOptions& options) : problem_(problem), options_(options) {}
@@ -98,13 +100,15 @@ SeamSolution SeamNewton::minimize(const Vector& start, const SeamNewtonOptions& 
             at.summary.termination = Termination::converged;
             at.summary.reason = "forces in balance";
             // the last factorisation was one step before; one more only where there was none, or it was helped
-            at.strict_minimum = (at.summary.iterations > 0 && system.exact()) ||
-                                (system.factorize(at.u, at.lambda, at.mu) && system.exact());
+            at.strict_minimum =
+                options.hold_edges && ((at.summary.iterations > 0 && system.exact()) ||
+                                       (system.factorize(at.u, at.lambda, at.mu, true) && system.exact()));
             break;
         }
         if (at.summary.iterations == options.max_iterations) break;
         ++at.summary.iterations;
-        if (!system.factorize(at.u, at.lambda, at.mu)) {
+        const bool near = options.hold_edges && at.length_residual < near_rest;
+        if (!system.factorize(at.u, at.lambda, at.mu, near)) {
             at.summary.termination = Termination::stagnated;
             at.summary.reason = "no shift makes the Newton system positive definite";
             break;

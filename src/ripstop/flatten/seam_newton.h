@@ -24,7 +24,7 @@ struct SeamSolution {
     double energy = 0;            ///< [J]
     double force_residual = 0;    ///< largest entry of grad energy + Jᵀ lambda, in E times the mean boundary edge
     double length_residual = 0;   ///< largest |length_i| / l_i
-    bool strict_minimum = false;  ///< the last Hessian was positive definite along the constraints, nothing added to it
+    bool strict_minimum = false;  ///< edges held: the Hessian is positive definite along the constraints, nothing added
 };
 
 /// Newton's method on the first-order conditions of `problem`, with line search [NW06, ch. 18]:

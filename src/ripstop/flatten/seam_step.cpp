@@ -8,7 +8,9 @@ namespace ripstop {
 namespace {
 
 constexpr double edge_weight = 1e4;  ///< rho, in mean stiffnesses of the cloth
-constexpr int max_attempts = 14;
+constexpr int max_attempts = 16;
+constexpr int max_shifts = 6;         // near rest, before the elements are clamped
+constexpr double least_shift = 1e-7;  // in mean stiffnesses
 constexpr int max_updates = 8;
 
 }  // namespace
@@ -24,24 +26,25 @@ void SeamStep::hold_edges(bool hold) {
     shift_ = 0;
 }
 
-bool SeamStep::factorize(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda, const Eigen::VectorXd& mu) {
+bool SeamStep::factorize(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda, const Eigen::VectorXd& mu,
+                         bool near) {
     u_ = u;
+    near ? (clamped_ = false) : (shift_ = 0);
+    // far from rest: exact, clamped, clamped and shifted; near it: exact, shifted, which keeps the convergence fast
     for (int attempt = 0; attempt < max_attempts; ++attempt) {
-        const bool clamp = clamped_ || attempt > 0;
-        const bool add = attempt > (clamped_ ? 0 : 1);
+        const bool clamp = near ? attempt > max_shifts : clamped_ || attempt > 0;
+        if (attempt > (near || clamped_ ? 0 : 1)) shift_ = std::max(least_shift, 10 * shift_);
+        if (near && attempt == max_shifts + 1) shift_ = 0;
         energy_ = problem_.assemble(u, lambda, mu, rho_, clamp ? Curvature::semidefinite : Curvature::exact, gradient_,
                                     values_);
         hold_still();
-        if (add) {
-            shift_ = std::max(1e-6, 6 * shift_);
-            for (int i = 0; i < problem_.unknowns(); ++i)
-                values_[problem_.pattern().diagonal_slot(i)] += shift_ * problem_.stiffness();
-        }
+        for (int i = 0; shift_ > 0 && i < problem_.unknowns(); ++i)
+            values_[problem_.pattern().diagonal_slot(i)] += shift_ * problem_.stiffness();
         if (!solver_.factorize(values_) || solver_.inertia().negative > 0 || !border()) continue;
-        exact_ = !clamp;
-        // after a clamped matrix that went at once, the exact one is tried again
+        exact_ = !clamp && shift_ == 0;
+        // what went at once is tried with less next time
         clamped_ = clamp && attempt > 0;
-        shift_ /= 3;
+        if (attempt == 0) shift_ = shift_ > least_shift ? 0.3 * shift_ : 0;
         return true;
     }
     return false;

@@ -26,9 +26,10 @@ class SeamStep {
     /// False: a free boundary, J is left out.
     void hold_edges(bool hold);
 
-    /// Factorises at u. Where the Hessian is not positive definite along the constraints, its elements are clamped, then a
-    /// growing multiple of the identity is added; false where no amount does.
-    bool factorize(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda, const Eigen::VectorXd& mu);
+    /// Factorises at u. Where the Hessian is not positive definite along the constraints, its elements are clamped and, if
+    /// that is not enough, a growing multiple of the identity is added; `near` rest the multiple goes first, as it may be
+    /// small and then hardly slows the convergence. False where no amount does.
+    bool factorize(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda, const Eigen::VectorXd& mu, bool near);
 
     double energy() const { return energy_; }                      ///< at the last u [J]
     const Eigen::VectorXd& gradient() const { return gradient_; }  ///< of the energy there

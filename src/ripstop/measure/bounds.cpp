@@ -14,8 +14,8 @@ namespace {
 
 constexpr int rays = 360;
 
-/// A triangle at the vertex that is farthest from the boundary along edges.
-int deepest_triangle(const Tile& tile, const Adjacency& adjacency) {
+/// A half-edge that leaves the vertex farthest from the boundary along edges.
+int deepest_half_edge(const Tile& tile, const Adjacency& adjacency) {
     using Reached = std::pair<double, int>;
     std::vector<double> depth(static_cast<std::size_t>(tile.mesh.vertex_count()),
                               std::numeric_limits<double>::infinity());
@@ -38,7 +38,7 @@ int deepest_triangle(const Tile& tile, const Adjacency& adjacency) {
                 front.emplace(there, w);
             }
     }
-    return Adjacency::triangle(adjacency.outgoing(deepest).front());
+    return adjacency.outgoing(deepest).front();
 }
 
 Vec2 ray(int i) {
@@ -54,8 +54,9 @@ Bounds measure_bounds(const Tile& tile) {
     bounds.isoperimetric = perimeter * perimeter / (4 * std::numbers::pi * surface_area(tile.mesh));
 
     const UnfoldedSurface surface(tile.mesh);
-    const int triangle = deepest_triangle(tile, Adjacency(tile.mesh.triangles, tile.mesh.vertex_count()));
-    const SurfacePoint centre = surface.at(triangle, Vec3::Constant(1.0 / 3));
+    const int half_edge = deepest_half_edge(tile, Adjacency(tile.mesh.triangles, tile.mesh.vertex_count()));
+    // beside the vertex, not on it: round a vertex the directions of a triangle do not go all the way
+    const SurfacePoint centre = surface.at(half_edge / 3, Vec3::Constant(0.02) + 0.94 * Vec3::Unit(half_edge % 3));
     bounds.centre = surface.position(centre);
     double radius = perimeter;
     for (int i = 0; i < rays; ++i) radius = std::min(radius, surface.walk(centre, ray(i), radius).walked);
