@@ -1,5 +1,5 @@
 # `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
-.PHONY: setup build demo test bench install format check clean
+.PHONY: setup build demo test bench bench-solve accuracy install format check clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
 
@@ -15,6 +15,12 @@ test: build
 
 bench: build
 	build/release/ripstop-bench
+
+bench-solve: build
+	build/release/ripstop-bench-solve $(SOLVE)
+
+accuracy: build
+	build/release/ripstop-accuracy $(METHODS)
 
 install: build
 	cmake --install build/release

@@ -38,13 +38,14 @@ void print_assumed_size(const Envelope& envelope) {
 }
 
 ExitCode run(const Arguments& given) {
+    const std::string method = method_of(given.input);
     require_writable(given.directory, given.force);
     const Input input = resolve(given.input);
     const Envelope envelope = read_envelope(given.input.file, input.read);
     warn_of_unused_names(input, envelope);
     if (input.unit_assumed && !given.quiet) print_assumed_size(envelope);
 
-    FlattenOptions options{given.input.method, input.fabric, input.tolerances, given.jobs, progress_bar(given.quiet)};
+    FlattenOptions options{method, input.fabric, input.tolerances, given.jobs, progress_bar(given.quiet)};
     CutPlan plan = flatten_envelope(envelope, options);
     plan.input_file = given.input.file.filename().string();
     plan.input_sha256 = sha256_of_file(given.input.file);

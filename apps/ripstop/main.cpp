@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "ripstop/base/error.h"
+#include "ripstop/numeric/symmetric_solver.h"
 #include "ripstop/version.h"
 #include "tell.h"
 
@@ -47,7 +48,8 @@ int arrived(int code) {
 int main(int argc, char** argv) {
     using namespace ripstop;
     CLI::App app("Ripstop turns a 3D envelope divided into tiles by its seams into flat cut patterns.", "ripstop");
-    app.set_version_flag("--version", fmt::format("ripstop {}\nApache-2.0; built with no GPL library", version));
+    app.set_version_flag("--version",
+                         fmt::format("ripstop {}\nApache-2.0; built with {}", version, numeric_libraries()));
     app.require_subcommand(1);
     app.failure_message(cli::usage_message);
     app.footer(

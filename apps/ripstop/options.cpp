@@ -92,6 +92,15 @@ void add_method_option(CLI::App& command, InputArguments& given) {
     command.add_option("--method", given.method, "How to flatten; `ripstop methods` lists them")
         ->capture_default_str()
         ->check(known_method());
+    command.add_flag("--keep-area", given.keep_area,
+                     "Hold the whole area exactly too (method seam-exact-area): more strain in the cloth");
+}
+
+std::string method_of(const InputArguments& given) {
+    if (!given.keep_area) return given.method;
+    if (given.method != "seam-exact" && given.method != "seam-exact-area")
+        throw CLI::ValidationError("--keep-area goes with --method seam-exact, not " + given.method);
+    return "seam-exact-area";
 }
 
 Input resolve(const InputArguments& given) {

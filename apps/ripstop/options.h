@@ -18,7 +18,8 @@ struct InputArguments {
     std::string unit;     ///< empty: the project's, else metres
     std::string project;  ///< empty: none
     std::string fabric;   ///< empty: the project's, else isotropic
-    std::string method = "paper";
+    std::string method = "seam-exact";
+    bool keep_area = false;
     double grain = 0;  ///< [degrees]
     std::vector<std::string> tiles;
 };
@@ -34,6 +35,9 @@ struct Input {
 
 void add_input_options(CLI::App& command, InputArguments& given);
 void add_method_option(CLI::App& command, InputArguments& given);
+
+/// The method's name, `--keep-area` taken in. Throws a usage error where the method cannot keep the area.
+std::string method_of(const InputArguments& given);
 
 /// Throws InputError.
 Input resolve(const InputArguments& given);

@@ -24,7 +24,8 @@ std::vector<std::string> codes(const Verdict& verdict) {
 }
 
 Verdict judged(const Tile& tile, const Points2& flat, Termination termination = Termination::converged) {
-    return judge(tile, {termination, 1, 0, "test"}, measure_accuracy(tile, flat, fabric), tolerances_of(fabric));
+    return judge(tile, measure_bounds(tile), {flat, {termination, 1, 0, "test"}}, measure_accuracy(tile, flat, fabric),
+                 tolerances_of(fabric));
 }
 
 TEST(Accuracy, OfAStretchedSquareByHand) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <thread>
 
 namespace ripstop {
 namespace {
@@ -28,6 +29,45 @@ struct Chain {
             result[slots[2]] += k;
         }
         for (int i = 0; i < pattern.size(); ++i) result[pattern.diagonal_slot(i)] += ground;
+        return result;
+    }
+
+    SparsePattern pattern;
+};
+
+/// A square plate of vertices with two unknowns each, coupled along edges and diagonals as elastic triangles are: large
+/// enough that dense blocks are chosen.
+struct Plate {
+    explicit Plate(int side) : pattern(2 * side * side, couple(side)) {}
+
+    static Couplings couple(int side) {
+        Couplings couplings;
+        const auto unknowns = [&](int a, int b, int c) {
+            return std::array{2 * a, 2 * a + 1, 2 * b, 2 * b + 1, 2 * c, 2 * c + 1};
+        };
+        for (int j = 0; j + 1 < side; ++j)
+            for (int i = 0; i + 1 < side; ++i) {
+                const int a = j * side + i, b = a + 1, c = b + side, d = a + side;
+                couplings.add_element(unknowns(a, b, c));
+                couplings.add_element(unknowns(a, c, d));
+            }
+        return couplings;
+    }
+
+    /// A weighted Laplacian with weights that differ from place to place, each unknown tied to the ground.
+    Eigen::VectorXd values(double ground) const {
+        Eigen::VectorXd result = Eigen::VectorXd::Zero(pattern.entry_count());
+        for (int c = 0; c < pattern.size(); ++c) {
+            result[pattern.diagonal_slot(c)] += ground;
+            for (int s = pattern.diagonal_slot(c) + 1; s < pattern.column_start()[static_cast<std::size_t>(c) + 1];
+                 ++s) {
+                const int r = pattern.rows()[static_cast<std::size_t>(s)];
+                const double weight = 1.5 + std::sin(0.7 * r + 1.3 * c);
+                result[s] = -weight;
+                result[pattern.diagonal_slot(c)] += weight;
+                result[pattern.diagonal_slot(r)] += weight;
+            }
+        }
         return result;
     }
 
@@ -117,6 +157,86 @@ TEST(SymmetricSolver, SolvesAConstrainedSystem) {
     const double shift = (2 - right.head(size).sum()) / size;
     EXPECT_LT(((x - right).head(size).array() - shift).abs().maxCoeff(), 1e-9);  // of the order δ times the sums
     EXPECT_NEAR(x.head(size).sum(), 2, 1e-10);
+}
+
+/// Of the large systems, which CHOLMOD factorises where the build has it.
+class LargeSymmetricSolver : public ::testing::Test {
+  protected:
+    Plate plate{75};
+    Eigen::VectorXd values = plate.values(0.1);
+    Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(plate.pattern.size(), -1, 2).array().sin();
+};
+
+TEST_F(LargeSymmetricSolver, IsChosenAboveTheCrossOver) {
+    const bool built = numeric_libraries().find("CHOLMOD") != std::string::npos;
+    EXPECT_EQ(SymmetricSolver(plate.pattern).kind(), built ? SolverKind::supernodal : SolverKind::simplicial);
+    EXPECT_EQ(SymmetricSolver(Plate(20).pattern).kind(), SolverKind::simplicial);
+}
+
+TEST_F(LargeSymmetricSolver, AgreesWithTheSmallOne) {
+    SymmetricSolver large(plate.pattern, SolverKind::supernodal), small(plate.pattern, SolverKind::simplicial);
+    ASSERT_TRUE(large.factorize(values));
+    ASSERT_TRUE(small.factorize(values));
+    const Eigen::VectorXd expected = small.solve(right);
+    EXPECT_LT((large.solve(right) - expected).norm(), 1e-10 * expected.norm());
+    EXPECT_EQ(large.inertia(), small.inertia());
+    EXPECT_EQ(large.inertia().positive, plate.pattern.size());
+    EXPECT_LT((product(plate.pattern, values, large.solve(right)) - right).norm(), 1e-10 * right.norm());
+}
+
+TEST_F(LargeSymmetricSolver, SolvesSeveralRightHandSidesAtOnce) {
+    SymmetricSolver solver(plate.pattern);
+    ASSERT_TRUE(solver.factorize(values));
+    Eigen::MatrixXd columns(right.size(), 3);
+    columns << right, right.cwiseAbs(), right.array().square().matrix();
+    const Eigen::MatrixXd x = solver.solve_columns(columns);
+    for (int c = 0; c < 3; ++c) {
+        const Eigen::VectorXd alone = solver.solve(columns.col(c));
+        EXPECT_LT((x.col(c) - alone).norm(), 1e-12 * alone.norm()) << c;
+    }
+}
+
+TEST_F(LargeSymmetricSolver, ReportsAnIndefiniteMatrixAndGoesOnAfterwards) {
+    SymmetricSolver solver(plate.pattern);
+    Eigen::VectorXd indefinite = values;
+    indefinite[plate.pattern.diagonal_slot(plate.pattern.size() / 2)] -= 100;
+    const bool done = solver.factorize(indefinite);
+    EXPECT_TRUE(!done || solver.kind() == SolverKind::simplicial);
+    EXPECT_GE(solver.inertia().negative, 1);
+    ASSERT_TRUE(solver.factorize(values));
+    EXPECT_EQ(solver.inertia().negative, 0);
+    SymmetricSolver fresh(plate.pattern);
+    ASSERT_TRUE(fresh.factorize(values));
+    EXPECT_EQ(solver.solve(right), fresh.solve(right));
+}
+
+TEST_F(LargeSymmetricSolver, RefusesANotANumber) {
+    SymmetricSolver solver(plate.pattern);
+    EXPECT_FALSE(solver.factorize(Eigen::VectorXd::Constant(plate.pattern.entry_count(), std::nan(""))));
+    EXPECT_EQ(solver.inertia(), Inertia{});
+    EXPECT_TRUE(solver.factorize(values));
+}
+
+TEST_F(LargeSymmetricSolver, SaysThatAFreeBodyHasAZeroPivot) {
+    // x and y couple in this plate, so that it floats in one direction only
+    SymmetricSolver solver(plate.pattern);
+    const bool done = solver.factorize(plate.values(0));
+    EXPECT_TRUE(!done || solver.inertia().zero == 1);
+}
+
+TEST_F(LargeSymmetricSolver, GivesTheSameBytesOnAnyThread) {
+    SymmetricSolver solver(plate.pattern);
+    ASSERT_TRUE(solver.factorize(values));
+    const Eigen::VectorXd expected = solver.solve(right);
+    std::array<Eigen::VectorXd, 2> found;
+    std::array<std::thread, 2> threads;
+    for (std::size_t k = 0; k < threads.size(); ++k)
+        threads[k] = std::thread([&, k] {
+            SymmetricSolver own(plate.pattern);
+            if (own.factorize(values)) found[k] = own.solve(right);
+        });
+    for (std::thread& thread : threads) thread.join();
+    for (const Eigen::VectorXd& x : found) EXPECT_EQ(x, expected);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(Paper, QuarterSphereIsRefusedWithErrorsOfThePrintedOrder) {
     EXPECT_GT(found.perimeter_error, 0.09);
     EXPECT_LT(found.perimeter_error, 0.16);
     EXPECT_LT(std::abs(found.area_error), 0.03);
-    const Verdict verdict = judge(tile, flat.summary, found, tolerances_of(fabric));
+    const Verdict verdict = judge(tile, measure_bounds(tile), flat, found, tolerances_of(fabric));
     EXPECT_FALSE(verdict.manufacturable());
 }
 

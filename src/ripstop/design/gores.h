@@ -20,7 +20,7 @@ struct EnvelopeDesign {
     double bulge = 0;            ///< half-angle of the lobes [rad], 0 (a surface of revolution) to 60 degrees
     double edge_length = 0.15;   ///< of the triangles, where the gore is wide enough for it [m]
     double fabric_mass = 0.065;  ///< [kg/m2]
-    Air air;
+    Air air = {};
 };
 
 /// The shape that `design_natural` meshes. Throws InputError that names option, value and range; or that no such shape

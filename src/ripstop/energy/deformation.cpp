@@ -12,11 +12,8 @@ TriangleMetric triangle_metric(const Vec3& a, const Vec3& b, const Vec3& c) {
     return {(b - a).squaredNorm(), (b - a).dot(c - a), (c - a).squaredNorm()};
 }
 
-std::vector<TriangleMetric> triangle_metrics(const TriangleMesh& mesh) {
-    std::vector<TriangleMetric> metrics(static_cast<std::size_t>(mesh.triangle_count()));
-    for (int t = 0; t < mesh.triangle_count(); ++t)
-        metrics[static_cast<std::size_t>(t)] = triangle_metric(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-    return metrics;
+TriangleMetric triangle_metric(const Mat22& edges) {
+    return {edges.col(0).squaredNorm(), edges.col(0).dot(edges.col(1)), edges.col(1).squaredNorm()};
 }
 
 Mat22 flat_edges(const Triangles& triangles, const Points2& positions, int triangle) {

@@ -15,7 +15,7 @@ struct TriangleMetric {
 };
 
 TriangleMetric triangle_metric(const Vec3& a, const Vec3& b, const Vec3& c);
-std::vector<TriangleMetric> triangle_metrics(const TriangleMesh& mesh);  ///< #F
+TriangleMetric triangle_metric(const Mat22& edges);  ///< of a triangle given by its edges b - a and c - a in a plane
 
 /// The edges of a triangle on the cloth: columns b - a and c - a [m]. det > 0 where its outside face is up.
 Mat22 flat_edges(const Triangles& triangles, const Points2& positions, int triangle);

@@ -14,8 +14,7 @@ constexpr double guarded_share = 0.3;  ///< of its area, below which a triangle 
 /// The unit direction of half-edge k of triangle t in the frame of `warp_in_triangles`.
 Vec2 edge_direction(const Tile& tile, int t, int k) {
     const Mat22 flat = lay_flat(tile.mesh.corner(t, 0), tile.mesh.corner(t, 1), tile.mesh.corner(t, 2));
-    const Vec2 points[3] = {Vec2::Zero(), flat.col(0), flat.col(1)};
-    return (points[(k + 1) % 3] - points[k]).normalized();
+    return triangle_edge(flat, k).normalized();
 }
 
 /// cos^2 of the angle between an edge and the warp; one half where the warp stands on the triangle.

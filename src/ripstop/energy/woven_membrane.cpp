@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "ripstop/geometry/triangle.h"
 #include "ripstop/numeric/psd.h"
 
 namespace ripstop {
@@ -117,13 +118,20 @@ MembraneElement WovenMembrane::element(const TriangleMetric& metric, const Mat22
     return result;
 }
 
-double membrane_energy(const TriangleMesh& surface, const Points2& positions, const Fabric& fabric) {
+double membrane_energy(const std::vector<Mat22>& targets, const Triangles& triangles, const Points2& positions,
+                       const Fabric& fabric) {
     const WovenMembrane membrane(fabric);
     double sum = 0;
-    for (int t = 0; t < surface.triangle_count(); ++t)
-        sum += membrane.energy(triangle_metric(surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)),
-                               flat_edges(surface.triangles, positions, t));
+    for (std::size_t t = 0; t < targets.size(); ++t)
+        sum += membrane.energy(triangle_metric(targets[t]), flat_edges(triangles, positions, static_cast<int>(t)));
     return sum;
+}
+
+double membrane_energy(const TriangleMesh& surface, const Points2& positions, const Fabric& fabric) {
+    std::vector<Mat22> targets;
+    for (int t = 0; t < surface.triangle_count(); ++t)
+        targets.push_back(lay_flat(surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)));
+    return membrane_energy(targets, surface.triangles, positions, fabric);
 }
 
 }  // namespace ripstop

@@ -58,4 +58,8 @@ class WovenMembrane {
 /// Energy of a whole flattening [J]: the sum over the triangles, +infinity where one is flipped. Positions #V x 2 [m].
 double membrane_energy(const TriangleMesh& surface, const Points2& positions, const Fabric& fabric);
 
+/// The same where each triangle is to be `targets` (#F, edges b - a and c - a) instead.
+double membrane_energy(const std::vector<Mat22>& targets, const Triangles& triangles, const Points2& positions,
+                       const Fabric& fabric);
+
 }  // namespace ripstop

@@ -6,12 +6,18 @@
 #include "ripstop/flatten/arap.h"
 #include "ripstop/flatten/lscm.h"
 #include "ripstop/flatten/paper.h"
+#include "ripstop/flatten/seam_exact.h"
 #include "ripstop/flatten/woven_mesh.h"
 
 namespace ripstop {
 namespace {
 
 constexpr std::array table = {
+    Method{"seam-exact", "least energy of the woven cloth with every edge exactly as long as drawn",
+           [](const Tile& tile, const Fabric& fabric) { return flatten_seam_exact(tile, fabric); }},
+    Method{
+        "seam-exact-area", "the same with the whole area exact too, which strains the cloth more",
+        [](const Tile& tile, const Fabric& fabric) { return flatten_seam_exact(tile, fabric, {.keep_area = true}); }},
     Method{"paper", "Kubicek, Zemcik: woven mesh fit, then springs along warp and weft, midpoint rule",
            [](const Tile& tile, const Fabric& fabric) { return flatten_paper(tile, fabric); }},
     Method{"paper-adaptive", "the same with the adaptive time step the paper leaves to future work",

@@ -1,11 +1,22 @@
 #include "ripstop/flatten/paper.h"
 
+#include "ripstop/base/number_text.h"
 #include "ripstop/flatten/grain.h"
 #include "ripstop/flatten/tutte.h"
 #include "ripstop/flatten/woven_mesh.h"
 #include "ripstop/mesh/flips.h"
 
 namespace ripstop {
+
+namespace {
+
+std::string elasticity_note(const SpringNetwork& network, const Tile& tile) {
+    const Eigen::Matrix3d C = implied_elasticity(network, tile) / 1000;
+    return "the springs stand for c11 = " + format_fixed(C(0, 0), 2) + ", c22 = " + format_fixed(C(1, 1), 2) +
+           ", c12 = c33 = " + format_fixed(C(2, 2), 2) + " kN/m";
+}
+
+}  // namespace
 
 Flattening flatten_paper(const Tile& tile, const Fabric& fabric, const SpringMassOptions& options) {
     const SpringNetwork network = make_spring_network(tile, fabric);
@@ -18,6 +29,7 @@ Flattening flatten_paper(const Tile& tile, const Fabric& fabric, const SpringMas
         run.summary.reason += ", from Tutte's embedding as the woven start left triangles turned over";
     }
     Flattening result{std::move(run.positions), run.summary};
+    result.note = elasticity_note(network, tile);
     align_with_grain(tile, result.positions);
     return result;
 }

@@ -28,6 +28,11 @@ Mat22 lay_flat(const Vec3& a, const Vec3& b, const Vec3& c) {
     return flat;
 }
 
+Vec2 triangle_edge(const Mat22& edges, int k) {
+    if (k == 0) return edges.col(0);
+    return k == 1 ? Vec2(edges.col(1) - edges.col(0)) : Vec2(-edges.col(1));
+}
+
 double angle_at(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a;
     const Vec3 ac = c - a;

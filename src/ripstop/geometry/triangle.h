@@ -18,6 +18,9 @@ double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c);
 /// matrix is [[|ab|, x], [0, y]] with y >= 0. Intrinsic: it knows only the three lengths.
 Mat22 lay_flat(const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// Edge k of a triangle given by its edges b - a and c - a: from corner k to corner k + 1.
+Vec2 triangle_edge(const Mat22& edges, int k);
+
 /// The angle at `a` in [0, pi], accurate for needles too (atan2 of cross and dot).
 double angle_at(const Vec3& a, const Vec3& b, const Vec3& c);
 

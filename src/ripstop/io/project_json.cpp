@@ -33,8 +33,28 @@ Vec3 read_warp(const json& value, const std::string& place) {
     return warp / length;
 }
 
+double compensation_of(const json& value, const std::string& place) {
+    if (!value.is_number() || !(value.get<double>() > -50 && value.get<double>() < 100))
+        throw InputError(place + ": expected a number of per cent above -50 and below 100");
+    return value.get<double>() * percent;
+}
+
+Compensation read_compensation(const json& value, const std::string& place) {
+    require_known_keys(value, {"warp_pct", "weft_pct", "chains_pct"}, place);
+    Compensation compensation;
+    if (value.contains("warp_pct")) compensation.warp = compensation_of(value["warp_pct"], place + ": warp_pct");
+    if (value.contains("weft_pct")) compensation.weft = compensation_of(value["weft_pct"], place + ": weft_pct");
+    if (value.contains("chains_pct")) {
+        if (!value["chains_pct"].is_array())
+            throw InputError(place + ": chains_pct is no list, expected per cents, one a chain: [0.2, 0, ...]");
+        for (const json& chain : value["chains_pct"])
+            compensation.chains.push_back(compensation_of(chain, place + ": chains_pct"));
+    }
+    return compensation;
+}
+
 ProjectTile read_tile(const json& value, const std::string& place) {
-    require_known_keys(value, {"name", "warp", "corners"}, place);
+    require_known_keys(value, {"name", "warp", "corners", "compensation"}, place);
     ProjectTile tile;
     tile.name = text_at(value, "name", place).value_or("");
     if (tile.name.empty())
@@ -48,6 +68,8 @@ ProjectTile read_tile(const json& value, const std::string& place) {
         for (std::size_t i = 0; i < corners.size(); ++i)
             tile.corners.push_back(point_of(corners[i], named + ": corner " + std::to_string(i + 1)));
     }
+    if (value.contains("compensation"))
+        tile.compensation = read_compensation(value["compensation"], named + ": compensation");
     return tile;
 }
 
@@ -121,6 +143,9 @@ TileOptions tile_options(const Project& project, const std::string& tile_name, d
     if (const ProjectTile* entry =
             deciding(project, tile_name, [](const ProjectTile& tile) { return !tile.corners.empty(); }))
         for (const Vec3& corner : entry->corners) options.corners.push_back(corner * metres_per_unit);
+    if (const ProjectTile* entry =
+            deciding(project, tile_name, [](const ProjectTile& tile) { return tile.compensation.has_value(); }))
+        options.compensation = *entry->compensation;
     return options;
 }
 

@@ -74,9 +74,11 @@ void write_svg(std::ostream& out, const std::vector<PatternPiece>& pieces, const
     const Page page(sheet);
     const Vec2 size = (sheet.upper - sheet.lower + Vec2::Constant(2 * margin)) / millimetre;
     const std::string width = format_fixed(size.x(), 3), height = format_fixed(size.y(), 3);
+    // a hairline on one piece; on a sheet of tens of metres it would be invisible, so it grows with the sheet
+    const std::string stroke = format_fixed(std::max(0.2, size.maxCoeff() / 2500), 1);
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width
         << "mm\" height=\"" << height << "mm\" viewBox=\"0 0 " << width << ' ' << height << "\">\n"
-        << "<g fill=\"none\" stroke-width=\"0.2\" font-family=\"sans-serif\" text-anchor=\"middle\">\n";
+        << "<g fill=\"none\" stroke-width=\"" << stroke << "\" font-family=\"sans-serif\" text-anchor=\"middle\">\n";
     std::set<std::string> used{"reference"};
     for (std::size_t i = 0; i < pieces.size(); ++i)
         draw(out, page, pieces[i], sheet.shifts[i], unused_id(pieces[i].name, used));

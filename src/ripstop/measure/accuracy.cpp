@@ -1,10 +1,13 @@
 #include "ripstop/measure/accuracy.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "ripstop/energy/woven_membrane.h"
+#include "ripstop/geometry/polygon.h"
+#include "ripstop/geometry/triangle.h"
 #include "ripstop/measure/distortion.h"
 #include "ripstop/measure/overlap.h"
 #include "ripstop/mesh/adjacency.h"
@@ -16,8 +19,8 @@ Vec3 centre_of(const TriangleMesh& mesh, int t) {
     return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
 }
 
-void measure_triangles(const Tile& tile, const Points2& flat, Accuracy& accuracy) {
-    const std::vector<TriangleDistortion> distortion = measure_distortion(tile.mesh, flat);
+void measure_triangles(const Tile& tile, const std::vector<Mat22>& targets, const Points2& flat, Accuracy& accuracy) {
+    const std::vector<TriangleDistortion> distortion = measure_distortion(targets, tile.mesh.triangles, flat);
     const double infinity = std::numeric_limits<double>::infinity();
     accuracy.warp_strain_min = accuracy.weft_strain_min = infinity;
     accuracy.warp_strain_max = accuracy.weft_strain_max = -infinity;
@@ -25,7 +28,7 @@ void measure_triangles(const Tile& tile, const Points2& flat, Accuracy& accuracy
     double unsigned_error = 0;
     for (int t = 0; t < tile.mesh.triangle_count(); ++t) {
         const TriangleDistortion& here = distortion[static_cast<std::size_t>(t)];
-        const double area = triangle_area(tile.mesh, t);
+        const double area = 0.5 * targets[static_cast<std::size_t>(t)].determinant();
         accuracy.area += area;
         accuracy.flat_area += here.area_ratio * area;
         unsigned_error += std::abs(here.area_ratio - 1) * area;
@@ -48,44 +51,66 @@ void measure_triangles(const Tile& tile, const Points2& flat, Accuracy& accuracy
     accuracy.area_error_abs = unsigned_error / accuracy.area;
 }
 
-void measure_edges(const Tile& tile, const Points2& flat, Accuracy& accuracy) {
+/// Length of half-edge h of its triangle's target.
+double target_length(const std::vector<Mat22>& targets, int h) {
+    return triangle_edge(targets[static_cast<std::size_t>(Adjacency::triangle(h))], h % 3).norm();
+}
+
+void measure_all_edges(const Tile& tile, const std::vector<Mat22>& targets, const Points2& flat, Accuracy& accuracy) {
     const Adjacency adjacency(tile.mesh.triangles, tile.mesh.vertex_count());
     double total = 0, difference = 0;
-    double boundary_difference = 0;
     for (const int edge : adjacency.edges()) {
-        const int a = adjacency.from(edge), b = adjacency.to(edge);
-        const double length = (tile.mesh.positions.row(b) - tile.mesh.positions.row(a)).norm();
-        const double flat_length = (flat.row(b) - flat.row(a)).norm();
+        const int twin = adjacency.twin(edge);
+        const double one = target_length(targets, edge);
+        const double length = twin < 0 ? one : 0.5 * (one + target_length(targets, twin));
         total += length;
-        difference += std::abs(flat_length - length);
-        if (!adjacency.is_boundary(edge)) continue;
-        accuracy.perimeter += length;
-        accuracy.flat_perimeter += flat_length;
-        boundary_difference += std::abs(flat_length - length);
-        const double error = std::abs(flat_length / length - 1);
-        if (error >= accuracy.boundary_error_max) {
-            accuracy.boundary_error_max = error;
-            accuracy.worst_edge = (tile.mesh.positions.row(a) + tile.mesh.positions.row(b)) / 2;
-        }
+        difference += std::abs((flat.row(adjacency.to(edge)) - flat.row(adjacency.from(edge))).norm() - length);
     }
-    accuracy.perimeter_error = accuracy.flat_perimeter / accuracy.perimeter - 1;
     accuracy.edge_error_abs = difference / total;
-    accuracy.boundary_error_abs = boundary_difference / accuracy.perimeter;
-    for (const Chain& chain : tile.chains)
-        accuracy.chains.push_back(
-            {edge_lengths(tile.mesh.positions, chain.vertices).sum(), edge_lengths(flat, chain.vertices).sum()});
+}
+
+void measure_boundary(const Tile& tile, const Points2& flat, Accuracy& accuracy) {
+    const Eigen::VectorXd lengths = target_lengths(tile);
+    const Eigen::VectorXd flat_lengths = edge_lengths(flat, closed(tile.boundary));
+    const Eigen::VectorXd error = (flat_lengths.cwiseQuotient(lengths).array() - 1).abs();
+    accuracy.perimeter = lengths.sum();
+    accuracy.flat_perimeter = flat_lengths.sum();
+    accuracy.perimeter_error = accuracy.flat_perimeter / accuracy.perimeter - 1;
+    accuracy.boundary_error_abs = (flat_lengths - lengths).cwiseAbs().sum() / accuracy.perimeter;
+    Eigen::Index worst = 0;
+    accuracy.boundary_error_max = error.maxCoeff(&worst);
+    const auto position = [&](Eigen::Index i) {
+        return Vec3(tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>(i) % tile.boundary.size()]));
+    };
+    accuracy.worst_edge = (position(worst) + position(worst + 1)) / 2;
+
+    std::vector<Eigen::Index> place(static_cast<std::size_t>(tile.mesh.vertex_count()));
+    for (std::size_t i = 0; i < tile.boundary.size(); ++i)
+        place[static_cast<std::size_t>(tile.boundary[i])] = static_cast<Eigen::Index>(i);
+    for (const Chain& chain : tile.chains) {
+        ChainAccuracy along;
+        for (int i = 0; i < chain.edge_count(); ++i) {
+            const Eigen::Index edge = place[static_cast<std::size_t>(chain.vertices[static_cast<std::size_t>(i)])];
+            along.length += lengths[edge];
+            along.flat_length += flat_lengths[edge];
+        }
+        accuracy.chains.push_back(along);
+    }
 }
 
 }  // namespace
 
 Accuracy measure_accuracy(const Tile& tile, const Points2& flat, const Fabric& fabric) {
+    const std::vector<Mat22> targets = target_triangles(tile);
     Accuracy accuracy;
-    measure_triangles(tile, flat, accuracy);
-    measure_edges(tile, flat, accuracy);
-    accuracy.energy = membrane_energy(tile.mesh, flat, fabric);
+    measure_triangles(tile, targets, flat, accuracy);
+    measure_all_edges(tile, targets, flat, accuracy);
+    measure_boundary(tile, flat, accuracy);
+    accuracy.energy = membrane_energy(targets, tile.mesh.triangles, flat, fabric);
     const auto overlaps = overlapping_triangles(tile.mesh.triangles, flat);
     accuracy.overlaps = static_cast<int>(overlaps.size());
     if (!overlaps.empty()) accuracy.worst_overlap = centre_of(tile.mesh, overlaps.front()[0]);
+    accuracy.outline_crossings = self_intersections(flat(tile.boundary, Eigen::all)).count;
     return accuracy;
 }
 

@@ -7,7 +7,7 @@
 namespace ripstop {
 
 /// All the figures of a flattening (#V x 2) of a tile: the paper's metrics, those of its sources, strain, energy, flips and
-/// overlaps. Knows nothing of how the flattening was made. About O(#F).
+/// overlaps, against what the cloth is to be: the surface, longer or shorter by the tile's compensation. Knows nothing of how the flattening was made. About O(#F).
 Accuracy measure_accuracy(const Tile& tile, const Points2& flat, const Fabric& fabric);
 
 }  // namespace ripstop

@@ -10,13 +10,12 @@
 namespace ripstop {
 namespace {
 
-TriangleDistortion distortion(const Vec3& a, const Vec3& b, const Vec3& c, const Mat22& cloth) {
+TriangleDistortion distortion(const Mat22& surface, const Mat22& cloth) {
     TriangleDistortion result;
-    const Mat22 surface = lay_flat(a, b, c);
     const double flat_area = cloth.determinant();
     result.area_ratio = flat_area / surface.determinant();
     result.flipped = !(result.area_ratio > 0);
-    const ThreadStrain strain = thread_strain(triangle_metric(a, b, c), cloth);
+    const ThreadStrain strain = thread_strain(triangle_metric(surface), cloth);
     result.warp_strain = strain.warp;
     result.weft_strain = strain.weft;
     result.shear = strain.shear;
@@ -35,13 +34,20 @@ TriangleDistortion distortion(const Vec3& a, const Vec3& b, const Vec3& c, const
 
 }  // namespace
 
-std::vector<TriangleDistortion> measure_distortion(const TriangleMesh& mesh, const Points2& flat) {
+std::vector<TriangleDistortion> measure_distortion(const std::vector<Mat22>& targets, const Triangles& triangles,
+                                                   const Points2& flat) {
     std::vector<TriangleDistortion> result;
-    result.reserve(static_cast<std::size_t>(mesh.triangle_count()));
-    for (int t = 0; t < mesh.triangle_count(); ++t)
-        result.push_back(
-            distortion(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), flat_edges(mesh.triangles, flat, t)));
+    result.reserve(targets.size());
+    for (std::size_t t = 0; t < targets.size(); ++t)
+        result.push_back(distortion(targets[t], flat_edges(triangles, flat, static_cast<int>(t))));
     return result;
+}
+
+std::vector<TriangleDistortion> measure_distortion(const TriangleMesh& mesh, const Points2& flat) {
+    std::vector<Mat22> surface;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        surface.push_back(lay_flat(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)));
+    return measure_distortion(surface, mesh.triangles, flat);
 }
 
 }  // namespace ripstop

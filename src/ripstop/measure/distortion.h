@@ -20,4 +20,8 @@ struct TriangleDistortion {
 /// The distortion of every triangle (#F) of flat positions (#V x 2, +x the warp). Any mesh, disk or not.
 std::vector<TriangleDistortion> measure_distortion(const TriangleMesh& mesh, const Points2& flat);
 
+/// The same against what each triangle of cloth is to be (#F, `target_triangles`).
+std::vector<TriangleDistortion> measure_distortion(const std::vector<Mat22>& targets, const Triangles& triangles,
+                                                   const Points2& flat);
+
 }  // namespace ripstop

@@ -17,6 +17,37 @@ Vec3 middle_of(const Tile& tile, const Chain& chain) {
     return tile.mesh.positions.row(chain.vertices[chain.vertices.size() / 2]);
 }
 
+constexpr double certified_length = 1e-8;
+
+void judge_bounds(const Bounds& bounds, const Tolerances& tolerances, Verdict& verdict) {
+    const double least = (1 - tolerances.area) / ((1 + tolerances.length) * (1 + tolerances.length));
+    if (bounds.isoperimetric < least)
+        verdict.findings.push_back({"isoperimetric",
+                                    "no outline of this length encloses this much area: L^2 / (4 pi A) is " +
+                                        format_fixed(bounds.isoperimetric, 4) + ", a flat piece has at least " +
+                                        format_fixed(least, 4),
+                                    bounds.centre, bounds.isoperimetric, least});
+    const double allowed = allowed_stretch_ratio(tolerances);
+    if (bounds.stretch_ratio > allowed)
+        verdict.findings.push_back({"stretch_bound",
+                                    "the disc of " + format_fixed(bounds.radius / millimetre, 0) +
+                                        " mm about here stretches by a ratio of at least " +
+                                        format_fixed(bounds.stretch_ratio, 4) +
+                                        " in any flattening, the cloth stands " + format_fixed(allowed, 4),
+                                    bounds.centre, bounds.stretch_ratio, allowed});
+}
+
+void judge_certificate(const Tile& tile, const Flattening& flattening, Verdict& verdict) {
+    if (!flattening.certificate || !flattening.summary.usable()) return;
+    const Certificate& shown = *flattening.certificate;
+    if (shown.length_residual <= certified_length && shown.strict_minimum) return;
+    verdict.findings.push_back({"uncertified",
+                                shown.strict_minimum
+                                    ? "the edges are not exact to 1e-8 of their length"
+                                    : "the result is not shown to be a strict minimum of the cloth's energy",
+                                centroid(tile.mesh), shown.length_residual, certified_length});
+}
+
 void judge_map(const SolveSummary& summary, const Accuracy& accuracy, Verdict& verdict, const Tile& tile) {
     const Vec3 centre = centroid(tile.mesh);
     if (!summary.usable())
@@ -27,6 +58,9 @@ void judge_map(const SolveSummary& summary, const Accuracy& accuracy, Verdict& v
         verdict.findings.push_back({"flipped",
                                     std::to_string(accuracy.flipped) + " of the triangles are turned over on the cloth",
                                     accuracy.worst_flip, static_cast<double>(accuracy.flipped), 0});
+    if (accuracy.outline_crossings > 0 && accuracy.overlaps == 0)
+        verdict.findings.push_back({"outline", "the outline of the piece meets itself on the cloth", centre,
+                                    static_cast<double>(accuracy.outline_crossings), 0});
     if (accuracy.overlaps > 0)
         verdict.findings.push_back({"overlap", "the piece lies on itself on the cloth", accuracy.worst_overlap,
                                     static_cast<double>(accuracy.overlaps), 0});
@@ -82,10 +116,13 @@ Tolerances tolerances_of(const Fabric& fabric) {
     return tolerances;
 }
 
-Verdict judge(const Tile& tile, const SolveSummary& summary, const Accuracy& accuracy, const Tolerances& tolerances) {
+Verdict judge(const Tile& tile, const Bounds& bounds, const Flattening& flattening, const Accuracy& accuracy,
+              const Tolerances& tolerances) {
     Verdict verdict;
     verdict.judged = true;
-    judge_map(summary, accuracy, verdict, tile);
+    judge_bounds(bounds, tolerances, verdict);
+    judge_map(flattening.summary, accuracy, verdict, tile);
+    judge_certificate(tile, flattening, verdict);
     judge_lengths(tile, accuracy, tolerances, verdict);
     judge_strain(accuracy, tolerances, verdict);
     return verdict;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ripstop/measure/bounds.h"
 #include "ripstop/model/accuracy.h"
 #include "ripstop/model/fabric.h"
 #include "ripstop/model/flattening.h"
@@ -13,8 +14,11 @@ Tolerances tolerances_of(const Fabric& fabric);
 
 /// Can the tile be made as drawn? Every reason against it is a finding with its value, limit and place:
 ///
-/// `unsolved` (the method gave nothing, or is not at rest), `flipped`, `overlap`, `area`, `perimeter`, `chain`,
-/// `warp_strain`, `weft_strain`, `shear`. Values and limits are in % and degrees, counts as they are.
-Verdict judge(const Tile& tile, const SolveSummary& summary, const Accuracy& accuracy, const Tolerances& tolerances);
+/// `isoperimetric`, `stretch_bound` (impossible for any flattening); `unsolved` (the method gave nothing, or is not at rest),
+/// `uncertified` (its certificate does not show a strict minimum with exact edges), `flipped`, `overlap`, `outline`,
+/// `area`, `perimeter`, `chain`, `warp_strain`, `weft_strain`, `shear`. Values and limits are in % and degrees, counts and
+/// ratios as they are.
+Verdict judge(const Tile& tile, const Bounds& bounds, const Flattening& flattening, const Accuracy& accuracy,
+              const Tolerances& tolerances);
 
 }  // namespace ripstop

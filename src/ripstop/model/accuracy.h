@@ -34,8 +34,9 @@ struct Accuracy {
     double shear_max = 0;  ///< largest change of the right angle between the threads [rad]
     double energy = 0;     ///< of the woven membrane, cloth -> surface [J]; infinite where a triangle is flipped
 
-    int flipped = 0;   ///< triangles turned over or without area on the cloth
-    int overlaps = 0;  ///< places where the flat outline crosses itself
+    int flipped = 0;            ///< triangles turned over or without area on the cloth
+    int overlaps = 0;           ///< pairs of triangles that lie on one another on the cloth
+    int outline_crossings = 0;  ///< places where the flat outline meets itself
 
     /// Where it is worst, on the surface.
     Vec3 worst_edge = Vec3::Zero();    ///< middle of the worst boundary edge

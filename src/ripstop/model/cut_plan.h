@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ripstop/model/accuracy.h"
+#include "ripstop/model/bounds.h"
 #include "ripstop/model/envelope.h"
 #include "ripstop/model/fabric.h"
 #include "ripstop/model/flattening.h"
@@ -16,6 +17,7 @@ struct FlatTile {
     Tile tile;
     std::string method;
     Flattening flattening;
+    Bounds bounds;  ///< known before the solve
     Accuracy accuracy;
     Verdict verdict;
     double seconds = 0;  ///< of this tile's solve, wall clock

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -144,6 +145,47 @@ Eigen::Matrix2Xd warp_in_triangles(const Tile& tile) {
     return warp;
 }
 
+std::vector<Mat22> target_triangles(const Tile& tile) {
+    std::vector<Mat22> targets(static_cast<std::size_t>(tile.mesh.triangle_count()));
+    for (int t = 0; t < tile.mesh.triangle_count(); ++t)
+        targets[static_cast<std::size_t>(t)] =
+            lay_flat(tile.mesh.corner(t, 0), tile.mesh.corner(t, 1), tile.mesh.corner(t, 2));
+    if (tile.compensation.warp == 0 && tile.compensation.weft == 0) return targets;
+    const Eigen::Matrix2Xd warp = warp_in_triangles(tile);
+    for (int t = 0; t < tile.mesh.triangle_count(); ++t) {
+        const Vec2 along = warp.col(t), across(-along.y(), along.x());
+        const Mat22 longer = Mat22::Identity() + tile.compensation.warp * along * along.transpose() +
+                             tile.compensation.weft * across * across.transpose();
+        targets[static_cast<std::size_t>(t)] = longer * targets[static_cast<std::size_t>(t)];
+    }
+    return targets;
+}
+
+Eigen::VectorXd target_lengths(const Tile& tile) {
+    Eigen::VectorXd lengths = edge_lengths(tile.mesh.positions, closed(tile.boundary));
+    if (!tile.compensation.any()) return lengths;
+    const std::vector<Mat22> targets = target_triangles(tile);
+    const Adjacency adjacency(tile.mesh.triangles, tile.mesh.vertex_count());
+    Eigen::VectorXd leaving(tile.mesh.vertex_count());  // target length of the boundary edge that leaves a vertex
+    for (int h = 0; h < adjacency.half_edge_count(); ++h) {
+        if (!adjacency.is_boundary(h)) continue;
+        const Mat22& target = targets[static_cast<std::size_t>(Adjacency::triangle(h))];
+        leaving[adjacency.from(h)] = triangle_edge(target, h % 3).norm();
+    }
+    Eigen::Index edge = 0;
+    std::vector<double> extra(tile.chains.size(), 0);
+    std::copy_n(tile.compensation.chains.begin(), std::min(extra.size(), tile.compensation.chains.size()),
+                extra.begin());
+    std::vector<Eigen::Index> place(static_cast<std::size_t>(tile.mesh.vertex_count()));
+    for (const int v : tile.boundary) place[static_cast<std::size_t>(v)] = edge++;
+    for (std::size_t c = 0; c < tile.chains.size(); ++c)
+        for (int i = 0; i < tile.chains[c].edge_count(); ++i) {
+            const int v = tile.chains[c].vertices[static_cast<std::size_t>(i)];
+            lengths[place[static_cast<std::size_t>(v)]] = leaving[v] * (1 + extra[c]);
+        }
+    return lengths;
+}
+
 Tile make_tile(std::string name, TriangleMesh mesh, const TileOptions& options) {
     const Adjacency adjacency(mesh.triangles, mesh.vertex_count());
     Tile tile;
@@ -151,6 +193,7 @@ Tile make_tile(std::string name, TriangleMesh mesh, const TileOptions& options) 
     tile.chains = cut_into_chains(tile.boundary, corner_positions(mesh, tile.boundary, options));
     tile.grain = make_grain(name, mesh, options);
     tile.drawn = options.drawn;
+    tile.compensation = options.compensation;
     tile.name = std::move(name);
     tile.mesh = std::move(mesh);
     return tile;

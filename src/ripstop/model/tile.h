@@ -24,6 +24,15 @@ struct Grain {
     std::string source;
 };
 
+/// How much longer than drawn the cloth is to be cut, as ratios: 0.005 is half a per cent longer. What shrinks in use is cut
+/// longer, what stretches shorter.
+struct Compensation {
+    double warp = 0, weft = 0;        ///< of the whole cloth, along its threads, each in (-0.5, 1)
+    std::vector<double> chains = {};  ///< of the edges alone, beside warp and weft, chain by chain; missing ones 0
+
+    bool any() const { return warp != 0 || weft != 0 || !chains.empty(); }
+};
+
 /// A curved patch between seams: an oriented disk with its corners, chains and warp.
 struct Tile {
     std::string name;
@@ -32,6 +41,7 @@ struct Tile {
     std::vector<Chain> chains;  ///< they cover the boundary once, in its order
     Grain grain;
     std::optional<Points2> drawn;  ///< #V x 2: flat positions that came with the input [m]
+    Compensation compensation;
 };
 
 struct TileOptions {
@@ -41,6 +51,7 @@ struct TileOptions {
     std::string warp_source = "given";  ///< where `warp` comes from, in words
     double grain_turn = 0;              ///< turns the longest axis, counter-clockwise seen from outside [rad]
     std::optional<Points2> drawn = {};
+    Compensation compensation = {};
 };
 
 /// The tile of a mesh. Corners are where the boundary turns by more than `corner_angle` on the surface: pi less the sum of
@@ -57,6 +68,13 @@ Vec3 longest_axis(const TriangleMesh& mesh);
 /// The warp in the frame of each triangle (2 x #F): its part along the triangle, in the basis of the triangle laid flat
 /// (`lay_flat`), unit length; zero where the warp stands on the triangle.
 Eigen::Matrix2Xd warp_in_triangles(const Tile& tile);
+
+/// What the cloth of a triangle is to be (#F): the triangle laid flat (`lay_flat`), longer along warp and weft by the
+/// compensation. Without one it is the surface's own triangle.
+std::vector<Mat22> target_triangles(const Tile& tile);
+
+/// How long each boundary edge is to be on the cloth [m], boundary[i] to boundary[i + 1]: drawn length and compensation.
+Eigen::VectorXd target_lengths(const Tile& tile);
 
 /// Lengths of the edges of a chain or loop [m], on the surface and on the cloth.
 Eigen::VectorXd edge_lengths(const Points3& positions, const std::vector<int>& vertices);

@@ -1,45 +1,55 @@
 #include "ripstop/numeric/symmetric_solver.h"
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
 #include <cassert>
-#include <cmath>
-#include <limits>
 #include <utility>
+
+#include "ripstop/numeric/elimination_order.h"
+#include "ripstop/numeric/symmetric_factor.h"
 
 namespace ripstop {
 namespace {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
+/// Entries of the lower triangle from which dense blocks pay for what they cost: docs/decisions/0002-cholmod.md.
+constexpr int supernodal_from = 75'000;
+
+bool wants_supernodal(const SparsePattern& pattern, SolverKind kind) {
+    return kind == SolverKind::supernodal ||
+           (kind == SolverKind::automatic && pattern.entry_count() >= supernodal_from);
+}
 
 }  // namespace
 
 struct SymmetricSolver::Factor {
-    // In natural order and with the upper triangle, SimplicialLDLT reads the matrix where it lies. Permuting it is then
-    // one gather here, instead of a search and a copy at each factorisation.
-    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> ldlt;
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-    SparseMatrix ordered;
-    std::vector<int> slot_of_entry;  // ordered's entry -> place in the caller's values
+    std::vector<int> order;  // the unknown eliminated k-th
+    std::vector<int> slots;  // entry of the ordered triangle -> place in the caller's values
+    std::unique_ptr<SymmetricFactor> factor;
+    SolverKind kind = SolverKind::simplicial;
     int attempts = 0;
     bool usable = false;
+
+    Eigen::MatrixXd solve(Eigen::MatrixXd right) const {
+        assert(usable);
+        Eigen::MatrixXd x = right(order, Eigen::all);
+        factor->solve_in_place(x);
+        right(order, Eigen::all) = x;
+        return right;
+    }
 };
 
-SymmetricSolver::SymmetricSolver(const SparsePattern& pattern) : factor_(std::make_unique<Factor>()) {
-    const int size = pattern.size();
-    const Eigen::VectorXd numbers = Eigen::VectorXd::LinSpaced(pattern.entry_count(), 0, pattern.entry_count() - 1);
-    const Eigen::Map<const SparseMatrix> lower(size, size, pattern.entry_count(), pattern.column_start().data(),
-                                               pattern.rows().data(), numbers.data());
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
-    Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), inverse);
-    factor_->order = inverse.inverse();
-
-    factor_->ordered.resize(size, size);
-    factor_->ordered.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(factor_->order);
-    factor_->slot_of_entry.resize(static_cast<std::size_t>(pattern.entry_count()));
-    for (std::size_t k = 0; k < factor_->slot_of_entry.size(); ++k)
-        factor_->slot_of_entry[k] = static_cast<int>(factor_->ordered.valuePtr()[k]);
-    factor_->ldlt.analyzePattern(factor_->ordered);
+SymmetricSolver::SymmetricSolver(const SparsePattern& pattern, SolverKind kind) : factor_(std::make_unique<Factor>()) {
+    factor_->order = elimination_order(pattern);
+    if (wants_supernodal(pattern, kind)) {
+        OrderedTriangle lower = renumbered(pattern, factor_->order, Triangle::lower);
+        factor_->slots = std::move(lower.slots);
+        factor_->factor = make_supernodal_factor(std::move(lower));
+        factor_->kind = SolverKind::supernodal;
+    }
+    if (!factor_->factor) {
+        OrderedTriangle upper = renumbered(pattern, factor_->order, Triangle::upper);
+        factor_->slots = std::move(upper.slots);
+        factor_->factor = make_simplicial_factor(upper);
+        factor_->kind = SolverKind::simplicial;
+    }
 }
 
 SymmetricSolver::~SymmetricSolver() = default;
@@ -47,45 +57,28 @@ SymmetricSolver::SymmetricSolver(SymmetricSolver&&) noexcept = default;
 SymmetricSolver& SymmetricSolver::operator=(SymmetricSolver&&) noexcept = default;
 
 bool SymmetricSolver::factorize(const Eigen::VectorXd& values) {
-    assert(values.size() == static_cast<Eigen::Index>(factor_->slot_of_entry.size()));
-    double* const ordered = factor_->ordered.valuePtr();
-    for (std::size_t k = 0; k < factor_->slot_of_entry.size(); ++k) ordered[k] = values[factor_->slot_of_entry[k]];
+    assert(values.size() == static_cast<Eigen::Index>(factor_->slots.size()));
+    double* const ordered = factor_->factor->values();
+    for (std::size_t k = 0; k < factor_->slots.size(); ++k) ordered[k] = values[factor_->slots[k]];
     ++factor_->attempts;
-    factor_->ldlt.factorize(factor_->ordered);
-    factor_->usable = factor_->ldlt.info() == Eigen::Success && factor_->ldlt.vectorD().allFinite();
+    factor_->usable = factor_->factor->factorize();
     return factor_->usable;
 }
 
 Inertia SymmetricSolver::inertia() const {
-    Inertia count;
-    if (!factor_->usable) return count;
-    const Eigen::VectorXd pivots = factor_->ldlt.vectorD();
-    // d_k = a_kk - sum_i l_ki^2 d_i: the sizes of the terms tell how much of d_k can be rounding.
-    Eigen::VectorXd scale = factor_->ordered.diagonal().cwiseAbs();
-    const SparseMatrix& lower = factor_->ldlt.matrixL().nestedExpression();
-    for (int c = 0; c < lower.outerSize(); ++c)
-        for (SparseMatrix::InnerIterator it(lower, c); it; ++it)
-            scale[it.row()] += it.value() * it.value() * std::abs(pivots[c]);
-    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-    for (Eigen::Index k = 0; k < pivots.size(); ++k) {
-        if (std::abs(pivots[k]) <= rounding * scale[k])
-            ++count.zero;
-        else
-            ++(pivots[k] > 0 ? count.positive : count.negative);
-    }
-    return count;
+    return factor_->factor->inertia();
 }
 
 Eigen::VectorXd SymmetricSolver::solve(const Eigen::VectorXd& right) const {
-    assert(factor_->usable);
-    const Eigen::VectorXd ordered = factor_->order * right;
-    return factor_->order.inverse() * factor_->ldlt.solve(ordered).eval();
+    return factor_->solve(right);
 }
 
 Eigen::MatrixXd SymmetricSolver::solve_columns(const Eigen::MatrixXd& right) const {
-    assert(factor_->usable);
-    const Eigen::MatrixXd ordered = factor_->order * right;
-    return factor_->order.inverse() * factor_->ldlt.solve(ordered).eval();
+    return factor_->solve(right);
+}
+
+SolverKind SymmetricSolver::kind() const {
+    return factor_->kind;
 }
 
 int SymmetricSolver::factorizations() const {
@@ -93,7 +86,17 @@ int SymmetricSolver::factorizations() const {
 }
 
 long SymmetricSolver::factor_entries() const {
-    return factor_->ldlt.matrixL().nestedExpression().nonZeros();
+    return factor_->factor->entries();
+}
+
+std::string numeric_libraries() {
+    const std::string eigen =
+        "Eigen " + std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + " (MPL-2)";
+#ifdef RIPSTOP_CHOLMOD
+    return eigen + ", CHOLMOD supernodal (GPL-2+)";
+#else
+    return eigen;
+#endif
 }
 
 }  // namespace ripstop

@@ -51,12 +51,13 @@ CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options
         const Tile& tile = envelope.tiles[static_cast<std::size_t>(i)];
         FlatTile& result = plan.tiles[static_cast<std::size_t>(i)];
         const auto start = std::chrono::steady_clock::now();
+        result.bounds = measure_bounds(tile);
         result.flattening = method ? method->flatten(tile, options.fabric) : given_flattening(tile);
         result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         result.tile = tile;
         result.method = options.method;
         result.accuracy = measure_accuracy(tile, result.flattening.positions, options.fabric);
-        result.verdict = judge(tile, result.flattening.summary, result.accuracy, options.tolerances);
+        result.verdict = judge(tile, result.bounds, result.flattening, result.accuracy, options.tolerances);
         counter.done(tile.name);
     });
     return plan;

@@ -8,8 +8,7 @@
 namespace ripstop {
 
 struct FlattenOptions {
-    std::string method =
-        "paper";  ///< a name of `methods()`, or `given`: judge the flat positions that came with the tiles
+    std::string method = "seam-exact";  ///< a name of `methods()`, or `given`: judge what came with the tiles
     Fabric fabric = {};
     Tolerances tolerances = {};
     int threads = 0;  ///< 0: one a core

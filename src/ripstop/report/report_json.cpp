@@ -38,15 +38,42 @@ Json fabric_json(const Fabric& fabric) {
             {"shear_limit_deg", in_degrees(fabric.shear_limit)}};
 }
 
-Json chains_json(const Accuracy& accuracy) {
+/// Smallest, mean (by length) and largest tension of each chain's edges [N].
+void add_tension(Json& chains, const FlatTile& tile) {
+    if (tile.flattening.seam_tension.size() == 0) return;
+    std::vector<Eigen::Index> place(static_cast<std::size_t>(tile.tile.mesh.vertex_count()));
+    for (std::size_t i = 0; i < tile.tile.boundary.size(); ++i)
+        place[static_cast<std::size_t>(tile.tile.boundary[i])] = static_cast<Eigen::Index>(i);
+    for (std::size_t c = 0; c < tile.tile.chains.size(); ++c) {
+        const Chain& chain = tile.tile.chains[c];
+        const Eigen::VectorXd lengths = edge_lengths(tile.tile.mesh.positions, chain.vertices);
+        Eigen::VectorXd tension(chain.edge_count());
+        for (int i = 0; i < chain.edge_count(); ++i)
+            tension[i] =
+                tile.flattening
+                    .seam_tension[place[static_cast<std::size_t>(chain.vertices[static_cast<std::size_t>(i)])]];
+        chains[c]["tension_n"] = {{"min", figure(tension.minCoeff())},
+                                  {"mean", figure(tension.dot(lengths) / lengths.sum())},
+                                  {"max", figure(tension.maxCoeff())}};
+    }
+}
+
+Json chains_json(const FlatTile& tile) {
     Json chains = Json::array();
-    for (const ChainAccuracy& chain : accuracy.chains)
+    for (const ChainAccuracy& chain : tile.accuracy.chains)
         chains.push_back({{"length_mm", in_millimetres(chain.length)},
                           {"flat_length_mm", in_millimetres(chain.flat_length)},
                           {"error_mm", in_millimetres(chain.flat_length - chain.length)},
                           {"error_pct", in_percent(chain.error())},
                           {"seam", nullptr}});
+    add_tension(chains, tile);
     return chains;
+}
+
+Json certificate_json(const Certificate& certificate) {
+    return {{"force_residual", figure(certificate.force_residual)},
+            {"length_residual", figure(certificate.length_residual)},
+            {"strict_minimum", certificate.strict_minimum}};
 }
 
 Json verdict_json(const Verdict& verdict) {
@@ -80,7 +107,6 @@ void add_accuracy(Json& json, const Accuracy& accuracy) {
     json["energy_j"] = figure(accuracy.energy);
     json["flipped"] = accuracy.flipped;
     json["overlaps"] = accuracy.overlaps;
-    json["chains"] = chains_json(accuracy);
 }
 
 Json tile_json(const FlatTile& tile, const std::string& stem, bool reproducible) {
@@ -99,7 +125,13 @@ Json tile_json(const FlatTile& tile, const std::string& stem, bool reproducible)
     json["factorizations"] = summary.factorizations;
     json["stop"] = name(summary.termination);
     json["stop_reason"] = summary.reason;
+    if (!tile.flattening.note.empty()) json["note"] = tile.flattening.note;
+    json["bounds"] = {{"isoperimetric", figure(tile.bounds.isoperimetric)},
+                      {"stretch_ratio_min", figure(tile.bounds.stretch_ratio)},
+                      {"disc_radius_mm", in_millimetres(tile.bounds.radius)}};
+    if (tile.flattening.certificate) json["certificate"] = certificate_json(*tile.flattening.certificate);
     add_accuracy(json, tile.accuracy);
+    json["chains"] = chains_json(tile);
     json["verdict"] = verdict_json(tile.verdict);
     return json;
 }

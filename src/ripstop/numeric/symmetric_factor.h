@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "ripstop/numeric/elimination_order.h"
+#include "ripstop/numeric/symmetric_solver.h"
+
+namespace ripstop {
+
+/// What `SymmetricSolver` needs of a factorisation. The unknowns are in the order of their elimination already.
+class SymmetricFactor {
+  public:
+    virtual ~SymmetricFactor() = default;
+    virtual double* values() = 0;  ///< to be filled in before `factorize`: of the triangle it was made with
+    virtual bool factorize() = 0;
+    virtual Inertia inertia() const = 0;
+    virtual void solve_in_place(Eigen::Ref<Eigen::MatrixXd> x) const = 0;
+    virtual long entries() const = 0;
+};
+
+/// A pivot a_kk - sum_i l_ki^2 d_i is nothing but rounding where it is below this share of its terms' sizes.
+inline constexpr double pivot_rounding = 64 * 2.220446049250313e-16;
+
+/// L D Lᵀ, column by column (Eigen), from the upper triangle.
+std::unique_ptr<SymmetricFactor> make_simplicial_factor(const OrderedTriangle& upper);
+
+/// L Lᵀ in dense blocks (CHOLMOD), from the lower triangle; null in a build without it.
+std::unique_ptr<SymmetricFactor> make_supernodal_factor(OrderedTriangle lower);
+
+}  // namespace ripstop
