@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "ripstop/flatten/method.h"
 #include "support/program.h"
 
 namespace ripstop {
@@ -75,7 +76,10 @@ TEST_F(ExitCode, Is2ForAWrongCommandLine) {
 
 TEST_F(ExitCode, Is2ForANameThatTheProgramDoesNotKnowWithThoseItKnows) {
     expect_refused(2, "flatten envelope.obj -o plan --unit yd", "no unit \"yd\"; known: mm, cm, m, in, ft");
-    expect_refused(2, "flatten envelope.obj -o plan --method foo", "no method \"foo\"; known: paper,");
+    expect_refused(2, "flatten envelope.obj -o plan --method foo", "no method \"foo\"; known: ");
+    for (const Method& method : methods())
+        expect_refused(2, "flatten envelope.obj -o plan --method foo",
+                       std::string(" ").append(method.name).append(","));
     expect_refused(2, "flatten envelope.obj -o plan --method foo", ", given\n");
 }
 

@@ -18,7 +18,7 @@ using testing::ProgramRun;
 using ::testing::StartsWith;
 using testing::Workshop;
 
-TEST(Program, SaysItsVersionAndLicence) {
+TEST(TopLevel, SaysItsVersionAndLicence) {
     const Workshop workshop;
     const ProgramRun run = workshop.ripstop("--version");
     EXPECT_EQ(run.code, 0);
@@ -26,7 +26,7 @@ TEST(Program, SaysItsVersionAndLicence) {
     EXPECT_THAT(run.err, IsEmpty());
 }
 
-TEST(Program, ExplainsEachCommandOnStdout) {
+TEST(TopLevel, ExplainsEachCommandOnStdout) {
     const Workshop workshop;
     for (const char* const command : {"", "flatten", "methods", "design", "design natural"}) {
         const ProgramRun run = workshop.ripstop(std::string(command) + " --help");
