@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
     using namespace ripstop;
     CLI::App app("Ripstop turns a 3D envelope divided into tiles by its seams into flat cut patterns.", "ripstop");
     app.set_version_flag("--version",
-                         fmt::format("ripstop {}\nApache-2.0; built with {}", version, numeric_libraries()));
+                         fmt::format("ripstop {}\nsources Apache-2.0; built with {}", version, numeric_libraries()));
     app.require_subcommand(1);
     app.failure_message(cli::usage_message);
     app.footer(

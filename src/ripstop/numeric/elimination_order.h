@@ -10,7 +10,7 @@ namespace ripstop {
 /// ordering [Amestoy, Davis, Duff 1996], children before parents and subtree by subtree in the elimination tree.
 ///
 /// Unknowns that follow each other and meet exactly the same unknowns, such as the x and y of a vertex, are ordered as
-/// one, which costs a quarter of ordering them one by one. About O(entries), deterministic.
+/// one, which is cheaper than one by one. About O(entries), deterministic.
 std::vector<int> elimination_order(const SparsePattern& pattern);
 
 /// One triangle of a pattern after its unknowns are renumbered, column by column, rows increasing.
