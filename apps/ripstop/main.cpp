@@ -28,8 +28,9 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
     if (!commands.empty()) {
         const std::vector<std::string> words = app->remaining();
         const bool is_word = !words.empty() && words.front().rfind('-', 0) != 0;
-        if (is_word) text = "no command \"" + words.front() + "\"; known: " + commands;
         if (words.empty()) text = "a command is missing; known: " + commands;
+        if (!words.empty())
+            text = (is_word ? "no command \"" : "no option \"") + words.front() + "\"; known commands: " + commands;
     }
     return fmt::format("ripstop: {}\n`{} --help` tells more\n", text, path);
 }

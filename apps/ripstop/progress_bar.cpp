@@ -26,7 +26,7 @@ void draw(State& state, double fraction, const std::string& what) {
     const double spent = std::chrono::duration<double>(now - state.start).count();
     const int width = 32;
     const int full = static_cast<int>(fraction * width);
-    tell(fmt::format("\r\033[K[{:#>{}}{:.>{}}] {:3.0f} %  {:.0f} s left  {}", "", full, "", width - full,
+    tell(fmt::format("\r\033[K[{:#>{}}{:.>{}}] {:3.0f} %  {:.0f} s left  {:.24}", "", full, "", width - full,
                      100 * fraction, fraction > 0 ? spent / fraction - spent : 0, what));
     if (fraction >= 1) tell("\r\033[K");
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "ripstop/flatten/method.h"
 #include "support/program.h"
 
 namespace ripstop {
@@ -55,9 +56,10 @@ TEST_F(ExitCode, Is1WhereATileCannotBeMadeAndAllFilesAreThere) {
 
 TEST_F(ExitCode, Is2ForAWrongCommandLine) {
     expect_refused(2, "", "a command is missing; known: flatten, methods, design");
-    expect_refused(2, "flaten envelope.obj", "no command \"flaten\"; known: flatten, methods, design");
+    expect_refused(2, "flaten envelope.obj", "no command \"flaten\"; known commands: flatten, methods, design");
     expect_refused(2, "design", "a command is missing; known: natural");
-    expect_refused(2, "design sphere -o x.obj", "no command \"sphere\"; known: natural");
+    expect_refused(2, "design sphere -o x.obj", "no command \"sphere\"; known commands: natural");
+    expect_refused(2, "--bogus", "no option \"--bogus\"; known commands: flatten");
     expect_refused(2, "flatten envelope.obj -o plan --bogus", "--bogus");
     expect_refused(2, "flatten envelope.obj", "--output is required");
     expect_refused(2, "flatten -o plan", "INPUT is required");
@@ -74,7 +76,10 @@ TEST_F(ExitCode, Is2ForAWrongCommandLine) {
 
 TEST_F(ExitCode, Is2ForANameThatTheProgramDoesNotKnowWithThoseItKnows) {
     expect_refused(2, "flatten envelope.obj -o plan --unit yd", "no unit \"yd\"; known: mm, cm, m, in, ft");
-    expect_refused(2, "flatten envelope.obj -o plan --method foo", "no method \"foo\"; known: seam-exact,");
+    expect_refused(2, "flatten envelope.obj -o plan --method foo", "no method \"foo\"; known: ");
+    for (const Method& method : methods())
+        expect_refused(2, "flatten envelope.obj -o plan --method foo",
+                       std::string(" ").append(method.name).append(","));
     expect_refused(2, "flatten envelope.obj -o plan --method foo", ", given\n");
 }
 

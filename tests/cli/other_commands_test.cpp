@@ -4,6 +4,7 @@
 
 #include "ripstop/flatten/method.h"
 #include "ripstop/io/obj.h"
+#include "ripstop/numeric/symmetric_solver.h"
 #include "ripstop/version.h"
 #include "support/program.h"
 
@@ -18,15 +19,16 @@ using testing::ProgramRun;
 using ::testing::StartsWith;
 using testing::Workshop;
 
-TEST(Program, SaysItsVersionAndLicence) {
+TEST(TopLevel, SaysItsVersionLicenceAndLibraries) {
     const Workshop workshop;
     const ProgramRun run = workshop.ripstop("--version");
     EXPECT_EQ(run.code, 0);
-    EXPECT_THAT(run.out, StartsWith(std::string("ripstop ") + version + "\nApache-2.0"));
+    EXPECT_THAT(run.out, StartsWith(std::string("ripstop ").append(version).append("\n")));
+    EXPECT_THAT(run.out, HasSubstr("Apache-2.0; built with " + numeric_libraries()));
     EXPECT_THAT(run.err, IsEmpty());
 }
 
-TEST(Program, ExplainsEachCommandOnStdout) {
+TEST(TopLevel, ExplainsEachCommandOnStdout) {
     const Workshop workshop;
     for (const char* const command : {"", "flatten", "methods", "design", "design natural"}) {
         const ProgramRun run = workshop.ripstop(std::string(command) + " --help");
