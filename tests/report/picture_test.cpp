@@ -40,6 +40,21 @@ TEST(TilePicture, OfATrueFlatteningHasOneColourAndNoRing) {
     EXPECT_THAT(svg, HasSubstr(">manufacturable</text>"));
 }
 
+TEST(TilePicture, DrawsTheTensionOfEachSeamEdgeWhereItIsKnown) {
+    FlatTile tile = testing::flat_cylinder("G01P01");
+    EXPECT_THAT(tile_picture(tile, {}), Not(HasSubstr("tension of the seams")));
+    tile.flattening.seam_tension =
+        Eigen::VectorXd::LinSpaced(static_cast<Eigen::Index>(tile.tile.boundary.size()), -3, 12);
+    const std::string svg = tile_picture(tile, {});
+    EXPECT_THAT(svg, HasSubstr("-3.0 … 12.0 N"));
+    const std::size_t pulled = svg.find("#5b8def"), pushed = svg.find("#e0a030");
+    ASSERT_NE(pulled, std::string::npos);
+    ASSERT_NE(pushed, std::string::npos);
+    const auto strokes = [&](std::size_t from) { return count(svg.substr(from, svg.find("/>", from) - from), "L"); };
+    EXPECT_EQ(strokes(pulled) + strokes(pushed), static_cast<int>(tile.tile.boundary.size()));
+    EXPECT_GT(strokes(pulled), 3 * strokes(pushed));
+}
+
 TEST(TilePicture, NamesTheVerdictAndMarksTheFinding) {
     const CutPlan plan = testing::two_tile_plan();
     const std::string svg = tile_picture(plan.tiles[1], plan.tolerances);

@@ -180,6 +180,31 @@ std::string chain_figure(const Halfway& place, double error, bool beyond, Writin
     return result + text(middle() + Vec2(0, 5), figure, style);
 }
 
+/// The ease map: a stroke outward from each boundary edge, as long as its tension; blue where the seam is pulled, amber where
+/// it is pushed. The longest is `longest_tension` on the page.
+std::string tensions(const FlatTile& tile, const View& view) {
+    constexpr double longest_tension = 26;
+    const Eigen::VectorXd& tension = tile.flattening.seam_tension;
+    if (tension.size() == 0) return {};
+    const double largest = tension.lpNorm<Eigen::Infinity>();
+    if (!(largest > 0) || !std::isfinite(largest)) return {};
+    const std::vector<Vec2> points = on_page(tile, view, closed(tile.tile.boundary));
+    std::string pulled, pushed;
+    for (Eigen::Index i = 0; i < tension.size(); ++i) {
+        const Vec2 a = points[static_cast<std::size_t>(i)], b = points[static_cast<std::size_t>(i) + 1];
+        const Vec2 along = (b - a).normalized(), middle = (a + b) / 2;
+        const Vec2 outward(-along.y(), along.x());
+        const Vec2 from = middle + 4 * outward, to = from + longest_tension * std::abs(tension[i]) / largest * outward;
+        (tension[i] > 0 ? pulled : pushed) += "M" + pair(from) + "L" + pair(to);
+    }
+    const auto strokes = [](const std::string& path, const char* colour) {
+        return path.empty() ? std::string()
+                            : "<path fill=\"none\" stroke=\"" + std::string(colour) + "\" stroke-width=\"2\" d=\"" +
+                                  path + "\"/>\n";
+    };
+    return strokes(pulled, "#5b8def") + strokes(pushed, "#e0a030");
+}
+
 std::string chains(const FlatTile& tile, const View& view, double limit) {
     const std::vector<Chain>& chains = tile.tile.chains;
     const bool measured = tile.accuracy.chains.size() == chains.size();
@@ -230,9 +255,16 @@ std::string head(const FlatTile& tile) {
                                 " … " + in_percent(a.weft_strain_max, 2) + " %,  shear up to " +
                                 shown(a.shear_max / degree, 2) + "°";
     const char* colour = good ? "#18794e" : tile.verdict.judged ? "#b3121f" : "#7b8794";
+    const Eigen::VectorXd& tension = tile.flattening.seam_tension;
+    const std::string ease =
+        tension.size() == 0
+            ? ""
+            : "tension of the seams (strokes; blue pulled, amber pushed): " + shown(tension.minCoeff(), 1) + " … " +
+                  shown(tension.maxCoeff(), 1) + " N";
     return text({28, 40}, tile.tile.name, {24, "start", "#1f2933", true}) +
            text({page_width - 28, 40}, verdict, {17, "end", colour, true}) +
            text({28, 68}, lengths, {14, "start", "#1f2933"}) + text({28, 90}, strains, {14, "start", "#52606d"}) +
+           (ease.empty() ? "" : text({28, 110}, ease, {12, "start", "#52606d"})) +
            text({page_width - 28, 68}, tile.method, {14, "end", "#52606d"}) +
            text({page_width - 28, 90}, std::to_string(tile.tile.mesh.triangle_count()) + " triangles",
                 {14, "end", "#52606d"});
@@ -296,8 +328,8 @@ std::string tile_picture(const FlatTile& tile, const Tolerances& tolerances, con
                       "\" fill=\"#ffffff\"/>\n" + head(tile);
     if (drawable) {
         const double cloth_limit = options.cloth_limit > 0 ? options.cloth_limit : tolerances.strain;
-        svg += cloth(tile, view, cloth_limit) + chains(tile, view, tolerances.length) + rings(tile, view) +
-               foot(view, cloth_limit, tolerances.length);
+        svg += cloth(tile, view, cloth_limit) + tensions(tile, view) + chains(tile, view, tolerances.length) +
+               rings(tile, view) + foot(view, cloth_limit, tolerances.length);
     } else {
         svg += text({page_width / 2, head_height + border + 45}, "no flat positions: " + tile.flattening.summary.text(),
                     {17, "middle", "#b3121f"});
