@@ -176,6 +176,7 @@ TEST(SeamExact, KeepsTheAreaToo) {
         }
         EXPECT_LT(std::abs(kept.accuracy.area_error), 1e-10);
         EXPECT_LT(kept.accuracy.boundary_error_max, 1e-8);
+        EXPECT_NE(kept.flat.note.find("largest thread strain from "), std::string::npos);
         EXPECT_GE(kept.accuracy.energy, free.accuracy.energy * (1 - 1e-6));  // its price
     }
 }

@@ -6,6 +6,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
+#include "ripstop/base/units.h"
 #include "ripstop/flatten/arap.h"
 #include "ripstop/flatten/grain.h"
 #include "ripstop/flatten/lscm.h"
@@ -70,6 +71,26 @@ SeamSolution lead_lengths(SeamProblem& problem, SeamNewton& newton, const SeamNe
     return at;
 }
 
+double largest_thread_strain(const Tile& tile, const Points2& positions) {
+    const std::vector<Mat22> targets = target_triangles(tile);
+    double largest = 0;
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+        const ThreadStrain strain =
+            thread_strain(triangle_metric(targets[t]), flat_edges(tile.mesh.triangles, positions, static_cast<int>(t)));
+        largest = std::max({largest, std::abs(strain.warp), std::abs(strain.weft)});
+    }
+    return largest;
+}
+
+/// What holding the area costs the threads, beside the same flattening without it.
+std::string price_of_area(const Tile& tile, const Fabric& fabric, SeamExactOptions options, const Points2& positions) {
+    options.keep_area = false;
+    const Flattening plain = flatten_seam_exact(tile, fabric, options);
+    return "holding the whole area takes the largest thread strain from " +
+           format_fixed(largest_thread_strain(tile, plain.positions) / percent, 3) + " to " +
+           format_fixed(largest_thread_strain(tile, positions) / percent, 3) + " %";
+}
+
 }  // namespace
 
 Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const SeamExactOptions& options) {
@@ -104,6 +125,7 @@ Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const Seam
     result.certificate = {exact.force_residual, exact.length_residual, exact.strict_minimum};
     result.seam_tension = exact.lambda;
     align_with_grain(tile, result.positions);
+    if (options.keep_area) result.note = price_of_area(tile, fabric, options, result.positions);
     return result;
 }
 
