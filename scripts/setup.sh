@@ -12,4 +12,4 @@ as_root=""
 echo "Installing:$missing"
 $as_root apt-get update -q
 # shellcheck disable=SC2086
-DEBIAN_FRONTEND=noninteractive $as_root apt-get -o DPkg::Lock::Timeout=500 install -y -q --no-install-recommends $missing
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=500 install -y -q --no-install-recommends $missing

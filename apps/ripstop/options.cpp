@@ -76,7 +76,7 @@ void add_input_options(CLI::App& command, InputArguments& given) {
     command.add_option("--unit", given.unit, "Unit of the file: mm, cm, m, in, ft (else the project's, else metres)")
         ->check(known_unit());
     command.add_option("--project", given.project,
-                       "JSON with what the file cannot say: unit, fabric, warp, corners, tolerances");
+                       "JSON with what the file cannot say: unit, fabric, warp, corners, compensation, tolerances");
     command.add_option("--fabric", given.fabric, "A preset or a JSON file (else the project's, else isotropic)");
     command
         .add_option("--grain", given.grain,

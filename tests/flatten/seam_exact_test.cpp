@@ -274,7 +274,8 @@ TEST(SeamExact, RefusesOptionsOutOfRange) {
 }
 
 /// Hard tiles x starts x fabrics: each ends in a rest with exact seams and no flip, or says that it did not.
-TEST(SeamExactRobustness, EveryHardCaseConvergesOrSaysSo) {
+TEST(SeamExactRobustness, AllButOneHardCaseConvergeAndThatOneSaysSo) {
+    int converged = 0;
     const std::pair<const char*, TriangleMesh> tiles[] = {
         {"quarter sphere", testing::lune(pi / 2, 12, 24)},
         {"octant", testing::octant(12)},
@@ -296,10 +297,13 @@ TEST(SeamExactRobustness, EveryHardCaseConvergesOrSaysSo) {
                 if (result.flat.summary.termination == Termination::converged) {
                     EXPECT_LT(result.accuracy.boundary_error_max, 1e-8);
                     EXPECT_TRUE(result.flat.certificate->strict_minimum);
+                    ++converged;
                 } else {
-                    EXPECT_FALSE(result.flat.summary.reason.empty());
+                    EXPECT_FALSE(result.flat.certificate->strict_minimum);
+                    EXPECT_NE(result.flat.summary.reason.find("of the way"), std::string::npos);
                 }
             }
+    EXPECT_GE(converged, 53);  // of 54: docs/methods/seam-exact.md
 }
 
 }  // namespace

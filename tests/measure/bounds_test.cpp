@@ -27,6 +27,15 @@ TEST(Bounds, DevelopableAndSaddleTilesDemandNoStretch) {
     EXPECT_DOUBLE_EQ(bounds_of(testing::saddle(1, 0.4, 16)).stretch_ratio, 1);
 }
 
+TEST(Bounds, FoldedClothDemandsNothing) {
+    // an accordion is developable, however short it is in space
+    const TriangleMesh mesh = testing::grid(60, 4, [](double u, double v) {
+        const int i = static_cast<int>(std::lround(60 * u));
+        return Vec3(0.02 * i, 0.5 * v, i % 2 == 0 ? 0 : 0.02);
+    });
+    EXPECT_LT(bounds_of(mesh).stretch_ratio, 1 + 1e-6);
+}
+
 TEST(Bounds, CapDemandsThetaOverItsSine) {
     for (const double theta : {0.4, 0.8}) {
         const Bounds bounds = bounds_of(testing::cap(theta, 24));

@@ -14,14 +14,6 @@ std::optional<double> parse_double(std::string_view text) {
     return value;
 }
 
-std::optional<long> parse_integer(std::string_view text) {
-    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-    long value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
 std::string format_fixed(double value, int decimals) {
     std::array<char, 400> buffer;
     const auto result =

@@ -10,9 +10,6 @@ namespace ripstop {
 /// (empty, trailing characters, nan, inf, out of range). A leading '+' is accepted.
 std::optional<double> parse_double(std::string_view text);
 
-/// The integer that `text` spells in full, nothing for anything else.
-std::optional<long> parse_integer(std::string_view text);
-
 /// `value` with `decimals` digits after the point, locale-free, never "-0.000".
 std::string format_fixed(double value, int decimals);
 

@@ -32,8 +32,6 @@ struct SpringNetwork {
     Triangles triangles;              ///< #F x 3
     Eigen::VectorXd rest_area;        ///< #F [m2]
     Eigen::VectorXd guard_stiffness;  ///< #F, c [J]
-
-    int particle_count() const { return static_cast<int>(mass.size()); }
 };
 
 SpringNetwork make_spring_network(const Tile& tile, const Fabric& fabric);

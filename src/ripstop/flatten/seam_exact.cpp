@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "ripstop/base/error.h"
@@ -66,6 +67,8 @@ SeamSolution lead_lengths(SeamProblem& problem, SeamNewton& newton, const SeamNe
         at.summary.termination = Termination::iteration_limit;
         at.summary.reason =
             "the edges could be led only " + format_fixed(100 * reached, 0) + " % of the way to their lengths";
+        at.strict_minimum = false;  // what converged was another problem
+        at.force_residual = std::numeric_limits<double>::quiet_NaN();
         at.length_residual = problem.edge_residual(at.u).cwiseQuotient(true_lengths).lpNorm<Eigen::Infinity>();
     }
     return at;

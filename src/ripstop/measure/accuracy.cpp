@@ -24,7 +24,7 @@ void measure_triangles(const Tile& tile, const std::vector<Mat22>& targets, cons
     const double infinity = std::numeric_limits<double>::infinity();
     accuracy.warp_strain_min = accuracy.weft_strain_min = infinity;
     accuracy.warp_strain_max = accuracy.weft_strain_max = -infinity;
-    double worst = -1;
+    double worst_warp = -1, worst_weft = -1;
     double unsigned_error = 0;
     for (int t = 0; t < tile.mesh.triangle_count(); ++t) {
         const TriangleDistortion& here = distortion[static_cast<std::size_t>(t)];
@@ -36,10 +36,13 @@ void measure_triangles(const Tile& tile, const std::vector<Mat22>& targets, cons
         accuracy.warp_strain_max = std::max(accuracy.warp_strain_max, here.warp_strain);
         accuracy.weft_strain_min = std::min(accuracy.weft_strain_min, here.weft_strain);
         accuracy.weft_strain_max = std::max(accuracy.weft_strain_max, here.weft_strain);
-        const double strain = std::max(std::abs(here.warp_strain), std::abs(here.weft_strain));
-        if (strain > worst) {
-            worst = strain;
-            accuracy.worst_strain = centre_of(tile.mesh, t);
+        if (std::abs(here.warp_strain) > worst_warp) {
+            worst_warp = std::abs(here.warp_strain);
+            accuracy.worst_warp = centre_of(tile.mesh, t);
+        }
+        if (std::abs(here.weft_strain) > worst_weft) {
+            worst_weft = std::abs(here.weft_strain);
+            accuracy.worst_weft = centre_of(tile.mesh, t);
         }
         if (std::abs(here.shear) > accuracy.shear_max) {
             accuracy.shear_max = std::abs(here.shear);

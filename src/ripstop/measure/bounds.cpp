@@ -1,11 +1,14 @@
 #include "ripstop/measure/bounds.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <queue>
 
+#include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/geodesic.h"
 
@@ -46,12 +49,44 @@ Vec2 ray(int i) {
     return {std::cos(angle), std::sin(angle)};
 }
 
+/// The straight distance on the surface from the end of one ray to that of the next; nothing where they do not see each
+/// other or the rays have crossed, as then they are not the shortest ways from the centre.
+std::optional<double> apart(const UnfoldedSurface& surface, const Walk& one, const Walk& next, double flat_distance) {
+    std::optional<double> nearest;
+    for (const Sight& sight : surface.look_around(one.end, 4 * flat_distance)) {
+        if (sight.triangle != next.end.triangle) continue;
+        const Vec2 there = sight.unfolded(next.end.local);
+        const Vec2 way = there - one.end.local;
+        if (sight.hidden_by(there) > 1e-9 || (nearest && way.norm() >= *nearest)) continue;
+        if (cross(one.direction, way) < -0.1 * flat_distance) return std::nullopt;
+        nearest = way.norm();
+    }
+    return nearest;
+}
+
+/// How long the edge of the disc of the given radius is, along the surface from ray to ray; nothing where that cannot be
+/// said.
+std::optional<double> edge_of_disc(const UnfoldedSurface& surface, const SurfacePoint& centre, double radius) {
+    std::vector<Walk> walks;
+    for (int i = 0; i < rays; ++i) walks.push_back(surface.walk(centre, ray(i), radius));
+    const double flat_distance = 2 * radius * std::sin(std::numbers::pi / rays);
+    double length = 0;
+    for (std::size_t i = 0; i < walks.size(); ++i) {
+        const auto distance = apart(surface, walks[i], walks[(i + 1) % walks.size()], flat_distance);
+        if (!distance) return std::nullopt;
+        length += *distance;
+    }
+    return length;
+}
+
 }  // namespace
 
 Bounds measure_bounds(const Tile& tile) {
     Bounds bounds;
-    const double perimeter = edge_lengths(tile.mesh.positions, closed(tile.boundary)).sum();
-    bounds.isoperimetric = perimeter * perimeter / (4 * std::numbers::pi * surface_area(tile.mesh));
+    const double perimeter = target_lengths(tile).sum();
+    double area = 0;
+    for (const Mat22& target : target_triangles(tile)) area += 0.5 * target.determinant();
+    bounds.isoperimetric = perimeter * perimeter / (4 * std::numbers::pi * area);
 
     const UnfoldedSurface surface(tile.mesh);
     const int half_edge = deepest_half_edge(tile, Adjacency(tile.mesh.triangles, tile.mesh.vertex_count()));
@@ -61,16 +96,11 @@ Bounds measure_bounds(const Tile& tile) {
     double radius = perimeter;
     for (int i = 0; i < rays; ++i) radius = std::min(radius, surface.walk(centre, ray(i), radius).walked);
     bounds.radius = 0.999 * radius;
-    double length = 0;
-    Vec3 last = surface.position(surface.walk(centre, ray(rays - 1), bounds.radius).end);
-    for (int i = 0; i < rays; ++i) {
-        const Vec3 here = surface.position(surface.walk(centre, ray(i), bounds.radius).end);
-        length += (here - last).norm();
-        last = here;
-    }
-    // chords are shorter than arcs; counted longer than the arcs of a circle, so that the bound stays one
-    length *= 1 + std::pow(2 * std::numbers::pi / rays, 2) / 16;
-    bounds.stretch_ratio = std::max(1.0, 2 * std::numbers::pi * bounds.radius / length);
+    if (tile.compensation.warp != tile.compensation.weft) return bounds;  // the cloth is to be stretched
+    // the polygon between the rays' ends comes a little nearer to the centre than they do
+    const double reach = bounds.radius * std::cos(std::numbers::pi / rays);
+    if (const auto length = edge_of_disc(surface, centre, bounds.radius))
+        bounds.stretch_ratio = std::max(1.0, 2 * std::numbers::pi * reach / *length);
     return bounds;
 }
 

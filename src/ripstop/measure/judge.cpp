@@ -18,6 +18,7 @@ Vec3 middle_of(const Tile& tile, const Chain& chain) {
 }
 
 constexpr double certified_length = 1e-8;
+constexpr double certified_force = 1e-6;  // in mean stiffness times mean boundary edge
 
 void judge_bounds(const Bounds& bounds, const Tolerances& tolerances, Verdict& verdict) {
     const double least = (1 - tolerances.area) / ((1 + tolerances.length) * (1 + tolerances.length));
@@ -40,12 +41,16 @@ void judge_bounds(const Bounds& bounds, const Tolerances& tolerances, Verdict& v
 void judge_certificate(const Tile& tile, const Flattening& flattening, Verdict& verdict) {
     if (!flattening.certificate || !flattening.summary.usable()) return;
     const Certificate& shown = *flattening.certificate;
-    if (shown.length_residual <= certified_length && shown.strict_minimum) return;
-    verdict.findings.push_back({"uncertified",
-                                shown.strict_minimum
-                                    ? "the edges are not exact to 1e-8 of their length"
-                                    : "the result is not shown to be a strict minimum of the cloth's energy",
-                                centroid(tile.mesh), shown.length_residual, certified_length});
+    const Vec3 centre = centroid(tile.mesh);
+    if (!(shown.length_residual <= certified_length))
+        verdict.findings.push_back({"uncertified", "the edges are not exact to 1e-8 of their length", centre,
+                                    shown.length_residual, certified_length});
+    if (!(shown.force_residual <= certified_force))
+        verdict.findings.push_back({"uncertified", "the forces in the cloth are not in balance", centre,
+                                    shown.force_residual, certified_force});
+    if (!shown.strict_minimum)
+        verdict.findings.push_back(
+            {"uncertified", "the result is not shown to be a strict minimum of the cloth's energy", centre, 0, 1});
 }
 
 void judge_map(const SolveSummary& summary, const Accuracy& accuracy, Verdict& verdict, const Tile& tile) {
@@ -91,16 +96,16 @@ void judge_lengths(const Tile& tile, const Accuracy& accuracy, const Tolerances&
 }
 
 void judge_strain(const Accuracy& accuracy, const Tolerances& tolerances, Verdict& verdict) {
-    const auto strain = [&](const char* code, const char* direction, double low, double high) {
+    const auto strain = [&](const char* code, const char* direction, double low, double high, const Vec3& at) {
         const double worst = -low > high ? low : high;
         if (std::abs(worst) <= tolerances.strain) return;
         verdict.findings.push_back({code,
                                     std::string("the cloth must ") + (worst > 0 ? "stretch by " : "shrink by ") +
                                         percent_text(worst) + " along the " + direction,
-                                    accuracy.worst_strain, worst / percent, tolerances.strain / percent});
+                                    at, worst / percent, tolerances.strain / percent});
     };
-    strain("warp_strain", "warp", accuracy.warp_strain_min, accuracy.warp_strain_max);
-    strain("weft_strain", "weft", accuracy.weft_strain_min, accuracy.weft_strain_max);
+    strain("warp_strain", "warp", accuracy.warp_strain_min, accuracy.warp_strain_max, accuracy.worst_warp);
+    strain("weft_strain", "weft", accuracy.weft_strain_min, accuracy.weft_strain_max, accuracy.worst_weft);
     if (!(accuracy.shear_max <= tolerances.shear))
         verdict.findings.push_back(
             {"shear", "the threads must shear by " + format_fixed(accuracy.shear_max / degree, 2) + " degrees",

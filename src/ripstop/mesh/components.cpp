@@ -30,23 +30,4 @@ std::vector<int> connected_parts(const TriangleMesh& mesh) {
     return part;
 }
 
-Submesh submesh(const TriangleMesh& mesh, const std::vector<int>& triangles) {
-    Submesh result;
-    std::vector<int> renumbered(static_cast<std::size_t>(mesh.vertex_count()), -1);
-    for (const int t : triangles)
-        for (int k = 0; k < 3; ++k) renumbered[static_cast<std::size_t>(mesh.triangles(t, k))] = 0;
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        if (renumbered[static_cast<std::size_t>(v)] < 0) continue;
-        renumbered[static_cast<std::size_t>(v)] = static_cast<int>(result.kept.size());
-        result.kept.push_back(v);
-    }
-    result.mesh.positions = mesh.positions(result.kept, Eigen::all);
-    result.mesh.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-        for (int k = 0; k < 3; ++k)
-            result.mesh.triangles(static_cast<Eigen::Index>(i), k) =
-                renumbered[static_cast<std::size_t>(mesh.triangles(triangles[i], k))];
-    return result;
-}
-
 }  // namespace ripstop

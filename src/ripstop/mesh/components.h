@@ -10,11 +10,4 @@ namespace ripstop {
 /// numbered by their first triangle.
 std::vector<int> connected_parts(const TriangleMesh& mesh);
 
-/// Only the given triangles, with the vertices they use in their old order; `kept` lists the old vertex of each new one.
-struct Submesh {
-    TriangleMesh mesh;
-    std::vector<int> kept;
-};
-Submesh submesh(const TriangleMesh& mesh, const std::vector<int>& triangles);
-
 }  // namespace ripstop

@@ -39,8 +39,9 @@ struct Accuracy {
     int outline_crossings = 0;  ///< places where the flat outline meets itself
 
     /// Where it is worst, on the surface.
-    Vec3 worst_edge = Vec3::Zero();    ///< middle of the worst boundary edge
-    Vec3 worst_strain = Vec3::Zero();  ///< centre of the triangle with the largest |warp| or |weft| strain
+    Vec3 worst_edge = Vec3::Zero();  ///< middle of the worst boundary edge
+    Vec3 worst_warp = Vec3::Zero();  ///< centre of the triangle with the largest |warp strain|
+    Vec3 worst_weft = Vec3::Zero();
     Vec3 worst_shear = Vec3::Zero();
     Vec3 worst_flip = Vec3::Zero();  ///< centre of the first flipped triangle
     Vec3 worst_overlap = Vec3::Zero();

@@ -13,7 +13,7 @@ struct Certificate {
     double force_residual = 0;   ///< largest force out of balance, in mean stiffness times mean boundary edge
     double length_residual = 0;  ///< largest |flat length / wanted length - 1| of a boundary edge
     bool strict_minimum =
-        false;  ///< the energy rises in every direction that keeps the lengths (inertia of the last system)
+        false;  ///< the energy rises in every direction that keeps the lengths (inertia of the last Newton system)
 };
 
 /// Where a tile's vertices lie on the cloth: +x the warp, +y the weft, the outside face up.
