@@ -7,7 +7,9 @@ build: build/.setup
 	cmake --preset $(PRESET) -Wno-dev
 	cmake --build build/release -j $(JOBS)
 
-demo: build
+demo: build/.setup
+	cmake --preset $(PRESET) -Wno-dev
+	cmake --build build/release -j $(JOBS) --target ripstop-program
 	scripts/demo.sh
 
 test: build
