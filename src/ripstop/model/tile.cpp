@@ -161,9 +161,15 @@ std::vector<Mat22> target_triangles(const Tile& tile) {
     return targets;
 }
 
+Eigen::VectorXd drawn_lengths(const Tile& tile) {
+    if (tile.curve_lengths.size() > 0) return tile.curve_lengths;
+    return edge_lengths(tile.mesh.positions, closed(tile.boundary));
+}
+
 Eigen::VectorXd target_lengths(const Tile& tile) {
-    Eigen::VectorXd lengths = edge_lengths(tile.mesh.positions, closed(tile.boundary));
+    Eigen::VectorXd lengths = drawn_lengths(tile);
     if (!tile.compensation.any()) return lengths;
+    const Eigen::VectorXd chords = edge_lengths(tile.mesh.positions, closed(tile.boundary));
     const std::vector<Mat22> targets = target_triangles(tile);
     const Adjacency adjacency(tile.mesh.triangles, tile.mesh.vertex_count());
     Eigen::VectorXd leaving(tile.mesh.vertex_count());  // target length of the boundary edge that leaves a vertex
@@ -181,7 +187,8 @@ Eigen::VectorXd target_lengths(const Tile& tile) {
     for (std::size_t c = 0; c < tile.chains.size(); ++c)
         for (int i = 0; i < tile.chains[c].edge_count(); ++i) {
             const int v = tile.chains[c].vertices[static_cast<std::size_t>(i)];
-            lengths[place[static_cast<std::size_t>(v)]] = leaving[v] * (1 + extra[c]);
+            const Eigen::Index at = place[static_cast<std::size_t>(v)];
+            lengths[at] *= leaving[v] / chords[at] * (1 + extra[c]);
         }
     return lengths;
 }

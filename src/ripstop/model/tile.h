@@ -42,6 +42,7 @@ struct Tile {
     Grain grain;
     std::optional<Points2> drawn;  ///< #V x 2: flat positions that came with the input [m]
     Compensation compensation;
+    Eigen::VectorXd curve_lengths;  ///< of each boundary edge on the curve its seam follows [m]; empty: the edge's own
 };
 
 struct TileOptions {
@@ -73,7 +74,10 @@ Eigen::Matrix2Xd warp_in_triangles(const Tile& tile);
 /// compensation. Without one it is the surface's own triangle.
 std::vector<Mat22> target_triangles(const Tile& tile);
 
-/// How long each boundary edge is to be on the cloth [m], boundary[i] to boundary[i + 1]: drawn length and compensation.
+/// How long each boundary edge is drawn [m], boundary[i] to boundary[i + 1]: on its seam's curve where that is known.
+Eigen::VectorXd drawn_lengths(const Tile& tile);
+
+/// How long each boundary edge is to be on the cloth [m]: drawn length and compensation.
 Eigen::VectorXd target_lengths(const Tile& tile);
 
 /// Lengths of the edges of a chain or loop [m], on the surface and on the cloth.
