@@ -185,6 +185,7 @@ FoundSeams find_seams(const std::vector<Tile>& tiles, const SeamOptions& options
         found.seams.back().id = seam_id(places.size(), sewn.size());
         places.push_back({run.a, run.b, ends_of(chains, run, tolerance)});
     }
+    found.loose = loose_runs_of(tiles, chains, places, tolerance);
     found.curve_lengths = curve_lengths_of(tiles, chains, found.seams, places, tolerance);
 
     for (const Run& run : runs_where(chains, touches, tolerance, [&](const Touch& t) {

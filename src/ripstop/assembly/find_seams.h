@@ -12,10 +12,17 @@ struct SeamOptions {
     double tolerance = 0.5 * millimetre;  ///< edges to be sewn together lie within this [m], > 0
 };
 
+/// A run of a tile's boundary that is sewn to nothing, as long as a tile's loose edges go on over its corners.
+struct LooseRun {
+    int tile = 0;
+    double start = 0, end = 0;  ///< on the boundary: edge k from k to k + 1; past the last one it begins again
+};
+
 /// What lies beside what.
 struct FoundSeams {
     std::vector<Seam> seams;  ///< `S0001`, … in the order of tile a and the place along its boundary
     std::vector<Eigen::VectorXd> curve_lengths;  ///< of each tile, as `Tile::curve_lengths`
+    std::vector<LooseRun> loose;                 ///< longer than a tolerance, in the order of the tiles
     std::vector<NearMiss> near_misses;           ///< loose edges beside each other, beyond the tolerance
     std::vector<NearMiss> same_way;  ///< loose edges on edges that run the same way: one tile is turned over
 };
@@ -37,7 +44,7 @@ struct FoundSeams {
 /// one edge, whose turn nobody sees, the turn of the surface's normal stands for phi.
 ///
 /// A `NearMiss` is what stays loose and runs along another loose edge at less than 20 tolerances or 5 % of the shorter
-/// chain, over at least a quarter of that chain: reported, never sewn.
+/// chain (`Reach`), over at least a quarter of that chain: reported, never sewn.
 ///
 /// Throws InputError for a tolerance that is not positive and finite. About linear in the number of boundary edges: some
 /// seconds for 5,000 tiles.

@@ -204,4 +204,48 @@ std::vector<Eigen::VectorXd> curve_lengths_of(const std::vector<Tile>& tiles, co
     return lengths;
 }
 
+std::vector<LooseRun> loose_runs_of(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
+                                    const std::vector<RunOnSeam>& runs, double tolerance) {
+    std::vector<std::vector<std::pair<double, double>>> covered(tiles.size());
+    const auto add = [&](int c, double start, double end) {
+        const PlacedChain& chain = chain_of(chains, c);
+        const double size = chain.boundary_edges;
+        double from = chain.first_edge + start, to = chain.first_edge + end;
+        const double laps = std::floor(from / size);
+        from -= laps * size;
+        to -= laps * size;
+        auto& mine = covered[static_cast<std::size_t>(chain.tile)];
+        mine.push_back({from, std::min(to, size)});
+        if (to > size) mine.push_back({0, to - size});
+    };
+    for (const RunOnSeam& run : runs) {
+        add(run.a, run.ends.start_a, run.ends.end_a);
+        add(run.b, run.ends.start_b, run.ends.end_b);
+    }
+    std::vector<LooseRun> loose;
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        const double size = static_cast<double>(tiles[t].boundary.size());
+        auto& mine = covered[t];
+        if (mine.empty()) {
+            loose.push_back({static_cast<int>(t), 0, size});
+            continue;
+        }
+        std::sort(mine.begin(), mine.end());
+        const Eigen::VectorXd chords = edge_lengths(tiles[t].mesh.positions, closed(tiles[t].boundary));
+        const auto length_to = [&](double at) {
+            const double whole = std::floor(at / size);
+            at -= whole * size;
+            const Eigen::Index edge = std::min(chords.size() - 1, static_cast<Eigen::Index>(at));
+            return whole * chords.sum() + chords.head(edge).sum() + (at - static_cast<double>(edge)) * chords[edge];
+        };
+        double reached = mine.front().second;
+        for (std::size_t k = 1; k <= mine.size(); ++k) {
+            const double next = k < mine.size() ? mine[k].first : mine.front().first + size;
+            if (length_to(next) - length_to(reached) > tolerance) loose.push_back({static_cast<int>(t), reached, next});
+            if (k < mine.size()) reached = std::max(reached, mine[k].second);
+        }
+    }
+    return loose;
+}
+
 }  // namespace ripstop

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "ripstop/assembly/find_seams.h"
 #include "ripstop/assembly/seam_runs.h"
 
 namespace ripstop {
@@ -21,6 +22,10 @@ struct RunOnSeam {
     int a, b;
     RunEnds ends;
 };
+
+/// What no seam covers of each tile's boundary.
+std::vector<LooseRun> loose_runs_of(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
+                                    const std::vector<RunOnSeam>& runs, double tolerance);
 
 /// `Tile::curve_lengths` of every tile: the parts on seams and the chord's share of what is on none. Empty where each edge
 /// has the length of its chord.

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double opposed = 0.3;         // cosine: chains nearer to square than this run neither way
 constexpr double fold = -0.5;           // cosine: an edge that turns back further than this folds
-constexpr double sagitta_share = 0.25;  // of an edge's sagitta, by how much a curve of enough vertices may be off
-constexpr double unseen_share = 1.25;   // the same for a chain of one edge, which shows no sagitta itself
+constexpr double sagitta_share = 0.25;  // of sagitta times turn, by how much a curve of enough vertices may be off
+constexpr double unseen_share = 1.25;   // of the sagitta, for a chain of one edge, which shows none itself
 
 struct EdgeRef {
     int chain, edge;
@@ -27,21 +27,24 @@ struct CellHash {
     }
 };
 
-/// Which edges come near a place: each is listed in every cell that its box, widened by its reach, meets.
+double sagitta(const ChainCurve& curve, int edge) {
+    return chord_of_edge(curve, edge) * turn_of_edge(curve, edge) / 8;
+}
+
+/// The most that the curve of an edge may be off.
+double most_slack(const ChainCurve& curve, int edge, const Reach& reach) {
+    const double unseen = curve.edge_count() == 1 ? 0.1 * chord_of_edge(curve, edge) : 0.0;
+    return std::min(reach.most, unseen + sagitta_share * turn_of_edge(curve, edge) * sagitta(curve, edge));
+}
+
+/// Which edges come near a place: each is listed in every cell that it passes, widened by its reach.
 class EdgeGrid {
   public:
-    EdgeGrid(const std::vector<PlacedChain>& chains, double tolerance) : size_(cell_size(chains, tolerance)) {
+    EdgeGrid(const std::vector<PlacedChain>& chains, const Reach& reach) : size_(cell_size(chains, reach)) {
         for (int c = 0; c < static_cast<int>(chains.size()); ++c) {
             const ChainCurve& curve = chains[static_cast<std::size_t>(c)].curve;
-            const double around = reach(tolerance, curve, curve);
-            for (int e = 0; e < curve.edge_count(); ++e) {
-                const Eigen::Array3d wide = Eigen::Array3d::Constant(around + 0.15 * chord_of_edge(curve, e));
-                const Eigen::Array3d p = curve.points.row(e).transpose(), q = curve.points.row(e + 1).transpose();
-                const Cell low = cell(p.min(q) - wide), high = cell(p.max(q) + wide);
-                for (long x = low[0]; x <= high[0]; ++x)
-                    for (long y = low[1]; y <= high[1]; ++y)
-                        for (long z = low[2]; z <= high[2]; ++z) cells_[{x, y, z}].push_back({c, e});
-            }
+            for (int e = 0; e < curve.edge_count(); ++e)
+                add(curve, {c, e}, reach(curve, curve) + most_slack(curve, e, reach));
         }
     }
     const std::vector<EdgeRef>& near(const Vec3& point) const {
@@ -51,15 +54,35 @@ class EdgeGrid {
     }
 
   private:
-    /// The mean edge and its reach: few edges a cell, few cells an edge.
-    static double cell_size(const std::vector<PlacedChain>& chains, double tolerance) {
-        double sum = 0, count = 0;
-        for (const PlacedChain& chain : chains) {
-            const double around = reach(tolerance, chain.curve, chain.curve);
-            sum += chain.curve.length() + chain.curve.edge_count() * 2 * around;
-            count += chain.curve.edge_count();
+    /// Piece by piece, as the box of a long slanting edge holds far more cells than the edge passes.
+    void add(const ChainCurve& curve, const EdgeRef& edge, double around) {
+        const double longest = chord_of_edge(curve, edge.edge) / size_;
+        const int pieces = std::max(1, static_cast<int>(std::min(1e4, longest)));
+        const double bend = 1.5 * sagitta(curve, edge.edge) / pieces / pieces;
+        const Eigen::Array3d wide = Eigen::Array3d::Constant(around + bend);
+        for (int k = 0; k < pieces; ++k) {
+            const Eigen::Array3d p = point_at(curve, edge.edge + double(k) / pieces).array();
+            const Eigen::Array3d q = point_at(curve, edge.edge + std::min(double(k + 1) / pieces, 1 - 1e-12)).array();
+            const Cell low = cell(p.min(q) - wide), high = cell(p.max(q) + wide);
+            for (long x = low[0]; x <= high[0]; ++x)
+                for (long y = low[1]; y <= high[1]; ++y)
+                    for (long z = low[2]; z <= high[2]; ++z) {
+                        std::vector<EdgeRef>& there = cells_[{x, y, z}];
+                        const bool listed =
+                            !there.empty() && there.back().chain == edge.chain && there.back().edge == edge.edge;
+                        if (!listed) there.push_back(edge);
+                    }
         }
-        return count > 0 ? sum / count : 1;
+    }
+    /// The mean edge and its reach: few edges a cell, few cells an edge. One huge tile counts no more than another.
+    static double cell_size(const std::vector<PlacedChain>& chains, const Reach& reach) {
+        std::vector<double> sizes;
+        for (const PlacedChain& chain : chains)
+            sizes.push_back(chain.curve.length() / chain.curve.edge_count() + 2 * reach(chain.curve, chain.curve));
+        if (sizes.empty()) return 1;
+        const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+        std::nth_element(sizes.begin(), middle, sizes.end());
+        return *middle;
     }
     Cell cell(const Eigen::Array3d& point) const {
         Cell result;
@@ -83,11 +106,11 @@ double curvature_at(const ChainCurve& curve, int vertex) {
 }
 
 /// What the curve of an edge may be off at place t of it, as judged from itself and from the curvature of its neighbour.
-double slack_on_edge(const ChainCurve& curve, int edge, double t, double other_curvature) {
+double slack_on_edge(const ChainCurve& curve, int edge, double t, double other_curvature, const Reach& reach) {
     const double chord = chord_of_edge(curve, edge);
-    double slack = sagitta_share * chord * turn_of_edge(curve, edge) / 8;
+    double slack = sagitta_share * turn_of_edge(curve, edge) * sagitta(curve, edge);
     if (curve.edge_count() == 1) slack += unseen_share * other_curvature * chord * chord / 8;
-    return std::min(slack, 0.1 * chord) * 4 * t * (1 - t);
+    return std::min(slack, most_slack(curve, edge, reach)) * 4 * t * (1 - t);
 }
 
 bool is_next_to(const ChainCurve& curve, int vertex, int edge) {
@@ -105,7 +128,7 @@ bool is_past_end(const ChainCurve& curve, const FootPoint& foot, const Vec3& poi
 class TouchFinder {
   public:
     TouchFinder(const std::vector<PlacedChain>& chains, double tolerance)
-        : chains_(chains), tolerance_(tolerance), grid_(chains, tolerance) {}
+        : chains_(chains), tolerance_(tolerance), reach_(make_reach(chains, tolerance)), grid_(chains, reach_) {}
 
     /// All touches of the vertices of one chain.
     std::vector<Touch> of_chain(int c) const {
@@ -132,11 +155,12 @@ class TouchFinder {
         for (const EdgeRef& at : grid_.near(point)) {
             if (at.chain == c && is_next_to(own, v, at.edge)) continue;
             const ChainCurve& other = chains_[static_cast<std::size_t>(at.chain)].curve;
-            const double range = reach(tolerance_, own, other) + 0.15 * chord_of_edge(other, at.edge);
+            const double range =
+                reach_(own, other) + most_slack(other, at.edge, reach_) + 1.5 * sagitta(other, at.edge);
             if (distance_to_chord(other, at.edge, point) > range) continue;
             const FootPoint foot = foot_on_edge(other, at.edge, point);
-            const double slack = slack_on_edge(other, at.edge, foot.at - at.edge, curvature);
-            if (foot.distance > std::max(reach(tolerance_, own, other), tolerance_ + slack)) continue;
+            const double slack = slack_on_edge(other, at.edge, foot.at - at.edge, curvature, reach_);
+            if (foot.distance > std::max(reach_(own, other), tolerance_ + slack)) continue;
             if (is_past_end(other, foot, point, tolerance_)) continue;
             const Vec3 there = direction_at(other, foot.at);
             for (const bool same_way : {false, true}) {
@@ -185,13 +209,23 @@ class TouchFinder {
 
     const std::vector<PlacedChain>& chains_;
     double tolerance_;
+    Reach reach_;
     EdgeGrid grid_;
 };
 
 }  // namespace
 
-double reach(double tolerance, const ChainCurve& a, const ChainCurve& b) {
-    return std::max(20 * tolerance, 0.05 * std::min(a.length(), b.length()));
+double Reach::operator()(const ChainCurve& a, const ChainCurve& b) const {
+    return std::max(least, std::min(0.05 * std::min(a.length(), b.length()), most));
+}
+
+Reach make_reach(const std::vector<PlacedChain>& chains, double tolerance) {
+    std::vector<double> lengths;
+    for (const PlacedChain& chain : chains) lengths.push_back(chain.curve.length());
+    if (lengths.empty()) return {20 * tolerance, 0};
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return {20 * tolerance, *middle / 5};
 }
 
 std::vector<Touch> find_touches(const std::vector<PlacedChain>& chains, double tolerance) {
