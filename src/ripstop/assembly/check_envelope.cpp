@@ -200,9 +200,7 @@ EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& option
         check.issues.push_back(tolerance_issue(found, options));
         return check;
     }
-    std::vector<EnvelopeIssue> moved = move_back(tiles, options);
-    if (!moved.empty()) found = find_seams(tiles, options);
-    add(check.issues, std::move(moved));
+    add(check.issues, move_back(tiles, found, options));
     add(check.issues, name_gaps(tiles, found, options.tolerance));
     add(check.issues, name_holes(tiles, found, options.tolerance));
     add(check.issues, name_strays(tiles, found));

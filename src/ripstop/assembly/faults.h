@@ -17,8 +17,8 @@ std::vector<EnvelopeIssue> remove_doubled(std::vector<Tile>& tiles, double toler
 std::vector<EnvelopeIssue> turn_back(std::vector<Tile>& tiles, const FoundSeams& found);
 
 /// Tiles that fit their neighbours or a hole when they are moved, turned or scaled: they are. The one that misses most
-/// neighbours goes first.
-std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, const SeamOptions& options);
+/// neighbours goes first. `found` are their seams, before and after.
+std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found, const SeamOptions& options);
 
 /// What is left then: gaps, holes, and groups of tiles that are sewn to nothing else.
 std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance);

@@ -190,10 +190,9 @@ EnvelopeIssue moved_issue(const Tile& tile, const Similarity& move, const std::v
 
 }  // namespace
 
-std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, const SeamOptions& options) {
+std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found, const SeamOptions& options) {
     std::vector<EnvelopeIssue> issues;
     for (int pass = 0; pass < most_passes; ++pass) {
-        const FoundSeams found = find_seams(tiles, options);
         const std::vector<PlacedChain> chains = place_chains(tiles);
         const Picture picture{tiles, found, chains, options.tolerance};
         const std::vector<Hole> holes = find_holes(picture);
@@ -223,6 +222,7 @@ std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, const SeamOptions
             Points3& positions = tiles[static_cast<std::size_t>(t)].mesh.positions;
             for (Eigen::Index v = 0; v < positions.rows(); ++v) positions.row(v) = move(positions.row(v).transpose());
         }
+        found = find_seams(tiles, options);
     }
     return issues;
 }

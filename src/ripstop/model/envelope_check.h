@@ -9,13 +9,12 @@ namespace ripstop {
 
 /// One thing that is wrong with an envelope as it was given, named at the tile that is wrong.
 struct EnvelopeIssue {
-    std::string
-        code;  ///< stable, for machines: `unit`, `doubled`, `turned_over`, `scaled`, `shifted`, `misfit`, `gap`,
-               ///< `missing_tile`, `apart`, `unsewn`
-    std::string message;             ///< one sentence for the designer, with what to do
+    std::string code;     ///< stable, for machines: `unit`, `doubled`, `turned_over`, `scaled`, `shifted`, `gap`,
+                          ///< `missing_tile`, `apart`, `unsewn`
+    std::string message;  ///< one sentence for the designer, with what to do
     std::vector<std::string> tiles;  ///< by name
     Vec3 at = Vec3::Zero();          ///< where [m]
-    double value = 0;                ///< how far [m] for `shifted`, `misfit` and `gap`, the ratio for `scaled`; else 0
+    double value = 0;                ///< how far [m] for `shifted` and `gap`, the ratio for `scaled`; else 0
 };
 
 /// A closed run of loose edges: a mouth, a crown, the outline of a sheet, a hole.

@@ -125,7 +125,7 @@ std::string check_json(const EnvelopeCheck& check, const std::string& file, cons
         json["issues"].push_back(std::move(entry));
     }
     json["notes"] = check.notes;
-    return json.dump(2) + "\n";
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace ripstop
