@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <numeric>
 
@@ -219,6 +220,42 @@ TEST(UncertaintyOfASeam, CoversTheTrueErrorOnArcs) {
             const double turn = degrees * degree / std::min(inside, outside);
             EXPECT_LE(seam.uncertainty, 2 * truth * turn * turn / 24 + 1e-13);
         }
+}
+
+/// Two strips along a curve (t from 0 to 1), one on either side of it.
+std::vector<NamedMesh> strips_on_curve(const std::function<Vec3(double)>& curve, int upper, int lower) {
+    const auto strip = [&](int edges, double top, double bottom) {
+        return testing::grid(edges, 3, [&, top, bottom](double u, double v) {
+            return Vec3(curve(u) + Vec3(0, 0, top + (bottom - top) * v));
+        });
+    };
+    NamedMesh above{"above", strip(upper, 0.5, 0), {}}, below{"below", strip(lower, 0, -0.5), {}};
+    return {above, below};
+}
+
+TEST(CommonCurve, ConvergesToFourthOrderAndItsUncertaintyCoversTheError) {
+    const std::function<Vec3(double)> ellipse = [](double t) {
+        return Vec3(4 * std::cos(t * pi / 2), 1.5 * std::sin(t * pi / 2), 0);
+    };
+    const std::function<Vec3(double)> wave = [](double t) {
+        return Vec3(3 * t, 0.3 * std::sin(6 * t), 0.2 * std::cos(4 * t));
+    };
+    for (const auto& curve : {ellipse, wave}) {
+        double truth = 0;  // a polyline so fine that it is short by 1e-11 of itself
+        for (int i = 0; i < 200000; ++i) truth += (curve((i + 1) / 2e5) - curve(i / 2e5)).norm();
+        for (const int edges : {12, 24, 48}) {
+            const std::vector<NamedMesh> strips = strips_on_curve(curve, edges, edges * 3 / 2 - 1);
+            const FoundSeams found = find_seams(testing::tiles_of(strips).tiles, {0.002});
+            ASSERT_EQ(found.seams.size(), 1u) << edges;
+            const double error = std::abs(found.seams[0].length - truth);
+            EXPECT_LE(error, found.seams[0].uncertainty) << edges;
+            EXPECT_LT(error, 1e-5 * std::pow(12.0 / edges, 3.5) * truth) << edges;
+
+            const Envelope same = testing::tiles_of(strips_on_curve(curve, edges, edges));
+            const Seam conforming = find_seams(same.tiles, {0.002}).seams.at(0);
+            EXPECT_LE(std::abs(conforming.length - truth), conforming.uncertainty) << edges << " conforming";
+        }
+    }
 }
 
 TEST(Seams, DoNotDependOnTheOrderOrThePoseOfTheTiles) {

@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double sharp_turn = 60 * degree;
+constexpr double sharp_turn = 45 * degree;
 
 double angle_between(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));

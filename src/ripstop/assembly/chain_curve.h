@@ -5,7 +5,7 @@
 namespace ripstop {
 
 /// The smooth curve through the vertices of a chain: a cubic an edge, with tangents of the circle through three vertices
-/// in a row, and at the chain's ends, and where it turns by more than 60 degrees in space, of the circle of the last three.
+/// in a row, and at the chain's ends, and where it turns by more than 45 degrees in space, of the circle of the last three.
 ///
 ///     T_i ~ b u_a + a u_b        a, b the lengths of the edges before and after, u their directions
 ///     c'(0) = m T_i,  c'(1) = m T_(i+1),  m = chord / cos^2(phi / 4),  phi the angle from T_i to T_(i+1)

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -13,7 +14,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double tallest = 100, smallest = 0.5;       // [m] beyond these the unit is in doubt
+constexpr double tallest = 100, smallest = 0.1;       // [m] beyond these the unit is in doubt
+constexpr double length_tolerance = 0.001;            // of the paper: 1 mm on a metre
 constexpr double balloon_low = 5, balloon_high = 60;  // [m]
 constexpr std::size_t most_misses = 8;  // with more of them than seams the tolerance is wrong, not the tiles
 
@@ -39,19 +41,63 @@ double rounded(double length) {
     return std::round(length * digits) / digits;
 }
 
-void check_size(double metres_per_unit, EnvelopeCheck& check) {
-    const double height = check.size.maxCoeff();
-    if (height <= tallest && height >= smallest) return;
-    const std::string unit = fitting_unit(height, metres_per_unit);
-    const double there = unit.empty() ? 0 : height / metres_per_unit * ripstop::metres_per_unit(unit);
-    const std::string text = "the envelope is " + format_shortest(rounded(height)) +
-                             " m tall, a hot-air balloon is 5 to 60 m" +
-                             (unit.empty() ? std::string("; check the unit")
-                                           : "; with --unit " + unit + " it would be " + format_fixed(there, 2) + " m");
-    if (height > tallest)
-        check.issues.push_back({"unit", text, {}, Vec3::Zero(), height});
-    else
-        check.notes.push_back(text);
+/// The largest extent of the tiles' middles, but for the outermost fiftieth at either end, and of a tile: one tile gone
+/// astray is no reason to doubt the unit.
+double robust_extent(const std::vector<Tile>& tiles) {
+    const std::size_t count = tiles.size(), cut = count / 50;
+    std::vector<double> diagonals;
+    std::array<std::vector<double>, 3> middles;
+    for (const Tile& tile : tiles) {
+        diagonals.push_back(bounding_diagonal(tile.mesh));
+        const Vec3 middle = centroid(tile.mesh);
+        for (std::size_t axis = 0; axis < 3; ++axis) middles[axis].push_back(middle[static_cast<int>(axis)]);
+    }
+    std::sort(diagonals.begin(), diagonals.end());
+    double extent = 0;
+    for (std::vector<double>& along : middles) {
+        std::sort(along.begin(), along.end());
+        extent = std::max(extent, along[count - 1 - cut] - along[cut]);
+    }
+    return extent + diagonals[count / 2] / 2;
+}
+
+/// Is the envelope so large or small that another unit is meant? Then tolerances mean nothing.
+bool names_unit(const std::vector<Tile>& tiles, double metres_per_unit, EnvelopeCheck& check) {
+    if (tiles.empty()) return false;
+    const double extent = robust_extent(tiles);
+    if (extent <= tallest && extent >= smallest) return false;
+    const std::string unit = fitting_unit(extent, metres_per_unit);
+    if (unit.empty()) return false;
+    const double size = check.size.maxCoeff();
+    check.issues.push_back({"unit",
+                            "the envelope measures " + format_shortest(rounded(size)) +
+                                " m, a hot-air balloon is 5 to 60 m tall; with --unit " + unit + " it would measure " +
+                                format_fixed(size / metres_per_unit * ripstop::metres_per_unit(unit), 2) + " m",
+                            {},
+                            Vec3::Zero(),
+                            size});
+    return true;
+}
+
+/// What is worth a look though nothing need be wrong.
+void add_notes(EnvelopeCheck& check) {
+    const auto worst =
+        std::max_element(check.sampling.begin(), check.sampling.end(),
+                         [](const SeamSampling& p, const SeamSampling& q) { return p.chord_error < q.chord_error; });
+    if (worst != check.sampling.end() && worst->chord_error > length_tolerance)
+        check.notes.push_back("edges turn by up to " + format_fixed(worst->turn / degree, 1) + " degrees (seam " +
+                              worst->id + "), so that the mesh is short by " +
+                              format_fixed(worst->chord_error / millimetre, 2) +
+                              " mm/m there, more than a seam may err; lengths are taken on smooth curves where "
+                              "neighbours are meshed apart, a finer mesh makes them certain");
+    if (check.odd_corners > 0)
+        check.notes.push_back(
+            "odd corners lie in the middle of one neighbour's edge, where nothing else meets; give "
+            "the corners in the project file if they are none");
+    if (check.loose_ends > 0)
+        check.notes.push_back(
+            "loose ends are where open edges touch others but go on along none; look for edges that "
+            "do not fit");
 }
 
 /// Lengths of the parts decide: how many edges a metre of seam has on its coarser side.
@@ -187,7 +233,8 @@ EnvelopeIssue tolerance_issue(const FoundSeams& found, const SeamOptions& option
 EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& options, double metres_per_unit) {
     const FoundSeams as_given = find_seams(envelope.tiles, options);
     EnvelopeCheck check = figures(envelope, as_given, options);
-    check_size(metres_per_unit, check);
+    add_notes(check);
+    if (names_unit(envelope.tiles, metres_per_unit, check)) return check;
 
     std::vector<Tile> tiles = envelope.tiles;
     add(check.issues, remove_doubled(tiles, options.tolerance));

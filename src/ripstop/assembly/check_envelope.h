@@ -12,8 +12,8 @@ namespace ripstop {
 /// what follows from it (missed neighbours, a hole) is not named again. What is then left are gaps, missing tiles and
 /// tiles sewn to nothing. Where most edges miss their mates by more than the tolerance one issue says so.
 ///
-/// A hot-air balloon is 5 to 60 m tall: beyond 100 m or below 0.5 m a unit of the file that would fit is named; above
-/// 100 m that is an issue, below a note. `metres_per_unit` is that with which it was read. Some searches (`find_seams`): a
+/// A hot-air balloon is 5 to 60 m tall: beyond 100 m or below 0.1 m, where another unit would make it one, that unit is named
+/// and nothing else, since no tolerance in millimetres means anything then. `metres_per_unit` is that with which it was read. Some searches (`find_seams`): a
 /// few seconds for 5,000 tiles.
 EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& options = {}, double metres_per_unit = 1);
 

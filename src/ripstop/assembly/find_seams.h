@@ -38,10 +38,11 @@ struct FoundSeams {
 /// length) it is the polyline, and the edges keep their own lengths; else the smooth curve of the side with more edges,
 /// onto which the other side's vertices are projected. `uncertainty` adds up what is unknown:
 ///
-///     |L_a - L_b| + sum over the edges of (arc - chord) phi^2 / 10      L the smooth lengths, phi the turn of an edge
+///     |L_a - L_b| + sum over the edges of s phi^2 / 2,  s = chord phi^2 / 24
 ///
-/// and, where the curve is the polyline, the (arc - chord) that it is short by (phi^2 / 24 of the length); for a chain of
-/// one edge, whose turn nobody sees, the turn of the surface's normal stands for phi.
+/// with L the smooth lengths and phi the largest turn of an edge and its two neighbours; where the curve is the polyline,
+/// the sum of s (by which it is short) in place of |L_a - L_b|. For a chain of one edge, whose turn nobody sees, the turn of
+/// the surface's normal stands for phi, and the error may be as large as s.
 ///
 /// A `NearMiss` is what stays loose and runs along another loose edge at less than 20 tolerances or 5 % of the shorter
 /// chain (`Reach`), over at least a quarter of that chain: reported, never sewn.

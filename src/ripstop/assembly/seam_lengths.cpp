@@ -52,7 +52,15 @@ int boundary_edge(const PlacedChain& chain, double at) {
     return (chain.first_edge + local_edge(chain.curve, at)) % chain.boundary_edges;
 }
 
-/// Sum over the edges of a run of what the vertices leave open, and of what the polyline is short by.
+/// The largest turn of an edge and its neighbours: where the curvature changes, an edge alone tells too little.
+double turn_about(const ChainCurve& curve, int edge) {
+    if (curve.unseen_turn > 0) return curve.unseen_turn;
+    const int last = curve.edge_count() - 1;
+    return std::max({turn_of_edge(curve, std::max(edge - 1, 0)), turn_of_edge(curve, edge),
+                     turn_of_edge(curve, std::min(edge + 1, last))});
+}
+
+/// Sums over the edges of a run of what the vertices leave open, and of what the polyline is short by.
 struct Openness {
     double estimate = 0, sagging = 0, polyline = 0;
     int edges = 0;
@@ -62,13 +70,11 @@ Openness openness(const ChainCurve& curve, double low, double high) {
     const std::vector<double> breaks = breaks_between(low, high);
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
         const int edge = local_edge(curve, breaks[k]);
-        const double share = breaks[k + 1] - breaks[k], chord = chord_of_edge(curve, edge);
-        const double turn = curve.unseen_turn > 0 ? curve.unseen_turn : turn_of_edge(curve, edge);
-        const double arc = curve.stations[edge + 1] - curve.stations[edge];
-        const double short_by = curve.unseen_turn > 0 ? chord * turn * turn / 24 : arc - chord;
-        sum.sagging += share * std::max(0.0, short_by);
-        sum.estimate += share * std::max(0.0, short_by) * (curve.unseen_turn > 0 ? 1 : turn * turn / 10);
-        sum.polyline += share * chord;
+        const double part = (breaks[k + 1] - breaks[k]) * chord_of_edge(curve, edge);
+        const double turn = turn_about(curve, edge), short_by = part * turn * turn / 24;
+        sum.sagging += short_by;
+        sum.estimate += short_by * (curve.unseen_turn > 0 ? 1.0 : std::min(1.0, turn * turn / 2));
+        sum.polyline += part;
         ++sum.edges;
     }
     return sum;
