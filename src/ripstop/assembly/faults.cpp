@@ -164,11 +164,12 @@ std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const Foun
         if (inside)
             issue.message = "a tile is missing at " + place_text(loop.centre) + ": the loose edges of " +
                             names_text(around) + " go round a hole of " + std::to_string(loop.corners) +
-                            " corners and " + length_text(loop.length) + " of edge; add the tile";
+                            " corners and " + length_text(loop.length) +
+                            " of edge; add the tile, unless the opening is meant";
         else
             issue.message = "a tile may be missing at the open edge round " + place_text(loop.centre) + ": it has " +
                             std::to_string(loop.corners) + " corners, where a mouth or crown has none; it runs along " +
-                            names_text(around) + "; add the tile";
+                            names_text(around) + "; add the tile, unless the opening is meant";
         issues.push_back(std::move(issue));
     }
     return issues;

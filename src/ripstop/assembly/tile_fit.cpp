@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace {
 
-/// Least squares over pairs of points (Umeyama 1991).
+/// Least squares over pairs of points [U91].
 Similarity best_similarity(const Points3& from, const Points3& to, bool with_scale) {
     const Vec3 centre_from = from.colwise().mean(), centre_to = to.colwise().mean();
     const Points3 a = from.rowwise() - centre_from.transpose(), b = to.rowwise() - centre_to.transpose();

@@ -27,8 +27,7 @@ struct TargetEdge {
     int edge;
 };
 
-/// The similarity that lays points onto edges, by the nearest points in turn (Besl, McKay 1992, with scale after Umeyama
-/// 1991), from `start`. `with_scale` false: a motion alone. O(#points x #edges) a step, at most 60 steps.
+/// The similarity that lays points onto edges, by the nearest points in turn [BM92], with scale after [U91], from `start`. `with_scale` false: a motion alone. O(#points x #edges) a step, at most 60 steps.
 TileFit fit_to_edges(const Points3& points, const std::vector<TargetEdge>& edges, const Similarity& start,
                      bool with_scale);
 
