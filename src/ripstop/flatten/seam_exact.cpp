@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/flatten/arap.h"
+#include "ripstop/flatten/boundary_first.h"
 #include "ripstop/flatten/grain.h"
 #include "ripstop/flatten/lscm.h"
 #include "ripstop/flatten/seam_newton.h"
@@ -20,14 +22,25 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
+constexpr int direct_iterations = 20;  ///< from the boundary's own lengths; what needs more is better led there
+
+bool without_flips(const Tile& tile, const Flattening& flat) {
+    return flat.summary.usable() && count_flipped(tile.mesh.triangles, flat.positions) == 0;
+}
+
 Points2 starting_positions(const Tile& tile, SeamStart start) {
     if (start != SeamStart::tutte) {
         Flattening flat = flatten_lscm(tile);
-        if (start == SeamStart::arap && flat.summary.usable())
+        if (start != SeamStart::lscm && flat.summary.usable())
             flat = flatten_arap(tile, flat.positions, {.max_iterations = 4, .tolerance = 1e-3});
-        if (flat.summary.usable() && count_flipped(tile.mesh.triangles, flat.positions) == 0) return flat.positions;
+        if (without_flips(tile, flat)) return flat.positions;
     }
     return flatten_tutte(tile).positions;
+}
+
+void count_also(const SolveSummary& earlier, SolveSummary& summary) {
+    summary.iterations += earlier.iterations;
+    summary.factorizations += earlier.factorizations;
 }
 
 Vector as_vector(const Points2& positions) {
@@ -94,37 +107,56 @@ std::string price_of_area(const Tile& tile, const Fabric& fabric, SeamExactOptio
            format_fixed(largest_thread_strain(tile, positions) / percent, 3) + " %";
 }
 
+/// From a start whose edges are nearly right straight to the end; empty where that turns triangles over.
+std::optional<SeamSolution> from_boundary(const Tile& tile, SeamNewton& newton) {
+    const Flattening flat = flatten_boundary_first(tile);
+    if (!without_flips(tile, flat)) return std::nullopt;
+    return newton.minimize(as_vector(flat.positions), {.max_iterations = direct_iterations});
+}
+
+/// From the cloth at rest without its edges held.
+SeamSolution from_rest(const Tile& tile, SeamProblem& problem, SeamNewton& newton, const SeamExactOptions& options) {
+    const Vector true_lengths = problem.lengths();
+    const SeamNewtonOptions free{
+        .hold_edges = false, .max_iterations = options.max_iterations, .force_tolerance = 1e-3};
+    const SeamSolution loose = newton.minimize(as_vector(starting_positions(tile, options.start)), free);
+    const SeamNewtonOptions held{.max_iterations = options.max_iterations};
+    SeamSolution exact = newton.minimize(loose.u, held);
+    count_also(loose.summary, exact.summary);
+    if (exact.summary.termination == Termination::converged) return exact;
+    const double outline = true_lengths.sum();
+    if (options.keep_area && outline * outline < 4 * std::numbers::pi * problem.size() * problem.size()) {
+        exact.summary.reason = "no outline of this length encloses the whole area";
+        return exact;
+    }
+    SeamSolution led = lead_lengths(problem, newton, held, loose.u, lengths_at(tile, loose.u), true_lengths);
+    count_also(exact.summary, led.summary);
+    return led;
+}
+
+SeamSolution solve(const Tile& tile, SeamProblem& problem, SeamNewton& newton, const SeamExactOptions& options) {
+    SolveSummary spent;
+    if (options.start == SeamStart::boundary_first) {
+        std::optional<SeamSolution> exact = from_boundary(tile, newton);
+        if (exact && exact->summary.termination == Termination::converged && exact->strict_minimum) return *exact;
+        if (exact) spent = exact->summary;
+    }
+    SeamSolution exact = from_rest(tile, problem, newton, options);
+    count_also(spent, exact.summary);
+    return exact;
+}
+
 }  // namespace
 
 Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const SeamExactOptions& options) {
     if (!(options.bending >= 0) || options.max_iterations <= 0)
         throw InputError("seam-exact options: bending >= 0, max_iterations > 0");
     SeamProblem problem(tile, fabric, {options.bending, options.keep_area});
-    const Vector true_lengths = problem.lengths();
     SeamNewton newton(problem);
-    const Vector start = as_vector(starting_positions(tile, options.start));
-    const SeamNewtonOptions free{
-        .hold_edges = false, .max_iterations = options.max_iterations, .force_tolerance = 1e-3};
-    const SeamSolution loose = newton.minimize(start, free);
-    const SeamNewtonOptions held{.max_iterations = options.max_iterations};
-    SeamSolution exact = newton.minimize(loose.u, held);
-    int iterations = loose.summary.iterations + exact.summary.iterations;
-    int factorizations = loose.summary.factorizations + exact.summary.factorizations;
-    const double outline = true_lengths.sum();
-    const bool too_much_area =
-        options.keep_area && outline * outline < 4 * std::numbers::pi * problem.size() * problem.size();
-    if (exact.summary.termination != Termination::converged && too_much_area) {
-        exact.summary.reason = "no outline of this length encloses the whole area";
-    } else if (exact.summary.termination != Termination::converged) {
-        exact = lead_lengths(problem, newton, held, loose.u, lengths_at(tile, loose.u), true_lengths);
-        iterations += exact.summary.iterations;
-        factorizations += exact.summary.factorizations;
-    }
+    const SeamSolution exact = solve(tile, problem, newton, options);
     Flattening result;
     result.positions = Eigen::Map<const Points2>(exact.u.data(), exact.u.size() / 2, 2);
     result.summary = exact.summary;
-    result.summary.iterations = iterations;
-    result.summary.factorizations = factorizations;
     result.certificate = {exact.force_residual, exact.length_residual, exact.strict_minimum};
     result.seam_tension = exact.lambda;
     result.edges_on_curve = true;

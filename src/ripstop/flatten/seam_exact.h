@@ -8,15 +8,16 @@ namespace ripstop {
 
 /// Where the iteration begins.
 enum class SeamStart {
-    arap,   ///< as rigid as possible, from a conformal map; Tutte's embedding where that turns triangles over
-    lscm,   ///< the conformal map alone
-    tutte,  ///< Tutte's embedding: a circle
+    boundary_first,  ///< the conformal map with an isometric boundary; the next where that turns triangles over
+    arap,            ///< as rigid as possible, from a conformal map; Tutte's embedding where that turns triangles over
+    lscm,            ///< the conformal map alone
+    tutte,           ///< Tutte's embedding: a circle
 };
 
 struct SeamExactOptions {
     double bending = 1e-5;   ///< stiffness of the cut line, in A^1.5 E, >= 0: keeps it from folding into a zig-zag
     bool keep_area = false;  ///< hold the whole area too
-    SeamStart start = SeamStart::arap;
+    SeamStart start = SeamStart::boundary_first;
     int max_iterations = 60;  ///< of each Newton run, > 0
 };
 
