@@ -3,6 +3,10 @@
 #include <array>
 #include <map>
 
+#include "ripstop/measure/judge_seams.h"
+#include "ripstop/measure/seam_walk.h"
+#include "support/shapes.h"
+
 namespace ripstop::testing {
 namespace {
 
@@ -113,6 +117,24 @@ std::vector<FlatTile> laid_flat(const Envelope& envelope) {
     std::vector<FlatTile> flat;
     for (const Tile& tile : envelope.tiles) flat.push_back(flattened(tile, tile.mesh.positions.leftCols(2)));
     return flat;
+}
+
+CutPlan sewn_plan() {
+    const auto sheet = [](const std::string& name, double x, double y, double height) {
+        TriangleMesh mesh = rectangle(1, height, 4, static_cast<int>(4 * height));
+        mesh.positions.col(0).array() += x;
+        mesh.positions.col(1).array() += y;
+        return make_tile(name, mesh, {.warp = Vec3::UnitX()});
+    };
+    Envelope envelope = sewn({sheet("left", 0, 0, 2), sheet("low", 1, 0, 1), sheet("high", 1, 1, 1)});
+    CutPlan plan;
+    plan.tiles = laid_flat(envelope);
+    for (FlatTile& tile : plan.tiles) tile.verdict.judged = true;
+    plan.tiles[2].flattening.positions.col(1) *= 1.002;
+    plan.seams = envelope.seams;
+    plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);
+    judge_seams(plan);
+    return plan;
 }
 
 }  // namespace ripstop::testing

@@ -24,4 +24,8 @@ FlatTile flattened(const Tile& tile, const Points2& positions, bool on_curve = f
 /// The tiles of an envelope laid flat as they are: their x and y.
 std::vector<FlatTile> laid_flat(const Envelope& envelope);
 
+/// Three sheets sewn and walked: `left`, 1 m x 2 m, and at its right side `low` and `high`, 1 m x 1 m each. `high` is cut 2 mm
+/// too high, so of the seams S1 (left, low), S2 (left, high) and S3 (low, high) the second fails. Tiles without findings.
+CutPlan sewn_plan();
+
 }  // namespace ripstop::testing
