@@ -94,6 +94,15 @@ std::array<double, 2> share_of_edge(const SeamSide& run, std::size_t part, doubl
 struct Strokes {
     std::array<std::string, colour_classes> paths;
     std::string figures;
+    std::vector<std::array<Vec2, 2>> taken;  ///< what is written already: middle and half of each
+
+    /// Is there room for a text? If so, it is taken.
+    bool take(const Vec2& middle, const Vec2& half) {
+        for (const std::array<Vec2, 2>& other : taken)
+            if (((middle - other[0]).cwiseAbs().array() < (half + other[1]).array()).all()) return false;
+        taken.push_back({middle, half});
+        return true;
+    }
 };
 
 void draw_side(const CutPlan& plan, std::size_t seam, bool is_b, const Layout& layout, Strokes& strokes) {
@@ -132,10 +141,12 @@ void draw_side(const CutPlan& plan, std::size_t seam, bool is_b, const Layout& l
     const Vec2 along = (half[1] - half[0]).normalized();
     const Vec2 inward(along.y(), -along.x());  // the cloth lies to the left, seen with y up
     const Vec2 place = half[0] + 16 * inward.cwiseProduct(Vec2(1.2, 0.8)) + Vec2(0, 3.5);
+    const Vec2 room(2.8 * static_cast<double>(figure.size()), 5);
+    if (!strokes.take(place - Vec2(0, 3.5), room) && walk.ok) return;  // one that fails is written over all else
     strokes.figures += svg_text(place, figure, {10, "middle", walk.ok ? "#1f2933" : "#b3121f", !walk.ok, true});
 }
 
-std::string outlines(const CutPlan& plan, const Layout& layout) {
+std::string outlines(const CutPlan& plan, const Layout& layout, Strokes& strokes) {
     std::string path, names;
     for (std::size_t t = 0; t < plan.tiles.size(); ++t) {
         const FlatTile& tile = plan.tiles[t];
@@ -150,9 +161,10 @@ std::string outlines(const CutPlan& plan, const Layout& layout) {
         const double letters = std::max(1.0, static_cast<double>(tile.tile.name.size()));
         const double size =
             std::min({13.0, layout.scale * extent.size().x() / letters / 0.9, layout.scale * extent.size().y() / 2.2});
-        if (size >= 5)
-            names += svg_text(layout.at(t, (extent.lower + extent.upper) / 2) + Vec2(0, size / 3), tile.tile.name,
-                              {size, "middle", "#7b8794"});
+        if (size < 5) continue;
+        const Vec2 middle = layout.at(t, (extent.lower + extent.upper) / 2);
+        strokes.take(middle, Vec2(0.31 * size * letters, size / 2));
+        names += svg_text(middle + Vec2(0, size / 3), tile.tile.name, {size, "middle", "#7b8794"});
     }
     return "<path fill=\"#f5f7fa\" stroke=\"#9aa5b1\" stroke-width=\"1\" d=\"" + path + "\"/>\n" + names;
 }
@@ -173,9 +185,9 @@ std::string foot(const CutPlan& plan, const Layout& layout, double y) {
            svg_number(page_width - side) + "\"/>\n" +
            colour_bar({36, y + 42}, "sewn edges: how far apart the two sides are, for each metre of seam",
                       plan.tolerances.length / millimetre, "mm") +
-           svg_text({480, y + 34}, "figures: this edge less its mate, mm; red and thick: beyond the tolerance",
+           svg_text({560, y + 34}, "figures: this edge less its mate, mm; red and thick: beyond the tolerance",
                     {13, "start", "#1f2933"}) +
-           svg_text({480, y + 54}, "grey: sewn to nothing", {13, "start", "#52606d"}) +
+           svg_text({560, y + 54}, "grey: sewn to nothing", {13, "start", "#52606d"}) +
            scale_bar({1000, y + 71}, layout.scale, 150);
 }
 
@@ -187,6 +199,7 @@ std::string seam_picture(const CutPlan& plan) {
     for (const FlatTile& tile : plan.tiles) extents.push_back(extent_of(tile));
     const Layout layout = lay_out(extents);
     Strokes strokes;
+    const std::string tiles = outlines(plan, layout, strokes);
     for (std::size_t i = 0; i < plan.walks.size(); ++i)
         for (const bool is_b : {false, true}) draw_side(plan, i, is_b, layout, strokes);
     const double foot_at = head_height + layout.height + 28, page_height = foot_at + foot_height;
@@ -194,7 +207,7 @@ std::string seam_picture(const CutPlan& plan) {
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" viewBox=\"0 0 " +
                       format_fixed(page_width, 0) + " " + svg_number(page_height) +
                       "\" font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<rect width=\"" + size +
-                      "\" fill=\"#ffffff\"/>\n" + head(plan) + outlines(plan, layout);
+                      "\" fill=\"#ffffff\"/>\n" + head(plan) + tiles;
     for (int c = 0; c < colour_classes; ++c) {
         const std::string& path = strokes.paths[static_cast<std::size_t>(c)];
         if (path.empty()) continue;
