@@ -11,6 +11,7 @@
 #include "ripstop/base/units.h"
 #include "ripstop/flatten/arap.h"
 #include "ripstop/flatten/boundary_first.h"
+#include "ripstop/flatten/coarse_start.h"
 #include "ripstop/flatten/grain.h"
 #include "ripstop/flatten/lscm.h"
 #include "ripstop/flatten/seam_newton.h"
@@ -22,7 +23,8 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr int direct_iterations = 20;  ///< from the boundary's own lengths; what needs more is better led there
+constexpr int coarse_start_from = 30'000;  ///< triangles: smaller tiles are solved before the coarse cloth has settled
+constexpr int direct_iterations = 20;      ///< from the boundary's own lengths; what needs more is better led there
 
 bool without_flips(const Tile& tile, const Flattening& flat) {
     return flat.summary.usable() && count_flipped(tile.mesh.triangles, flat.positions) == 0;
@@ -108,10 +110,12 @@ std::string price_of_area(const Tile& tile, const Fabric& fabric, SeamExactOptio
 }
 
 /// From a start whose edges are nearly right straight to the end; empty where that turns triangles over.
-std::optional<SeamSolution> from_boundary(const Tile& tile, SeamNewton& newton) {
+std::optional<SeamSolution> from_boundary(const Tile& tile, const Fabric& fabric, SeamNewton& newton) {
     const Flattening flat = flatten_boundary_first(tile);
     if (!without_flips(tile, flat)) return std::nullopt;
-    return newton.minimize(as_vector(flat.positions), {.max_iterations = direct_iterations});
+    const bool large = tile.mesh.triangle_count() >= coarse_start_from;
+    return newton.minimize(as_vector(large ? coarse_solution(tile, fabric, flat.positions) : flat.positions),
+                           {.max_iterations = direct_iterations});
 }
 
 /// From the cloth at rest without its edges held.
@@ -134,10 +138,11 @@ SeamSolution from_rest(const Tile& tile, SeamProblem& problem, SeamNewton& newto
     return led;
 }
 
-SeamSolution solve(const Tile& tile, SeamProblem& problem, SeamNewton& newton, const SeamExactOptions& options) {
+SeamSolution solve(const Tile& tile, const Fabric& fabric, SeamProblem& problem, SeamNewton& newton,
+                   const SeamExactOptions& options) {
     SolveSummary spent;
     if (options.start == SeamStart::boundary_first) {
-        std::optional<SeamSolution> exact = from_boundary(tile, newton);
+        std::optional<SeamSolution> exact = from_boundary(tile, fabric, newton);
         if (exact && exact->summary.termination == Termination::converged && exact->strict_minimum) return *exact;
         if (exact) spent = exact->summary;
     }
@@ -153,7 +158,7 @@ Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const Seam
         throw InputError("seam-exact options: bending >= 0, max_iterations > 0");
     SeamProblem problem(tile, fabric, {options.bending, options.keep_area});
     SeamNewton newton(problem);
-    const SeamSolution exact = solve(tile, problem, newton, options);
+    const SeamSolution exact = solve(tile, fabric, problem, newton, options);
     Flattening result;
     result.positions = Eigen::Map<const Points2>(exact.u.data(), exact.u.size() / 2, 2);
     result.summary = exact.summary;

@@ -42,8 +42,9 @@ class SeamStep {
     /// The Newton step at the last u.
     Solution step() const;
 
-    /// The step that mends the residuals c, r there and does nothing else.
-    Solution correction(const Eigen::VectorXd& c, const Eigen::VectorXd& r) const;
+    /// The step that takes away forces g out of balance and residuals c, r met elsewhere, nearby; lambda and mu are what
+    /// it adds to the multipliers.
+    Solution correction(const Eigen::VectorXd& g, const Eigen::VectorXd& c, const Eigen::VectorXd& r) const;
 
   private:
     void hold_still();
