@@ -58,7 +58,7 @@ TEST(TilesCsv, HasALineATileAndAFieldAColumn) {
     const auto all = lines(tiles_csv(plan));
     ASSERT_EQ(all.size(), 3u);
     const auto heads = fields(all[0]), first = fields(all[1]), second = fields(all[2]);
-    ASSERT_EQ(heads.size(), 25u);
+    ASSERT_EQ(heads.size(), 29u);
     ASSERT_EQ(first.size(), heads.size());
     ASSERT_EQ(second.size(), heads.size());
     const auto of = [&](const std::vector<std::string>& row, const std::string& column) {

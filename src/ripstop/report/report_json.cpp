@@ -193,16 +193,26 @@ Json tile_json(const FlatTile& tile, const std::string& stem, const Json& chains
     return json;
 }
 
+void add_quantity(Json& json, const CutPlan& plan, std::size_t i, const Quantity& cut) {
+    const FlatTile& tile = plan.tiles[i];
+    if (tile.equal_to >= 0)
+        json[tile.mirrored ? "mirror_of" : "equal_to"] = plan.tiles[static_cast<std::size_t>(tile.equal_to)].tile.name;
+    json["quantity"] = cut.same;
+    json["quantity_mirrored"] = cut.mirrored;
+}
+
 }  // namespace
 
 std::string report_json(const CutPlan& plan, bool reproducible) {
     Json tiles = Json::array(), seams = Json::array();
     const auto sewn = seams_of_chains(plan);
     const std::vector<std::string> stems = file_stems(plan);
+    const std::vector<Quantity> cut = quantities(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         Json chains = chains_json(plan.tiles[i]);
         add_seams(chains, sewn[i], plan);
         tiles.push_back(tile_json(plan.tiles[i], stems[i], chains, reproducible));
+        add_quantity(tiles.back(), plan, i, cut[i]);
     }
     for (std::size_t i = 0; i < plan.walks.size(); ++i) seams.push_back(seam_json(plan.seams[i], plan.walks[i], plan));
     const Json report = {{"ripstop", version},

@@ -7,6 +7,7 @@
 
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
+#include "ripstop/geometry/polygon.h"
 #include "ripstop/report/colour_scale.h"
 #include "ripstop/report/drawing.h"
 #include "ripstop/report/figures.h"
@@ -141,8 +142,10 @@ void draw_side(const CutPlan& plan, std::size_t seam, bool is_b, const Layout& l
     const Vec2 along = (half[1] - half[0]).normalized();
     const Vec2 inward(along.y(), -along.x());  // the cloth lies to the left, seen with y up
     const Vec2 place = half[0] + 16 * inward.cwiseProduct(Vec2(1.2, 0.8)) + Vec2(0, 3.5);
-    const Vec2 room(2.8 * static_cast<double>(figure.size()), 5);
-    if (!strokes.take(place - Vec2(0, 3.5), room) && walk.ok) return;  // one that fails is written over all else
+    const Vec2 room(2.8 * static_cast<double>(figure.size()), 5), middle_of_text = place - Vec2(0, 3.5);
+    const Vec2 on_cloth = (middle_of_text - layout.origins[t]).cwiseProduct(Vec2(1, -1)) / layout.scale;
+    const bool fits = contains(tile.flattening.positions(loop, Eigen::all), Box{on_cloth, room / layout.scale});
+    if (walk.ok && !(fits && strokes.take(middle_of_text, room))) return;  // one that fails is written over all else
     strokes.figures += svg_text(place, figure, {10, "middle", walk.ok ? "#1f2933" : "#b3121f", !walk.ok, true});
 }
 
