@@ -129,6 +129,23 @@ TEST(FlattenCommand, WritesAReportThatItsSchemaAccepts) {
     EXPECT_EQ(result.code, 0) << result.output;
 }
 
+TEST(FlattenCommand, ProposesASeamForATileThatCannotBeMade) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile("flat"), testing::curved_tile("quarter")});
+    const ProgramRun run = workshop.ripstop("flatten envelope.obj -o plan");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.out, HasSubstr("quarter: of "));
+    const Json tiles = report_of(workshop, "plan")["tiles"];
+    EXPECT_FALSE(tiles[0].contains("proposal"));
+    const Json& proposal = tiles[1]["proposal"];
+    EXPECT_EQ(proposal["direction"], "along the warp");
+    for (const Json& half : proposal["halves"])
+        EXPECT_GT(half["area_error_pct"].get<double>(), 0.4 * tiles[1]["area_error_pct"].get<double>());
+    EXPECT_EQ(workshop.ripstop("flatten envelope.obj -o without --propose none").code, 1);
+    EXPECT_FALSE(report_of(workshop, "without")["tiles"][1].contains("proposal"));
+    EXPECT_EQ(workshop.ripstop("flatten envelope.obj -o never --propose sometimes").code, 2);
+}
+
 TEST(FlattenCommand, LeavesNothingBehindWhenItFails) {
     const Workshop workshop;
     workshop.write_tiles("envelope.obj", {testing::flat_tile()});

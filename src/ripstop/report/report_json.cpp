@@ -88,16 +88,18 @@ Json certificate_json(const Certificate& certificate) {
             {"strict_minimum", certificate.strict_minimum}};
 }
 
+Json point_json(const Vec3& at) {
+    return {in_millimetres(at.x()), in_millimetres(at.y()), in_millimetres(at.z())};
+}
+
 Json findings_json(const std::vector<Finding>& findings) {
     Json list = Json::array();
     for (const Finding& finding : findings)
-        list.push_back(
-            {{"code", finding.code},
-             {"message", finding.message},
-             {"at_mm",
-              {in_millimetres(finding.at.x()), in_millimetres(finding.at.y()), in_millimetres(finding.at.z())}},
-             {"value", figure(finding.value)},
-             {"limit", figure(finding.limit)}});
+        list.push_back({{"code", finding.code},
+                        {"message", finding.message},
+                        {"at_mm", point_json(finding.at)},
+                        {"value", figure(finding.value)},
+                        {"limit", figure(finding.limit)}});
     return list;
 }
 
@@ -131,6 +133,51 @@ Json seam_json(const Seam& seam, const SeamWalk& walk, const CutPlan& plan) {
             {"ok", walk.ok}};
 }
 
+Json strain_json(const Accuracy& accuracy) {
+    return {{"warp_min_pct", in_percent(accuracy.warp_strain_min)},
+            {"warp_max_pct", in_percent(accuracy.warp_strain_max)},
+            {"weft_min_pct", in_percent(accuracy.weft_strain_min)},
+            {"weft_max_pct", in_percent(accuracy.weft_strain_max)},
+            {"shear_max_deg", in_degrees(accuracy.shear_max)}};
+}
+
+Json trial_json(const Trial& trial) {
+    const Accuracy& accuracy = trial.accuracy;
+    return {{"triangles", trial.triangles},
+            {"area_m2", figure(accuracy.area)},
+            {"area_error_pct", in_percent(accuracy.area_error)},
+            {"perimeter_error_pct", in_percent(accuracy.perimeter_error)},
+            {"chain_error_max_pct", in_percent(worst_chain_error(accuracy))},
+            {"strain", strain_json(accuracy)},
+            {"energy_j", figure(accuracy.energy)},
+            {"verdict", verdict_json(trial.verdict)}};
+}
+
+Json proposal_json(const SplitProposal& proposal) {
+    Json line = Json::array(), halves = Json::array();
+    for (const Vec3& at : proposal.line) line.push_back(point_json(at));
+    for (const Trial& half : proposal.halves) halves.push_back(trial_json(half));
+    return {{"direction", proposal.direction},
+            {"from_mm", line.front()},
+            {"to_mm", line.back()},
+            {"line_mm", line},
+            {"lines_tried", proposal.tried},
+            {"findings_before", proposal.findings_before},
+            {"halves", halves}};
+}
+
+Json merges_json(const CutPlan& plan) {
+    Json merges = Json::array();
+    for (const MergeProposal& merge : plan.merges) {
+        Json json = {{"tile_a", plan.tiles[static_cast<std::size_t>(merge.tile_a)].tile.name},
+                     {"tile_b", plan.tiles[static_cast<std::size_t>(merge.tile_b)].tile.name},
+                     {"seam", plan.seams[static_cast<std::size_t>(merge.seam)].id}};
+        json.update(trial_json(merge.merged));
+        merges.push_back(json);
+    }
+    return merges;
+}
+
 Json envelope_json(const CutPlan& plan) {
     Json failed = Json::array(), failed_seams = Json::array();
     for (const FlatTile& tile : plan.tiles)
@@ -143,7 +190,8 @@ Json envelope_json(const CutPlan& plan) {
             {"manufacturable", plan.manufacturable()},
             {"failed", failed},
             {"failed_seams", failed_seams},
-            {"findings", findings_json(plan.findings)}};
+            {"findings", findings_json(plan.findings)},
+            {"merges", merges_json(plan)}};
 }
 
 void add_accuracy(Json& json, const Accuracy& accuracy) {
@@ -156,11 +204,7 @@ void add_accuracy(Json& json, const Accuracy& accuracy) {
     json["edge_error_abs_pct"] = in_percent(accuracy.edge_error_abs);
     json["boundary_error_abs_pct"] = in_percent(accuracy.boundary_error_abs);
     json["boundary_error_max_pct"] = in_percent(accuracy.boundary_error_max);
-    json["strain"] = {{"warp_min_pct", in_percent(accuracy.warp_strain_min)},
-                      {"warp_max_pct", in_percent(accuracy.warp_strain_max)},
-                      {"weft_min_pct", in_percent(accuracy.weft_strain_min)},
-                      {"weft_max_pct", in_percent(accuracy.weft_strain_max)},
-                      {"shear_max_deg", in_degrees(accuracy.shear_max)}};
+    json["strain"] = strain_json(accuracy);
     json["energy_j"] = figure(accuracy.energy);
     json["flipped"] = accuracy.flipped;
     json["overlaps"] = accuracy.overlaps;
@@ -190,6 +234,7 @@ Json tile_json(const FlatTile& tile, const std::string& stem, const Json& chains
     add_accuracy(json, tile.accuracy);
     json["chains"] = chains;
     json["verdict"] = verdict_json(tile.verdict);
+    if (tile.proposal) json["proposal"] = proposal_json(*tile.proposal);
     return json;
 }
 
