@@ -45,9 +45,9 @@ void print_assumed_size(const Envelope& envelope) {
 /// What to draw instead. Nothing where the input was only judged: there is no method to try it with.
 void propose(CutPlan& plan, const std::string& method, const Arguments& given) {
     if (method == "given") return;
-    constexpr int few = 12;
-    const int most = given.propose == "all" ? std::numeric_limits<int>::max() : given.propose == "auto" ? few : 0;
-    add_proposals(plan, method_named(method), given.jobs, most);
+    constexpr int all = std::numeric_limits<int>::max();
+    if (given.propose == "auto") add_proposals(plan, method_named(method), given.jobs);
+    if (given.propose == "all") add_proposals(plan, method_named(method), given.jobs, {all, all});
     if (given.propose_merges) plan.merges = propose_merges(plan, method_named(method), given.jobs);
 }
 
@@ -90,8 +90,7 @@ void add_flatten(CLI::App& app) {
     command->add_flag("--reproducible", given->reproducible, "Leave the seconds out of report.json");
     command
         ->add_option("--propose", given->propose,
-                     "For tiles that cannot be made, try the seams that could help: auto (where at most 12 kinds "
-                     "fail), all, none")
+                     "For tiles that cannot be made, try the seams that help: auto (where few kinds fail), all, none")
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "all", "none"}));
     command->add_flag(

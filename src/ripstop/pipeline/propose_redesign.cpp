@@ -117,11 +117,15 @@ std::optional<SplitProposal> propose_split(const FlatTile& tile, const Method& m
     return best;
 }
 
-void add_proposals(CutPlan& plan, const Method& method, int threads, int most) {
+void add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits) {
     std::vector<std::size_t> failing;
-    for (std::size_t i = 0; i < plan.tiles.size(); ++i)
-        if (plan.tiles[i].equal_to < 0 && !plan.tiles[i].verdict.manufacturable()) failing.push_back(i);
-    if (failing.size() > static_cast<std::size_t>(std::max(0, most))) return;
+    long triangles = 0;
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        if (plan.tiles[i].equal_to >= 0 || plan.tiles[i].verdict.manufacturable()) continue;
+        failing.push_back(i);
+        triangles += plan.tiles[i].tile.mesh.triangle_count();
+    }
+    if (static_cast<long>(failing.size()) > limits.kinds || triangles > limits.triangles) return;
     parallel_for(static_cast<int>(failing.size()), threads, [&](int k) {
         FlatTile& tile = plan.tiles[failing[static_cast<std::size_t>(k)]];
         tile.proposal = propose_split(tile, method, plan.fabric, plan.tolerances);

@@ -23,7 +23,13 @@ std::optional<SplitProposal> propose_split(const FlatTile& tile, const Method& m
 /// Left out are pairs whose warps differ by more than 15 degrees and those with compensation. One flattening a seam.
 std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& method, int threads);
 
-/// Sets the proposals of the plan's failing tiles, the first of each kind, where at most `most` kinds fail.
-void add_proposals(CutPlan& plan, const Method& method, int threads, int most);
+/// How much may be tried unasked: where more fails, it is the design and not one seam.
+struct ProposeLimits {
+    int kinds = 12;
+    int triangles = 50000;  ///< of them together
+};
+
+/// Sets the proposals of the plan's failing tiles, the first of each kind; none where they are more than the limits.
+void add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits = {});
 
 }  // namespace ripstop
