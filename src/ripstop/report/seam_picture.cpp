@@ -106,6 +106,39 @@ struct Strokes {
     }
 };
 
+/// By how much the edge is longer than its mate, beside it where there is room on the cloth; one that fails is written over
+/// all else.
+void write_figure(const CutPlan& plan, std::size_t seam, bool is_b, const Layout& layout,
+                  const std::vector<std::array<Vec2, 2>>& steps, double on_page, Strokes& strokes) {
+    const SeamWalk& walk = plan.walks[seam];
+    const auto t = static_cast<std::size_t>(is_b ? plan.seams[seam].b.tile : plan.seams[seam].a.tile);
+    const double mismatch = (is_b ? 1 : -1) * walk.mismatch() / millimetre;
+    const std::string figure = shown(mismatch, std::abs(mismatch) < 0.1 ? 3 : std::abs(mismatch) < 10 ? 2 : 1, true);
+    if (on_page < 7.5 * static_cast<double>(figure.size())) return;
+    const Points2 outline = plan.tiles[t].flattening.positions(plan.tiles[t].tile.boundary, Eigen::all);
+    const Vec2 room(2.8 * static_cast<double>(figure.size()), 5);
+    const auto place_beside = [&](std::size_t step) {
+        const Vec2 along = (steps[step][1] - steps[step][0]).normalized();
+        const Vec2 inward(along.y(), -along.x());  // the cloth lies to the left, seen with y up
+        return Vec2(steps[step][0] + 16 * inward.cwiseProduct(Vec2(1.2, 0.8)));
+    };
+    const std::size_t n = steps.size();
+    const auto is_free = [&](const Vec2& place) {
+        const Vec2 on_cloth = (place - layout.origins[t]).cwiseProduct(Vec2(1, -1)) / layout.scale;
+        return contains(outline, Box{on_cloth, room / layout.scale}) && strokes.take(place, room);
+    };
+    Vec2 place = place_beside(n / 2);
+    bool found = is_free(place);
+    for (const std::size_t step : {n / 4, 3 * n / 4}) {
+        if (found) break;
+        found = is_free(place_beside(step));
+        if (found) place = place_beside(step);
+    }
+    if (found || !walk.ok)
+        strokes.figures +=
+            svg_text(place + Vec2(0, 3.5), figure, {10, "middle", walk.ok ? "#1f2933" : "#b3121f", !walk.ok, true});
+}
+
 void draw_side(const CutPlan& plan, std::size_t seam, bool is_b, const Layout& layout, Strokes& strokes) {
     const SeamSide& run = is_b ? plan.seams[seam].b : plan.seams[seam].a;
     const SeamWalk& walk = plan.walks[seam];
@@ -135,18 +168,7 @@ void draw_side(const CutPlan& plan, std::size_t seam, bool is_b, const Layout& l
         walked += part.length;
         on_page += (steps.back()[1] - steps.back()[0]).norm();
     }
-    const double mismatch = (is_b ? 1 : -1) * walk.mismatch() / millimetre;
-    const std::string figure = shown(mismatch, std::abs(mismatch) < 0.1 ? 3 : std::abs(mismatch) < 10 ? 2 : 1, true);
-    if (on_page < 7.5 * static_cast<double>(figure.size())) return;
-    const std::array<Vec2, 2> half = steps[steps.size() / 2];
-    const Vec2 along = (half[1] - half[0]).normalized();
-    const Vec2 inward(along.y(), -along.x());  // the cloth lies to the left, seen with y up
-    const Vec2 place = half[0] + 16 * inward.cwiseProduct(Vec2(1.2, 0.8)) + Vec2(0, 3.5);
-    const Vec2 room(2.8 * static_cast<double>(figure.size()), 5), middle_of_text = place - Vec2(0, 3.5);
-    const Vec2 on_cloth = (middle_of_text - layout.origins[t]).cwiseProduct(Vec2(1, -1)) / layout.scale;
-    const bool fits = contains(tile.flattening.positions(loop, Eigen::all), Box{on_cloth, room / layout.scale});
-    if (walk.ok && !(fits && strokes.take(middle_of_text, room))) return;  // one that fails is written over all else
-    strokes.figures += svg_text(place, figure, {10, "middle", walk.ok ? "#1f2933" : "#b3121f", !walk.ok, true});
+    if (on_page > 0) write_figure(plan, seam, is_b, layout, steps, on_page, strokes);
 }
 
 std::string outlines(const CutPlan& plan, const Layout& layout, Strokes& strokes) {
