@@ -8,6 +8,9 @@
 #include "ripstop/flatten/method.h"
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/judge.h"
+#include "ripstop/measure/judge_seams.h"
+#include "ripstop/measure/seam_walk.h"
+#include "ripstop/pipeline/equal_pieces.h"
 
 namespace ripstop {
 namespace {
@@ -47,19 +50,40 @@ CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options
     plan.tiles.resize(envelope.tiles.size());
     const int count = static_cast<int>(envelope.tiles.size());
     Counter counter(count, options.progress);
-    parallel_for(count, options.threads, [&](int i) {
+    const std::vector<Likeness> likeness = find_equal_tiles(envelope.tiles);
+    std::vector<int> solved, copied;
+    for (int i = 0; i < count; ++i)
+        (method && !likeness[static_cast<std::size_t>(i)].vertex.empty() ? copied : solved).push_back(i);
+    const auto flatten_and_judge = [&](int i, const Likeness* copy) {
         const Tile& tile = envelope.tiles[static_cast<std::size_t>(i)];
         FlatTile& result = plan.tiles[static_cast<std::size_t>(i)];
         const auto start = std::chrono::steady_clock::now();
-        result.bounds = measure_bounds(tile);
-        result.flattening = method ? method->flatten(tile, options.fabric) : given_flattening(tile);
+        if (copy) {
+            const FlatTile& first = plan.tiles[static_cast<std::size_t>(copy->to)];
+            result.bounds = moved_bounds(first.bounds, *copy);
+            result.flattening = copied_flattening(first, tile, *copy);
+        } else {
+            result.bounds = measure_bounds(tile);
+            result.flattening = method ? method->flatten(tile, options.fabric) : given_flattening(tile);
+        }
         result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         result.tile = tile;
         result.method = options.method;
-        result.accuracy = measure_accuracy(tile, result.flattening.positions, options.fabric);
+        result.accuracy =
+            measure_accuracy(tile, result.flattening.positions, options.fabric, result.flattening.edges_on_curve);
         result.verdict = judge(tile, result.bounds, result.flattening, result.accuracy, options.tolerances);
         counter.done(tile.name);
+    };
+    const auto nth = [](const std::vector<int>& list, int k) { return list[static_cast<std::size_t>(k)]; };
+    parallel_for(static_cast<int>(solved.size()), options.threads,
+                 [&](int k) { flatten_and_judge(nth(solved, k), nullptr); });
+    parallel_for(static_cast<int>(copied.size()), options.threads, [&](int k) {
+        flatten_and_judge(nth(copied, k), &likeness[static_cast<std::size_t>(nth(copied, k))]);
     });
+    list_equal_pieces(plan, likeness);
+    plan.seams = envelope.seams;
+    plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);
+    judge_seams(plan);
     return plan;
 }
 
