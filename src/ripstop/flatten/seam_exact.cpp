@@ -2,77 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
-#include "ripstop/flatten/arap.h"
 #include "ripstop/flatten/grain.h"
-#include "ripstop/flatten/lscm.h"
-#include "ripstop/flatten/seam_newton.h"
-#include "ripstop/flatten/tutte.h"
-#include "ripstop/mesh/flips.h"
 
 namespace ripstop {
 namespace {
-
-using Vector = Eigen::VectorXd;
-
-Points2 starting_positions(const Tile& tile, SeamStart start) {
-    if (start != SeamStart::tutte) {
-        Flattening flat = flatten_lscm(tile);
-        if (start == SeamStart::arap && flat.summary.usable())
-            flat = flatten_arap(tile, flat.positions, {.max_iterations = 4, .tolerance = 1e-3});
-        if (flat.summary.usable() && count_flipped(tile.mesh.triangles, flat.positions) == 0) return flat.positions;
-    }
-    return flatten_tutte(tile).positions;
-}
-
-Vector as_vector(const Points2& positions) {
-    return Eigen::Map<const Vector>(positions.data(), positions.size());
-}
-
-Vector lengths_at(const Tile& tile, const Vector& u) {
-    const Points2 positions = Eigen::Map<const Points2>(u.data(), u.size() / 2, 2);
-    return edge_lengths(positions, closed(tile.boundary));
-}
-
-/// Leads the edges from the lengths they have to the true ones, halving the stride where a step fails.
-SeamSolution lead_lengths(SeamProblem& problem, SeamNewton& newton, const SeamNewtonOptions& options,
-                          const Vector& start, const Vector& free_lengths, const Vector& true_lengths) {
-    SeamSolution at;
-    at.u = start;
-    double reached = 0, stride = 0.25;
-    int iterations = 0, factorizations = 0;
-    while (reached < 1 && stride > 0.04) {
-        const double next = std::min(1.0, reached + stride);
-        problem.set_lengths((1 - next) * free_lengths + next * true_lengths);
-        SeamSolution there = newton.minimize(at.u, options);
-        iterations += there.summary.iterations;
-        factorizations += there.summary.factorizations;
-        if (there.summary.termination == Termination::converged) {
-            at = std::move(there);
-            reached = next;
-            stride *= 1.5;
-        } else {
-            stride *= 0.5;
-        }
-    }
-    problem.set_lengths(true_lengths);
-    at.summary.iterations = iterations;
-    at.summary.factorizations = factorizations;
-    if (reached < 1) {
-        at.summary.termination = Termination::iteration_limit;
-        at.summary.reason =
-            "the edges could be led only " + format_fixed(100 * reached, 0) + " % of the way to their lengths";
-        at.strict_minimum = false;  // what converged was another problem
-        at.force_residual = std::numeric_limits<double>::quiet_NaN();
-        at.length_residual = problem.edge_residual(at.u).cwiseQuotient(true_lengths).lpNorm<Eigen::Infinity>();
-    }
-    return at;
-}
 
 double largest_thread_strain(const Tile& tile, const Points2& positions) {
     const std::vector<Mat22> targets = target_triangles(tile);
@@ -100,31 +38,23 @@ Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const Seam
     if (!(options.bending >= 0) || options.max_iterations <= 0)
         throw InputError("seam-exact options: bending >= 0, max_iterations > 0");
     SeamProblem problem(tile, fabric, {options.bending, options.keep_area});
-    const Vector true_lengths = problem.lengths();
     SeamNewton newton(problem);
-    const Vector start = as_vector(starting_positions(tile, options.start));
     const SeamNewtonOptions free{
         .hold_edges = false, .max_iterations = options.max_iterations, .force_tolerance = 1e-3};
-    const SeamSolution loose = newton.minimize(start, free);
+    const SeamSolution loose = newton.minimize(seam_start(tile, options.start), free);
     const SeamNewtonOptions held{.max_iterations = options.max_iterations};
-    SeamSolution exact = newton.minimize(loose.u, held);
-    int iterations = loose.summary.iterations + exact.summary.iterations;
-    int factorizations = loose.summary.factorizations + exact.summary.factorizations;
-    const double outline = true_lengths.sum();
+    const double outline = problem.lengths().sum();
     const bool too_much_area =
         options.keep_area && outline * outline < 4 * std::numbers::pi * problem.size() * problem.size();
-    if (exact.summary.termination != Termination::converged && too_much_area) {
+    SeamSolution exact =
+        too_much_area ? newton.minimize(loose.u, held) : hold_lengths(problem, newton, loose.u, held);
+    if (too_much_area && exact.summary.termination != Termination::converged)
         exact.summary.reason = "no outline of this length encloses the whole area";
-    } else if (exact.summary.termination != Termination::converged) {
-        exact = lead_lengths(problem, newton, held, loose.u, lengths_at(tile, loose.u), true_lengths);
-        iterations += exact.summary.iterations;
-        factorizations += exact.summary.factorizations;
-    }
     Flattening result;
     result.positions = Eigen::Map<const Points2>(exact.u.data(), exact.u.size() / 2, 2);
     result.summary = exact.summary;
-    result.summary.iterations = iterations;
-    result.summary.factorizations = factorizations;
+    result.summary.iterations += loose.summary.iterations;
+    result.summary.factorizations += loose.summary.factorizations;
     result.certificate = {exact.force_residual, exact.length_residual, exact.strict_minimum};
     result.seam_tension = exact.lambda;
     align_with_grain(tile, result.positions);

@@ -70,19 +70,32 @@ class Search {
 SeamNewton::SeamNewton(const SeamProblem& problem) : problem_(problem), step_(std::make_unique<SeamStep>(problem)) {}
 SeamNewton::~SeamNewton() = default;
 
+const SeamStep* SeamNewton::system_at(const SeamSolution& solution) {
+    step_->hold_edges(true);
+    return step_->factorize(solution.u, solution.lambda, solution.mu, true) ? step_.get() : nullptr;
+}
+
 SeamSolution SeamNewton::minimize(const Vector& start, const SeamNewtonOptions& options) {
+    SeamSolution at;
+    at.u = start;
+    at.lambda = Vector::Zero(problem_.edge_count());
+    at.mu = Vector::Zero(problem_.dense_count());
+    return minimize(at, options);
+}
+
+SeamSolution SeamNewton::minimize(const SeamSolution& start, const SeamNewtonOptions& options) {
     const SeamProblem& problem = problem_;
     SeamStep& system = *step_;
     system.hold_edges(options.hold_edges);
     const int spent = system.factorizations();
     SeamSolution at;
-    at.u = start;
-    at.lambda = Vector::Zero(problem.edge_count());
-    at.mu = Vector::Zero(problem.dense_count());
+    at.u = start.u;
+    at.lambda = start.lambda;
+    at.mu = start.mu;
     Search search(problem, options);
     const double force_scale = problem.stiffness() * problem.lengths().mean();
     at.summary = {Termination::iteration_limit, 0, 0, "the forces were not yet in balance"};
-    if (!std::isfinite(problem.energy(start))) {
+    if (!std::isfinite(problem.energy(start.u))) {
         at.summary = {Termination::failed, 0, 0, "the start has triangles turned over"};
         return at;
     }

@@ -44,6 +44,11 @@ class SeamNewton {
     ~SeamNewton();
 
     SeamSolution minimize(const Eigen::VectorXd& start, const SeamNewtonOptions& options = {});
+    /// Begins with u, lambda and mu of `start`.
+    SeamSolution minimize(const SeamSolution& start, const SeamNewtonOptions& options = {});
+
+    /// The step with edges held, factorised at a solution; null where no shift makes that possible. Valid until the next call.
+    const SeamStep* system_at(const SeamSolution& solution);
 
   private:
     const SeamProblem& problem_;

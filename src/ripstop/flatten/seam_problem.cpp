@@ -84,6 +84,11 @@ SeamProblem::SeamProblem(const Tile& tile, const Fabric& fabric, const Options& 
     (tile.mesh.positions.rowwise() - centre.transpose()).rowwise().squaredNorm().minCoeff(&held_vertex_);
 }
 
+void SeamProblem::set_bending(double bending, const Eigen::VectorXd& reference) {
+    bending_ = bending * stiffness_ * area_ * size_;
+    for (Bend& bend : bends_) bend.reference = reference[bend.index];
+}
+
 void SeamProblem::add_membrane(const Eigen::VectorXd& u, Curvature curvature, double& energy, Eigen::VectorXd& gradient,
                                Eigen::VectorXd* values) const {
     for (int t = 0; t < triangle_count(); ++t) {
@@ -136,9 +141,7 @@ double SeamProblem::energy(const Eigen::VectorXd& u) const {
         if (!(sum < std::numeric_limits<double>::infinity())) return std::numeric_limits<double>::infinity();
     }
     for (const Bend& bend : bends_) {
-        const double excess = turning(at(u, boundary_at(bend.index + edge_count() - 1)), at(u, boundary_at(bend.index)),
-                                      at(u, boundary_at(bend.index + 1))) -
-                              bend.reference;
+        const double excess = turning_at(u, bend.index) - bend.reference;
         sum += 0.5 * bending_ / bend.length * excess * excess;
     }
     return sum;
@@ -174,13 +177,24 @@ Eigen::VectorXd SeamProblem::gradient(const Eigen::VectorXd& u) const {
     return gradient;
 }
 
+double SeamProblem::turning_at(const Eigen::VectorXd& u, int i) const {
+    return turning(at(u, boundary_at(i + edge_count() - 1)), at(u, boundary_at(i)), at(u, boundary_at(i + 1)));
+}
+
+Eigen::VectorXd SeamProblem::flat_turning(const Eigen::VectorXd& u) const {
+    return Eigen::VectorXd::NullaryExpr(edge_count(),
+                                        [&](Eigen::Index i) { return turning_at(u, static_cast<int>(i)); });
+}
+
+Eigen::VectorXd SeamProblem::flat_lengths(const Eigen::VectorXd& u) const {
+    return Eigen::VectorXd::NullaryExpr(edge_count(), [&](Eigen::Index i) {
+        return (at(u, boundary_at(static_cast<int>(i) + 1)) - at(u, boundary_at(static_cast<int>(i)))).norm();
+    });
+}
+
 Eigen::VectorXd SeamProblem::edge_residual(const Eigen::VectorXd& u) const {
-    Eigen::VectorXd residual(edge_count());
-    for (int i = 0; i < edge_count(); ++i) {
-        const double length = (at(u, boundary_at(i + 1)) - at(u, boundary_at(i))).norm();
-        residual[i] = (length - lengths_[i]) * (length + lengths_[i]) / (2 * lengths_[i]);
-    }
-    return residual;
+    const Eigen::ArrayXd flat = flat_lengths(u), wanted = lengths_;
+    return (flat - wanted) * (flat + wanted) / (2 * wanted);
 }
 
 Eigen::VectorXd SeamProblem::dense_residual(const Eigen::VectorXd& u) const {

@@ -1,0 +1,80 @@
+#include "ripstop/flatten/seam_tile.h"
+
+#include <limits>
+
+namespace ripstop {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double surface_bending = 1e-5;  // while the edges are free, in A^1.5 E: what seam-exact has
+constexpr int attempt_iterations = 20;        // from a start that is right to second order
+constexpr double loose_force = 1e-6;      // the free shape is what the cut line bends about, so it is to be at rest
+
+}  // namespace
+
+SeamTile::SeamTile(const Tile& tile, const Fabric& fabric, const TileStretch& stretch, double bending)
+    : stretch_(stretch), problem_(tile, fabric, {.bending = surface_bending}), newton_(problem_) {
+    target_ = problem_.lengths();
+    force_scale_ = problem_.stiffness() * target_.mean();
+    loose_ = counted(newton_.minimize(seam_start(tile, SeamStart::arap),
+                                      {.hold_edges = false, .force_tolerance = loose_force}));
+    free_stretch_ = problem_.flat_lengths(loose_.u).cwiseQuotient(target_).array() - 1;
+    problem_.set_bending(bending, problem_.flat_turning(loose_.u));
+}
+
+SeamSolution SeamTile::counted(SeamSolution solution) {
+    factorizations_ += solution.summary.factorizations;
+    return solution;
+}
+
+bool SeamTile::hold(const Vector& h) {
+    lengths_ = target_ + stretch_.reach * h;
+    problem_.set_lengths(lengths_);
+    held_ = counted(hold_lengths(problem_, newton_, loose_.u));
+    return held_.summary.termination == Termination::converged;
+}
+
+Vector SeamTile::gradient() const {
+    return -stretch_.reach.transpose() * held_.lambda;
+}
+
+Eigen::MatrixXd SeamTile::linearize() {
+    problem_.set_lengths(lengths_);
+    system_ = newton_.system_at(held_);
+    ++factorizations_;
+    exact_ = system_ && system_->exact();
+    // no factorisation, which no tile has shown yet: edges as stiff as the cloth lead downhill all the same
+    Eigen::MatrixXd stiffness =
+        system_ ? system_->edge_stiffness()
+                : Eigen::MatrixXd(problem_.stiffness() * Eigen::MatrixXd::Identity(lengths_.size(), lengths_.size()));
+    stiffness.diagonal() -= held_.lambda.cwiseQuotient(lengths_);
+    return stretch_.reach.transpose() * stiffness * stretch_.reach;
+}
+
+void SeamTile::aim(const Vector& change) {
+    length_change_ = stretch_.reach * change;
+    const Vector still = Vector::Zero(problem_.unknowns()), slack = Vector::Zero(problem_.edge_count());
+    course_ = {still, slack, Vector::Zero(problem_.dense_count())};
+    if (!system_) return;
+    course_ = system_->solve(still, -length_change_, course_.mu, slack);
+    course_.lambda += held_.lambda.cwiseQuotient(lengths_).cwiseProduct(length_change_);
+}
+
+double SeamTile::attempt(double share) {
+    problem_.set_lengths(lengths_ + share * length_change_);
+    tried_ = held_;
+    tried_.u += share * course_.d;
+    tried_.lambda += share * course_.lambda;
+    tried_.mu += share * course_.mu;
+    tried_ = counted(newton_.minimize(tried_, {.max_iterations = attempt_iterations}));
+    return tried_.summary.termination == Termination::converged ? tried_.energy
+                                                                : std::numeric_limits<double>::infinity();
+}
+
+void SeamTile::accept() {
+    held_ = tried_;
+    lengths_ = problem_.lengths();
+}
+
+}  // namespace ripstop
