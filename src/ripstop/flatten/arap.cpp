@@ -23,11 +23,7 @@ struct Rest {
 
 Rest rest_state(const TriangleMesh& mesh, int t) {
     const Mat22 edges = lay_flat(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-    Rest rest;
-    rest.area = 0.5 * edges.determinant();
-    rest.N.rightCols<2>() = edges.inverse().transpose();
-    rest.N.col(0) = -rest.N.col(1) - rest.N.col(2);
-    return rest;
+    return {0.5 * edges.determinant(), corner_gradients(edges)};
 }
 
 /// The rotation nearest to J, as (cos, sin).

@@ -4,6 +4,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/flatten/arap.h"
+#include "ripstop/flatten/boundary_first.h"
 #include "ripstop/flatten/lscm.h"
 #include "ripstop/flatten/paper.h"
 #include "ripstop/flatten/seam_exact.h"
@@ -26,6 +27,8 @@ constexpr std::array table = {
            [](const Tile& tile, const Fabric& fabric) { return flatten_woven(tile, fabric); }},
     Method{"lscm", "Levy, Petitjean, Ray, Maillot 2002: least squares conformal map, angles true, lengths not",
            [](const Tile& tile, const Fabric&) { return flatten_lscm(tile); }},
+    Method{"bff", "Sawhney, Crane 2018: boundary first, conformal with an isometric boundary; area is what gives",
+           [](const Tile& tile, const Fabric&) { return flatten_boundary_first(tile); }},
     Method{"arap", "Liu, Zhang, Xu, Gotsman, Gortler 2008: as rigid as possible, isotropic",
            [](const Tile& tile, const Fabric&) { return flatten_arap(tile); }},
 };

@@ -3,14 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
+#include "ripstop/flatten/boundary_first.h"
 #include "ripstop/flatten/grain.h"
+#include "ripstop/mesh/flips.h"
 
 namespace ripstop {
 namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr int direct_iterations = 20;  ///< from the boundary's own lengths; what needs more is better led there
+
+bool without_flips(const Tile& tile, const Flattening& flat) {
+    return flat.summary.usable() && count_flipped(tile.mesh.triangles, flat.positions) == 0;
+}
 
 double largest_thread_strain(const Tile& tile, const Points2& positions) {
     const std::vector<Mat22> targets = target_triangles(tile);
@@ -32,13 +43,16 @@ std::string price_of_area(const Tile& tile, const Fabric& fabric, SeamExactOptio
            format_fixed(largest_thread_strain(tile, positions) / percent, 3) + " %";
 }
 
-}  // namespace
+/// From a start whose edges are nearly right straight to the end; empty where that turns triangles over.
+std::optional<SeamSolution> from_boundary(const Tile& tile, SeamNewton& newton) {
+    const Flattening flat = flatten_boundary_first(tile);
+    if (!without_flips(tile, flat)) return std::nullopt;
+    return newton.minimize(Eigen::Map<const Vector>(flat.positions.data(), flat.positions.size()),
+                           {.max_iterations = direct_iterations});
+}
 
-Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const SeamExactOptions& options) {
-    if (!(options.bending >= 0) || options.max_iterations <= 0)
-        throw InputError("seam-exact options: bending >= 0, max_iterations > 0");
-    SeamProblem problem(tile, fabric, {options.bending, options.keep_area});
-    SeamNewton newton(problem);
+/// From the cloth at rest without its edges held.
+SeamSolution from_rest(const Tile& tile, SeamProblem& problem, SeamNewton& newton, const SeamExactOptions& options) {
     const SeamNewtonOptions free{
         .hold_edges = false, .max_iterations = options.max_iterations, .force_tolerance = 1e-3};
     const SeamSolution loose = newton.minimize(seam_start(tile, options.start), free);
@@ -46,15 +60,36 @@ Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const Seam
     const double outline = problem.lengths().sum();
     const bool too_much_area =
         options.keep_area && outline * outline < 4 * std::numbers::pi * problem.size() * problem.size();
-    SeamSolution exact =
-        too_much_area ? newton.minimize(loose.u, held) : hold_lengths(problem, newton, loose.u, held);
+    SeamSolution exact = too_much_area ? newton.minimize(loose.u, held) : hold_lengths(problem, newton, loose.u, held);
     if (too_much_area && exact.summary.termination != Termination::converged)
         exact.summary.reason = "no outline of this length encloses the whole area";
+    count_also(loose.summary, exact.summary);
+    return exact;
+}
+
+SeamSolution solve(const Tile& tile, SeamProblem& problem, SeamNewton& newton, const SeamExactOptions& options) {
+    SolveSummary spent;
+    if (options.start == SeamStart::boundary_first) {
+        std::optional<SeamSolution> exact = from_boundary(tile, newton);
+        if (exact && exact->summary.termination == Termination::converged && exact->strict_minimum) return *exact;
+        if (exact) spent = exact->summary;
+    }
+    SeamSolution exact = from_rest(tile, problem, newton, options);
+    count_also(spent, exact.summary);
+    return exact;
+}
+
+}  // namespace
+
+Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const SeamExactOptions& options) {
+    if (!(options.bending >= 0) || options.max_iterations <= 0)
+        throw InputError("seam-exact options: bending >= 0, max_iterations > 0");
+    SeamProblem problem(tile, fabric, {options.bending, options.keep_area});
+    SeamNewton newton(problem);
+    const SeamSolution exact = solve(tile, problem, newton, options);
     Flattening result;
     result.positions = Eigen::Map<const Points2>(exact.u.data(), exact.u.size() / 2, 2);
     result.summary = exact.summary;
-    result.summary.iterations += loose.summary.iterations;
-    result.summary.factorizations += loose.summary.factorizations;
     result.certificate = {exact.force_residual, exact.length_residual, exact.strict_minimum};
     result.seam_tension = exact.lambda;
     align_with_grain(tile, result.positions);

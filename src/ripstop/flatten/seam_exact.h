@@ -10,7 +10,7 @@ namespace ripstop {
 struct SeamExactOptions {
     double bending = 1e-5;   ///< stiffness of the cut line, in A^1.5 E, >= 0: keeps it from folding into a zig-zag
     bool keep_area = false;  ///< hold the whole area too
-    SeamStart start = SeamStart::arap;
+    SeamStart start = SeamStart::boundary_first;
     int max_iterations = 60;  ///< of each Newton run, > 0
 };
 

@@ -17,7 +17,7 @@ using Vector = Eigen::VectorXd;
 Points2 starting_positions(const Tile& tile, SeamStart start) {
     if (start != SeamStart::tutte) {
         Flattening flat = flatten_lscm(tile);
-        if (start == SeamStart::arap && flat.summary.usable())
+        if (start != SeamStart::lscm && flat.summary.usable())
             flat = flatten_arap(tile, flat.positions, {.max_iterations = 4, .tolerance = 1e-3});
         if (flat.summary.usable() && count_flipped(tile.mesh.triangles, flat.positions) == 0) return flat.positions;
     }
@@ -64,6 +64,11 @@ SeamSolution lead_lengths(SeamProblem& problem, SeamNewton& newton, const SeamNe
 
 }  // namespace
 
+void count_also(const SolveSummary& earlier, SolveSummary& summary) {
+    summary.iterations += earlier.iterations;
+    summary.factorizations += earlier.factorizations;
+}
+
 Vector seam_start(const Tile& tile, SeamStart start) {
     const Points2 positions = starting_positions(tile, start);
     return Eigen::Map<const Vector>(positions.data(), positions.size());
@@ -74,8 +79,7 @@ SeamSolution hold_lengths(SeamProblem& problem, SeamNewton& newton, const Vector
     SeamSolution held = newton.minimize(loose, options);
     if (held.summary.termination == Termination::converged) return held;
     SeamSolution led = lead_lengths(problem, newton, options, loose);
-    led.summary.iterations += held.summary.iterations;
-    led.summary.factorizations += held.summary.factorizations;
+    count_also(held.summary, led.summary);
     return led;
 }
 

@@ -45,10 +45,8 @@ class Search {
                 return length;
             }
             if (halving == 0 && length > 0.99) {
-                const Vector zero = Vector::Zero(problem_.unknowns());
                 const auto correction =
-                    system.solve(zero, problem_.edge_residual(trial), problem_.dense_residual(trial),
-                                 Vector::Zero(problem_.edge_count()));
+                    system.correction(problem_.edge_residual(trial), problem_.dense_residual(trial));
                 const Vector corrected = trial + correction.d;
                 if (problem_.longest_step(u, corrected - u) > 0.99 && accepted(corrected)) {
                     u = corrected;
@@ -126,8 +124,7 @@ SeamSolution SeamNewton::minimize(const SeamSolution& start, const SeamNewtonOpt
             at.summary.reason = "no shift makes the Newton system positive definite";
             break;
         }
-        const auto step =
-            system.solve(system.gradient(), problem.edge_residual(at.u), problem.dense_residual(at.u), at.lambda);
+        const auto step = system.step();
         const double length = search.move(system, step, at.u);
         if (length == 0) {
             at.summary.termination = Termination::stagnated;

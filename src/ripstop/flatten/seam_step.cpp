@@ -8,12 +8,14 @@
 namespace ripstop {
 namespace {
 
-constexpr double edge_weight = 1e4;  ///< rho, in mean stiffnesses of the cloth
+constexpr double edge_weight = 1e6;  ///< rho, in mean stiffnesses of the cloth
 constexpr int max_attempts = 16;
 constexpr int max_shifts = 6;         // near rest, before the elements are clamped
 constexpr double least_shift = 1e-7;  // in mean stiffnesses
 constexpr int max_updates = 8;
 constexpr int columns_at_once = 64;  // of a solve for every edge: what a cache holds
+constexpr double edge_tolerance = 1e-4;  // of the edges' errors: Newton itself leaves their square
+constexpr double rounding = 1e-13;       // of the lengths: what is smaller cannot be mended
 
 }  // namespace
 
@@ -31,6 +33,9 @@ void SeamStep::hold_edges(bool hold) {
 bool SeamStep::factorize(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda, const Eigen::VectorXd& mu,
                          bool near) {
     u_ = u;
+    lambda_ = lambda;
+    edge_residual_ = problem_.edge_residual(u);
+    dense_residual_ = problem_.dense_residual(u);
     near ? (clamped_ = false) : (shift_ = 0);
     // far from rest: exact, clamped, clamped and shifted; near it: exact, shifted, which keeps the convergence fast
     for (int attempt = 0; attempt < max_attempts; ++attempt) {
@@ -59,22 +64,32 @@ void SeamStep::hold_still() {
         values_[problem_.pattern().diagonal_slot(i)] += problem_.stiffness();
 }
 
-/// The columns of grain, area and the hold against turning, and their Schur complement. The hold makes the matrix regular
-/// and is taken out again exactly. False where the inertia is not that of a minimum.
+/// The columns of grain, area and the hold against turning, and their Schur complement; solved together with the Newton
+/// step's own right side, as reading the factor takes longer than using it. The hold makes the matrix regular and is taken
+/// out again exactly. False where the inertia is not that of a minimum.
 bool SeamStep::border() {
     const int k = problem_.dense_count();
     columns_.setZero(problem_.unknowns(), k + 1);
     columns_.leftCols(k) = problem_.dense_rows(u_);
     columns_(held_turn_, k) = std::sqrt(problem_.stiffness());
-    solved_ = solver_.solve_columns(columns_);
+    Eigen::MatrixXd right(problem_.unknowns(), k + 2);
+    right << columns_, right_side(gradient_, lambda_, edge_residual_);
+    const Eigen::MatrixXd solved = solver_.solve_columns(right);
+    solved_ = solved.leftCols(k + 1);
+    first_ = solved.col(k + 1);
     schur_ = columns_.transpose() * solved_;
     schur_(k, k) -= 1;
     // the leading block is positive, so k positive and one negative direction show in the determinant's sign
     return schur_.determinant() < 0;
 }
 
-void SeamStep::solve_bordered(const Eigen::VectorXd& right, const Eigen::VectorXd& r, Solution& solution) const {
-    solution.d = solver_.solve(right);
+Eigen::VectorXd SeamStep::right_side(const Eigen::VectorXd& g, const Eigen::VectorXd& lambda,
+                                     const Eigen::VectorXd& c) const {
+    if (!hold_edges_) return -g;
+    return -g - problem_.edge_transposed(u_, lambda + rho_ * c);
+}
+
+void SeamStep::add_border(const Eigen::VectorXd& r, Solution& solution) const {
     Eigen::VectorXd target = columns_.transpose() * solution.d;
     target.head(r.size()) += r;
     const Eigen::VectorXd s = schur_.partialPivLu().solve(target);
@@ -82,19 +97,33 @@ void SeamStep::solve_bordered(const Eigen::VectorXd& right, const Eigen::VectorX
     solution.mu = s.head(r.size());
 }
 
-SeamStep::Solution SeamStep::solve(const Eigen::VectorXd& g, const Eigen::VectorXd& c, const Eigen::VectorXd& r,
-                                   const Eigen::VectorXd& lambda) const {
-    Solution solution{{}, lambda, {}};
-    const double target = 1e-7 * c.lpNorm<Eigen::Infinity>();
+/// From the first solve to edges that are right to first order.
+void SeamStep::update_multipliers(const Eigen::VectorXd& g, const Eigen::VectorXd& c, const Eigen::VectorXd& r,
+                                  Solution& solution) const {
+    add_border(r, solution);
+    if (!hold_edges_) return;
+    const double target =
+        std::max(edge_tolerance * c.lpNorm<Eigen::Infinity>(), rounding * problem_.lengths().maxCoeff());
     for (int update = 0; update < max_updates; ++update) {
-        Eigen::VectorXd right = -g;
-        if (hold_edges_) right -= problem_.edge_transposed(u_, solution.lambda + rho_ * c);
-        solve_bordered(right, r, solution);
-        if (!hold_edges_) break;
         const Eigen::VectorXd missing = problem_.edge_product(u_, solution.d) + c;
         solution.lambda += rho_ * missing;
         if (missing.lpNorm<Eigen::Infinity>() <= target) break;
+        solution.d = solver_.solve(right_side(g, solution.lambda, c));
+        add_border(r, solution);
     }
+}
+
+SeamStep::Solution SeamStep::step() const {
+    Solution solution{first_, lambda_, {}};
+    update_multipliers(gradient_, edge_residual_, dense_residual_, solution);
+    return solution;
+}
+
+SeamStep::Solution SeamStep::correction(const Eigen::VectorXd& c, const Eigen::VectorXd& r) const {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(problem_.unknowns());
+    Solution solution{{}, Eigen::VectorXd::Zero(problem_.edge_count()), {}};
+    solution.d = solver_.solve(right_side(none, solution.lambda, c));
+    update_multipliers(none, c, r, solution);
     return solution;
 }
 

@@ -14,10 +14,10 @@ namespace ripstop {
 ///     [ J         ] [ lambda ] = - [ c ]        J rows of the edges, R of the grain (and the area)
 ///     [ R         ] [ mu     ]     [ r ]
 ///
-/// for any g, c, r. What is factorised is H + rho Jᵀ J, which has the pattern of H and is positive definite exactly where
+/// g the gradient, c and r the residuals at u. What is factorised is H + rho Jᵀ J, which has the pattern of H and is positive definite exactly where
 /// H is so along the edges' constraints (rho large); its pivots' signs certify that. The edges then take a few multiplier
-/// updates lambda += rho (J d + c), each bringing about a factor of 1e-4; R and the hold against turning are a border of
-/// two or three columns.
+/// updates lambda += rho (J d + c), each bringing about a factor of 1e-5; R and the hold against turning are a border of
+/// two or three columns, solved in one pass with the first of them.
 class SeamStep {
   public:
     /// Analyses the pattern. Keeps a reference to the problem.
@@ -39,9 +39,11 @@ class SeamStep {
     struct Solution {
         Eigen::VectorXd d, lambda, mu;
     };
-    /// `lambda`: where the multiplier updates begin.
-    Solution solve(const Eigen::VectorXd& g, const Eigen::VectorXd& c, const Eigen::VectorXd& r,
-                   const Eigen::VectorXd& lambda) const;
+    /// The Newton step at the last u.
+    Solution step() const;
+
+    /// The step that mends the residuals c, r there and does nothing else.
+    Solution correction(const Eigen::VectorXd& c, const Eigen::VectorXd& r) const;
 
     /// How the tensions answer the lengths (#edges x #edges, symmetric): S = (J H⁻¹ Jᵀ)⁻¹ along R = 0, the stiffness of the
     /// tile as its edges feel it. One solve an edge, and a dense inverse.
@@ -50,13 +52,18 @@ class SeamStep {
   private:
     void hold_still();
     bool border();
-    void solve_bordered(const Eigen::VectorXd& right, const Eigen::VectorXd& r, Solution& solution) const;
+    Eigen::VectorXd right_side(const Eigen::VectorXd& g, const Eigen::VectorXd& lambda, const Eigen::VectorXd& c) const;
+    void add_border(const Eigen::VectorXd& r, Solution& solution) const;
+    void update_multipliers(const Eigen::VectorXd& g, const Eigen::VectorXd& c, const Eigen::VectorXd& r,
+                            Solution& solution) const;
 
     const SeamProblem& problem_;
     SymmetricSolver solver_;
     bool hold_edges_ = true;
     double rho_ = 0;
-    Eigen::VectorXd u_, gradient_, values_;
+    Eigen::VectorXd u_, lambda_, gradient_, values_;
+    Eigen::VectorXd edge_residual_, dense_residual_;
+    Eigen::VectorXd first_;  ///< of the Newton step, before the border and the updates
     double energy_ = 0;
     int held_turn_ = 0;
     Eigen::MatrixXd columns_, solved_, schur_;

@@ -54,10 +54,10 @@ Eigen::MatrixXd SeamTile::linearize() {
 
 void SeamTile::aim(const Vector& change) {
     length_change_ = stretch_.reach * change;
-    const Vector still = Vector::Zero(problem_.unknowns()), slack = Vector::Zero(problem_.edge_count());
-    course_ = {still, slack, Vector::Zero(problem_.dense_count())};
+    course_ = {Vector::Zero(problem_.unknowns()), Vector::Zero(problem_.edge_count()),
+               Vector::Zero(problem_.dense_count())};
     if (!system_) return;
-    course_ = system_->solve(still, -length_change_, course_.mu, slack);
+    course_ = system_->correction(-length_change_, course_.mu);
     course_.lambda += held_.lambda.cwiseQuotient(lengths_).cwiseProduct(length_change_);
 }
 

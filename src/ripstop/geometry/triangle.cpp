@@ -1,6 +1,7 @@
 #include "ripstop/geometry/triangle.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 
 namespace ripstop {
@@ -26,6 +27,18 @@ Mat22 lay_flat(const Vec3& a, const Vec3& b, const Vec3& c) {
     flat(0, 1) = ab.dot(ac) / length;
     flat(1, 1) = ab.cross(ac).norm() / length;
     return flat;
+}
+
+Eigen::Matrix<double, 2, 3> corner_gradients(const Mat22& edges) {
+    Eigen::Matrix<double, 2, 3> gradients;
+    gradients.rightCols<2>() = edges.inverse().transpose();
+    gradients.col(0) = -gradients.col(1) - gradients.col(2);
+    return gradients;
+}
+
+Eigen::Matrix3d cotangent_matrix(const Mat22& edges) {
+    const Eigen::Matrix<double, 2, 3> gradients = corner_gradients(edges);
+    return 0.5 * edges.determinant() * gradients.transpose() * gradients;
 }
 
 Vec2 triangle_edge(const Mat22& edges, int k) {

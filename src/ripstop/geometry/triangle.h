@@ -18,6 +18,13 @@ double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c);
 /// matrix is [[|ab|, x], [0, y]] with y >= 0. Intrinsic: it knows only the three lengths.
 Mat22 lay_flat(const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// The gradients of the three corner functions of a triangle given by its edges (columns): J = sum_k u_k N_k^T is the
+/// Jacobian of the map that takes its corners to u_k.
+Eigen::Matrix<double, 2, 3> corner_gradients(const Mat22& edges);
+
+/// A N^T N: the triangle's share of the cotangent matrix, the Laplacian of piecewise linear functions (positive).
+Eigen::Matrix3d cotangent_matrix(const Mat22& edges);
+
 /// Edge k of a triangle given by its edges b - a and c - a: from corner k to corner k + 1.
 Vec2 triangle_edge(const Mat22& edges, int k);
 
