@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "support/shapes.h"
 
@@ -13,42 +12,23 @@ namespace {
 
 using Place = std::array<long long, 3>;
 
-Place place(const Vec3& point) {
-    const auto cell = [](double x) { return std::llround(x * 1e7); };
-    return {cell(point.x()), cell(point.y()), cell(point.z())};
+/// Where a boundary edge begins and ends, to 0.1 micrometres.
+std::pair<Place, Place> ends(const Tile& tile, int edge) {
+    const auto place = [&](int i) {
+        const Vec3 point = tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>(i) % tile.boundary.size()]);
+        const auto cell = [](double x) { return std::llround(x * 1e7); };
+        return Place{cell(point.x()), cell(point.y()), cell(point.z())};
+    };
+    return {place(edge), place(edge + 1)};
 }
 
 struct Edge {
-    int tile = -1, edge = -1, chain = -1;
+    int tile = -1, chain = -1, edge = -1;
 };
 
-std::vector<int> chain_of_edges(const Tile& tile) {
-    std::vector<int> chains;
-    std::vector<int> starts;
-    for (std::size_t i = 0; i < tile.boundary.size(); ++i) {
-        int chain = -1;
-        for (std::size_t c = 0; c < tile.chains.size(); ++c)
-            if (tile.chains[c].vertices.front() == tile.boundary[i]) chain = static_cast<int>(c);
-        chains.push_back(chain);
-    }
-    // the loop may begin within a chain: what comes before the first start belongs to the last one
-    int current = chains.empty() ? -1 : *std::max_element(chains.begin(), chains.end());
-    for (auto it = chains.rbegin(); it != chains.rend(); ++it)
-        if (*it >= 0) {
-            current = *it;
-            break;
-        }
-    for (int& chain : chains) current = chain = chain >= 0 ? chain : current;
-    return chains;
-}
-
-/// Flat length from the side's start to the ends of its parts, against the length on the curve.
+/// Flat length from a seam's start to the ends of its parts, against the length on the curve.
 struct Cumulated {
     std::vector<double> drawn{0}, flat{0};
-    void add(const SeamPart& part, double stretch) {
-        drawn.push_back(drawn.back() + part.length);
-        flat.push_back(flat.back() + part.length * stretch);
-    }
     double at(double s) const {
         const auto next = std::upper_bound(drawn.begin() + 1, drawn.end() - 1, s) - drawn.begin();
         const auto k = static_cast<std::size_t>(next);
@@ -63,61 +43,59 @@ Cumulated cumulated(const Envelope& envelope, const std::vector<Points2>& flats,
     std::vector<SeamPart> parts = side.parts;
     if (!along) std::reverse(parts.begin(), parts.end());
     Cumulated sum;
-    for (const SeamPart& part : parts) sum.add(part, flat[part.edge] / drawn[part.edge]);
+    for (const SeamPart& part : parts) {
+        sum.drawn.push_back(sum.drawn.back() + part.length);
+        sum.flat.push_back(sum.flat.back() + part.length * flat[part.edge] / drawn[part.edge]);
+    }
     return sum;
 }
 
 }  // namespace
 
+std::string numbered(char letter, std::size_t number) {
+    std::string name(1, letter);
+    return name += std::to_string(number);
+}
+
+std::vector<int> edges_of_chain(const Tile& tile, int chain) {
+    std::vector<int> edges;
+    const std::vector<int>& vertices = tile.chains[static_cast<std::size_t>(chain)].vertices;
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
+        edges.push_back(static_cast<int>(std::find(tile.boundary.begin(), tile.boundary.end(), vertices[i]) -
+                                         tile.boundary.begin()));
+    return edges;
+}
+
 std::vector<Seam> conforming_seams(const std::vector<Tile>& tiles) {
-    std::map<std::pair<Place, Place>, Edge> edges;
-    std::vector<std::vector<int>> chains;
-    const auto ends = [&](int t, int i) {
-        const Tile& tile = tiles[static_cast<std::size_t>(t)];
-        const auto point = [&](int k) {
-            return place(tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>(k) % tile.boundary.size()]));
-        };
-        return std::pair(point(i), point(i + 1));
-    };
-    for (int t = 0; t < static_cast<int>(tiles.size()); ++t) {
-        chains.push_back(chain_of_edges(tiles[static_cast<std::size_t>(t)]));
-        for (int i = 0; i < static_cast<int>(chains.back().size()); ++i)
-            edges[ends(t, i)] = {t, i, chains.back()[static_cast<std::size_t>(i)]};
-    }
-    std::vector<Seam> seams;
-    for (int t = 0; t < static_cast<int>(tiles.size()); ++t) {
-        const Tile& tile = tiles[static_cast<std::size_t>(t)];
-        const Eigen::VectorXd lengths = drawn_lengths(tile);
-        const int count = static_cast<int>(lengths.size());
-        // from the start of a chain on, so that a seam is not cut where the loop begins
-        int first = 0;
-        while (first < count &&
-               chains[static_cast<std::size_t>(t)][static_cast<std::size_t>(first)] ==
-                   chains[static_cast<std::size_t>(t)][static_cast<std::size_t>((first + count - 1) % count)])
-            ++first;
-        Edge last_mate;
-        int last_chain = -1;
-        for (int k = 0; k < count; ++k) {
-            const int i = (first + k) % count;
-            const auto [from, to] = ends(t, i);
-            const auto found = edges.find({to, from});
-            const Edge mate = found == edges.end() ? Edge{} : found->second;
-            const int chain = chains[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)];
-            const bool mine = mate.tile > t || (mate.tile == t && mate.edge > i);
-            if (mine) {
-                const bool goes_on = chain == last_chain && mate.tile == last_mate.tile && mate.chain == last_mate.chain;
-                if (!goes_on) {
-                    seams.push_back({"S" + std::to_string(seams.size() + 1), {t, chain, {}}, {mate.tile, mate.chain, {}}});
-                }
-                Seam& seam = seams.back();
-                const double length = lengths[i];
-                seam.a.parts.push_back({i, length});
-                seam.b.parts.insert(seam.b.parts.begin(), {mate.edge, length});
-                seam.length += length;
+    std::vector<Edge> edges;
+    std::map<std::pair<Place, Place>, Edge> found;
+    for (int t = 0; t < static_cast<int>(tiles.size()); ++t)
+        for (int c = 0; c < static_cast<int>(tiles[static_cast<std::size_t>(t)].chains.size()); ++c)
+            for (const int e : edges_of_chain(tiles[static_cast<std::size_t>(t)], c)) {
+                edges.push_back({t, c, e});
+                found[ends(tiles[static_cast<std::size_t>(t)], e)] = edges.back();
             }
-            last_mate = mine ? mate : Edge{};
-            last_chain = chain;
+    std::vector<Seam> seams;
+    Edge last, last_mate;
+    for (const Edge& edge : edges) {
+        const Tile& tile = tiles[static_cast<std::size_t>(edge.tile)];
+        const auto [from, to] = ends(tile, edge.edge);
+        const auto mate = found.find({to, from});
+        const bool first_of_two =
+            mate != found.end() && std::pair(edge.tile, edge.chain) < std::pair(mate->second.tile, mate->second.chain);
+        if (first_of_two) {
+            const Edge other = mate->second;
+            if (edge.tile != last.tile || edge.chain != last.chain || other.tile != last_mate.tile ||
+                other.chain != last_mate.chain)
+                seams.push_back(
+                    {numbered('S', seams.size() + 1), {edge.tile, edge.chain, {}}, {other.tile, other.chain, {}}});
+            const double length = drawn_lengths(tile)[edge.edge];
+            seams.back().a.parts.push_back({edge.edge, length});
+            seams.back().b.parts.insert(seams.back().b.parts.begin(), {other.edge, length});
+            seams.back().length += length;
         }
+        last = edge;
+        last_mate = first_of_two ? mate->second : Edge{};
     }
     return seams;
 }
@@ -138,7 +116,7 @@ Envelope gores(const std::vector<double>& angles, int count, int columns, int ro
         Eigen::Matrix3d about;
         about << std::cos(turn), -std::sin(turn), 0, std::sin(turn), std::cos(turn), 0, 0, 0, 1;
         mesh.positions = (mesh.positions * about.transpose()).eval();
-        tiles.push_back(make_tile("G" + std::to_string(g + 1), mesh, {.warp = Vec3::UnitZ()}));
+        tiles.push_back(make_tile(numbered('G', tiles.size() + 1), mesh, {.warp = Vec3::UnitZ()}));
         at += angle;
     }
     return sewn(std::move(tiles));
@@ -148,8 +126,19 @@ double worst_mismatch(const Envelope& envelope, const std::vector<Points2>& flat
     double worst = 0;
     for (const Seam& seam : envelope.seams) {
         const Cumulated a = cumulated(envelope, flats, seam.a, true), b = cumulated(envelope, flats, seam.b, false);
+        worst = std::max(worst, std::abs(a.flat.back() - b.flat.back()) / seam.length);
+    }
+    return worst;
+}
+
+double worst_drift(const Envelope& envelope, const std::vector<Points2>& flats) {
+    double worst = 0;
+    for (const Seam& seam : envelope.seams) {
+        const Cumulated a = cumulated(envelope, flats, seam.a, true), b = cumulated(envelope, flats, seam.b, false);
         for (std::size_t k = 1; k < a.drawn.size(); ++k)
             worst = std::max(worst, std::abs(a.flat[k] - b.at(a.drawn[k])) / seam.length);
+        for (std::size_t k = 1; k < b.drawn.size(); ++k)
+            worst = std::max(worst, std::abs(b.flat[k] - a.at(b.drawn[k])) / seam.length);
     }
     return worst;
 }

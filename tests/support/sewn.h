@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "ripstop/model/envelope.h"
@@ -18,8 +19,15 @@ Envelope sewn(std::vector<Tile> tiles);
 /// the first one and along each. The warp runs from pole to pole.
 Envelope gores(const std::vector<double>& angles, int count, int columns, int rows);
 
-/// Largest difference between the flat lengths of the two sides of a seam, over its length: from its start to any vertex of
-/// side a, where side b lies between two vertices interpolated.
+std::string numbered(char letter, std::size_t number);  ///< `G12`
+
+/// The boundary edges of a chain, in its order.
+std::vector<int> edges_of_chain(const Tile& tile, int chain);
+
+/// Largest difference between the flat lengths of the two sides of a seam, over its length. Where a seam ends within an edge,
+/// its flat length is shared as its length is.
 double worst_mismatch(const Envelope& envelope, const std::vector<Points2>& flats);
+/// The same from its start to each vertex of either side, where the other lies between two vertices interpolated.
+double worst_drift(const Envelope& envelope, const std::vector<Points2>& flats);
 
 }  // namespace ripstop::testing

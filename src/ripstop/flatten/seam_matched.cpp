@@ -33,9 +33,9 @@ class MatchedEnvelope {
           options_(options),
           stretch_(find_seam_stretch(envelope)),
           tiles_(envelope.tiles.size()),
-          h_(Vector::Zero(stretch_.count())),
-          lower_(Vector::Constant(stretch_.count(), -options.slack)),
-          upper_(Vector::Constant(stretch_.count(), options.slack)) {}
+          h_(Vector::Zero(stretch_.count)),
+          lower_(Vector::Constant(stretch_.count, -options.slack)),
+          upper_(Vector::Constant(stretch_.count, options.slack)) {}
 
     std::vector<Flattening> flatten();
 
@@ -86,7 +86,7 @@ void MatchedEnvelope::loosen() {
         if (!stretch_of(t).intervals.empty())
             tile(t) = std::make_unique<SeamTile>(from, fabric_, stretch_of(t), options_.bending);
     });
-    lengths_ = Vector::Zero(stretch_.count());
+    lengths_ = Vector::Zero(stretch_.count);
     for (int t = 0; t < static_cast<int>(tiles_.size()); ++t) {
         if (!tile(t)) continue;
         const TileStretch& own = stretch_of(t);
@@ -123,7 +123,7 @@ void MatchedEnvelope::find_pattern() {
     Couplings couplings;
     for (std::size_t t = 0; t < tiles_.size(); ++t)
         group_.push_back(tiles_[t] ? couplings.add_element(stretch_.tiles[t].intervals) : -1);
-    pattern_.emplace(stretch_.count(), couplings);
+    pattern_.emplace(stretch_.count, couplings);
     solver_.emplace(*pattern_);
 }
 
@@ -153,7 +153,7 @@ double MatchedEnvelope::energy() {
 }
 
 Vector MatchedEnvelope::gradient() {
-    Vector g = Vector::Zero(stretch_.count());
+    Vector g = Vector::Zero(stretch_.count);
     for (std::size_t t = 0; t < tiles_.size(); ++t)
         if (tiles_[t]) g(stretch_.tiles[t].intervals) += tiles_[t]->gradient();
     return g;
@@ -174,8 +174,7 @@ bool MatchedEnvelope::balanced(const Vector& g) {
 /// The change of h that makes the quadratic model least within the box, a multiple of the identity added if need be.
 std::optional<Vector> MatchedEnvelope::newton_change(const Vector& g) {
     double mean = 0, shift = 0;
-    for (int i = 0; i < pattern_->size(); ++i)
-        mean += std::abs(values_[pattern_->diagonal_slot(i)]) / pattern_->size();
+    for (int i = 0; i < pattern_->size(); ++i) mean += std::abs(values_[pattern_->diagonal_slot(i)]) / pattern_->size();
     for (int attempt = 0; attempt <= max_shifts; ++attempt) {
         Vector shifted = values_;
         for (int i = 0; i < pattern_->size(); ++i) shifted[pattern_->diagonal_slot(i)] += shift * mean;

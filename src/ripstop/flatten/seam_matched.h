@@ -11,10 +11,11 @@
 namespace ripstop {
 
 struct SeamMatchedOptions {
-    double slack = std::numeric_limits<double>::infinity();  ///< largest |stretch| of a seam, on each interval of it, > 0
-    double bending = 3e-3;    ///< stiffness of the cut line about its free shape, in A^1.5 E, > 0
-    int max_iterations = 40;  ///< rounds over the envelope, > 0
-    int threads = 0;          ///< 0: one a core
+    double slack =
+        std::numeric_limits<double>::infinity();  ///< largest |stretch| of a seam, on each interval of it, > 0
+    double bending = 3e-3;                        ///< stiffness of the seams about their free shape, in A^1.5 E, > 0
+    int max_iterations = 40;                      ///< rounds over the envelope, > 0
+    int threads = 0;                              ///< 0: one a core
     Progress progress = {};
 };
 
@@ -32,8 +33,9 @@ struct SeamMatchedOptions {
 /// the energy. What is in no seam keeps its length as drawn: it has no mate to agree with, and mouth and crown are sewn to
 /// tapes of their own.
 ///
-/// The cut line bends about the shape it has when the tile is flattened with free edges: where the cloth hardly resists
-/// shear, the longer of two neighbours pushes the other's edge, which without this would give way in waves.
+/// A seam bends about the shape it has when the tile is flattened with free edges: where the cloth hardly resists shear, the
+/// longer of two neighbours pushes the other's edge, which without this would give way in waves. Edges in no seam bend as
+/// in seam-exact flattening.
 ///
 /// Gives a flattening for each tile, in the order of the envelope: `seam_tension` is positive where the tile is pulled by
 /// its neighbour, the certificate's forces are those in the cloth and across the seams, the note says how far from drawn

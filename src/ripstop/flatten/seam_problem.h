@@ -34,8 +34,8 @@ class SeamProblem {
     const SparsePattern& pattern() const { return *pattern_; }
     const Eigen::VectorXd& lengths() const { return lengths_; }
     void set_lengths(const Eigen::VectorXd& lengths) { lengths_ = lengths; }
-    /// The cut line bends from these turnings (one a boundary vertex) instead of the surface's. Requires bending > 0 so far.
-    void set_bending(double bending, const Eigen::VectorXd& reference);
+    /// Of each boundary vertex that is no corner: stiffness, in A^1.5 E, and turning at rest. Requires bending > 0 so far.
+    void set_bending(const Eigen::VectorXd& bending, const Eigen::VectorXd& reference);
 
     double energy(const Eigen::VectorXd& u) const;  ///< +infinity where a triangle is flipped
 
@@ -85,12 +85,11 @@ class SeamProblem {
     Eigen::VectorXd grain_row_;
     WovenMembrane membrane_;
     double stiffness_, size_ = 0, area_ = 0;
-    double bending_;
     bool keep_area_;
     struct Bend {
-        int index;         ///< in the boundary
-        double reference;  ///< turning it has at rest [rad]
-        double length;     ///< of the cut line that belongs to the vertex [m]
+        int index;                 ///< in the boundary
+        double reference;          ///< turning at rest [rad]
+        double length, stiffness;  ///< of the cut line that belongs to the vertex [m, J m]
     };
     std::vector<Bend> bends_;
     int first_bend_group_ = 0, first_edge_group_ = 0;

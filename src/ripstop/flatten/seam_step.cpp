@@ -13,7 +13,7 @@ constexpr int max_attempts = 16;
 constexpr int max_shifts = 6;         // near rest, before the elements are clamped
 constexpr double least_shift = 1e-7;  // in mean stiffnesses
 constexpr int max_updates = 8;
-constexpr int columns_at_once = 64;  // of a solve for every edge: what a cache holds
+constexpr int columns_at_once = 64;      // of a solve for every edge: what a cache holds
 constexpr double edge_tolerance = 1e-4;  // of the edges' errors: Newton itself leaves their square
 constexpr double rounding = 1e-13;       // of the lengths: what is smaller cannot be mended
 

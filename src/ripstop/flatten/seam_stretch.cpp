@@ -12,7 +12,6 @@ namespace ripstop {
 namespace {
 
 constexpr double same_length = 1e-9;  // of a seam's two sides
-constexpr double least_part = 0.5;    // of an edge, for its end to end an interval
 
 /// A part of an edge with where it lies along the seam, from its start: 0 to 1.
 struct Placed {
@@ -42,13 +41,10 @@ std::vector<Placed> place(const SeamSide& side, bool runs_along) {
     return placed;
 }
 
-/// Where intervals may end: between the parts of a side, but for its first or last where that is a small bit of an edge.
-std::vector<double> ends(const std::vector<Placed>& parts, const Eigen::VectorXd& drawn) {
-    const auto small = [&](const Placed& part) { return part.length < least_part * drawn[part.edge]; };
+/// Where the parts of a side end.
+std::vector<double> ends(const std::vector<Placed>& parts) {
     std::vector<double> found{0};
-    for (std::size_t k = 1; k < parts.size(); ++k)
-        if (!(k == 1 && small(parts[0])) && !(k + 1 == parts.size() && small(parts[k]))) found.push_back(parts[k].from);
-    found.push_back(1);
+    for (const Placed& part : parts) found.push_back(part.to);
     return found;
 }
 
@@ -76,75 +72,127 @@ void require_sides(const Envelope& envelope, const Seam& seam) {
     require_side(envelope, seam, seam.b);
     const double a = total(seam.a.parts), b = total(seam.b.parts);
     if (std::abs(a - b) > same_length * (a + b))
-        throw InputError("seam " + seam.id + ": its sides are " + format_fixed(a, 9) + " and " +
-                         format_fixed(b, 9) + " m long; measure both on one curve");
+        throw InputError("seam " + seam.id + ": its sides are " + format_fixed(a, 9) + " and " + format_fixed(b, 9) +
+                         " m long; measure both on one curve");
 }
 
 /// What tile, edge and interval share.
 struct Share {
-    int tile, interval, edge;
+    int tile, edge, seam, interval;
     double length;  ///< [m]
 };
 
-void add_shares(const std::vector<Placed>& parts, const std::vector<double>& knots, int first,
+/// Numbers that are to be one.
+class Union {
+  public:
+    int add() {
+        parent_.push_back(static_cast<int>(parent_.size()));
+        return parent_.back();
+    }
+    int root(int i) {
+        while (parent_[at(i)] != i) i = parent_[at(i)] = parent_[at(parent_[at(i)])];
+        return i;
+    }
+    void join(int a, int b) {
+        const int one = root(a), other = root(b);
+        parent_[at(std::max(one, other))] = std::min(one, other);
+    }
+    /// Counts on from zero: the number of each, `count` of them.
+    std::vector<int> numbers(int& count) {
+        std::vector<int> found(parent_.size());
+        count = 0;
+        for (int i = 0; i < static_cast<int>(parent_.size()); ++i)
+            found[at(i)] = root(i) == i ? count++ : found[at(root(i))];
+        return found;
+    }
+
+  private:
+    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+    std::vector<int> parent_;
+};
+
+void add_shares(const std::vector<Placed>& parts, const std::vector<double>& knots, int seam, int first,
                 std::vector<Share>& shares) {
     std::size_t k = 0;
     for (const Placed& part : parts) {
         while (k + 2 < knots.size() && knots[k + 1] <= part.from) ++k;
         for (std::size_t i = k; i + 1 < knots.size() && (i == k || knots[i] < part.to); ++i) {
             const double shared = std::min(part.to, knots[i + 1]) - std::max(part.from, knots[i]);
-            if (shared > 0)
-                shares.push_back({part.tile, first + static_cast<int>(i), part.edge,
+            if (shared > same_length)
+                shares.push_back({part.tile, part.edge, seam, first + static_cast<int>(i),
                                   part.length * shared / (part.to - part.from)});
         }
     }
 }
 
-TileStretch gather(const Tile& tile, std::span<const Share> shares) {
-    TileStretch stretch;
-    for (const Share& share : shares)
-        if (stretch.intervals.empty() || stretch.intervals.back() != share.interval)
-            stretch.intervals.push_back(share.interval);
-    const Eigen::ArrayXd longer = target_lengths(tile).array() / drawn_lengths(tile).array();
-    stretch.reach.setZero(longer.size(), static_cast<Eigen::Index>(stretch.intervals.size()));
-    Eigen::Index column = -1;
-    int interval = -1;
-    for (const Share& share : shares) {
-        if (share.interval != interval) ++column;
-        interval = share.interval;
-        stretch.reach(share.edge, column) += longer[share.edge] * share.length;
+/// Both sides of every seam against its intervals, tile by tile and edge by edge.
+std::vector<Share> find_shares(const Envelope& envelope, Union& intervals) {
+    std::vector<Share> shares;
+    for (std::size_t s = 0; s < envelope.seams.size(); ++s) {
+        const Seam& seam = envelope.seams[s];
+        require_sides(envelope, seam);
+        const std::vector<Placed> a = place(seam.a, true), b = place(seam.b, false);
+        const std::vector<double> ends_a = ends(a), ends_b = ends(b);
+        // as many on both sides: those that lie less close, so that swapping the sides changes nothing
+        const bool by_a =
+            ends_a.size() != ends_b.size() ? ends_a.size() < ends_b.size() : least_step(ends_a) >= least_step(ends_b);
+        const std::vector<double>& knots = by_a ? ends_a : ends_b;
+        const int first = intervals.add();
+        for (std::size_t k = 2; k < knots.size(); ++k) intervals.add();
+        add_shares(a, knots, static_cast<int>(s), first, shares);
+        add_shares(b, knots, static_cast<int>(s), first, shares);
     }
+    std::stable_sort(shares.begin(), shares.end(), [](const Share& one, const Share& other) {
+        return std::pair(one.tile, one.edge) < std::pair(other.tile, other.edge);
+    });
+    return shares;
+}
+
+/// Makes one of all the intervals that an edge of two seams touches.
+void join_across_seams(std::span<const Share> edge, Union& intervals) {
+    if (std::all_of(edge.begin(), edge.end(), [&](const Share& share) { return share.seam == edge[0].seam; })) return;
+    for (const Share& share : edge) intervals.join(edge[0].interval, share.interval);
+}
+
+/// The shares of the same edge that begin at `from`.
+std::span<const Share> same_edge(const std::vector<Share>& shares, std::size_t from) {
+    std::size_t to = from;
+    while (to < shares.size() && shares[to].tile == shares[from].tile && shares[to].edge == shares[from].edge) ++to;
+    return std::span(shares).subspan(from, to - from);
+}
+
+TileStretch make_stretch(const Tile& tile, std::span<const Share> shares, const std::vector<int>& numbers) {
+    TileStretch stretch;
+    const auto number = [&](const Share& share) { return numbers[static_cast<std::size_t>(share.interval)]; };
+    for (const Share& share : shares) stretch.intervals.push_back(number(share));
+    std::sort(stretch.intervals.begin(), stretch.intervals.end());
+    stretch.intervals.erase(std::unique(stretch.intervals.begin(), stretch.intervals.end()), stretch.intervals.end());
+    const Eigen::VectorXd targets = target_lengths(tile);
+    stretch.reach.setZero(targets.size(), static_cast<Eigen::Index>(stretch.intervals.size()));
+    for (const Share& share : shares) {
+        const auto column = std::lower_bound(stretch.intervals.begin(), stretch.intervals.end(), number(share));
+        stretch.reach(share.edge, column - stretch.intervals.begin()) += share.length;
+    }
+    const Eigen::ArrayXd whole = stretch.reach.rowwise().sum();
+    const Eigen::VectorXd factors = (whole > 0).select(targets.array() / whole, 0);
+    stretch.reach = (factors.asDiagonal() * stretch.reach).eval();
     return stretch;
 }
 
 }  // namespace
 
 SeamStretch find_seam_stretch(const Envelope& envelope) {
-    SeamStretch stretch{{0}, {}};
-    std::vector<Share> shares;
-    std::vector<Eigen::VectorXd> drawn;
-    for (const Tile& tile : envelope.tiles) drawn.push_back(drawn_lengths(tile));
-    for (const Seam& seam : envelope.seams) {
-        require_sides(envelope, seam);
-        const std::vector<Placed> a = place(seam.a, true), b = place(seam.b, false);
-        const std::vector<double> ends_a = ends(a, drawn[static_cast<std::size_t>(seam.a.tile)]);
-        const std::vector<double> ends_b = ends(b, drawn[static_cast<std::size_t>(seam.b.tile)]);
-        // as many on both sides: those that lie less close, so that swapping the sides changes nothing
-        const bool by_a = ends_a.size() != ends_b.size() ? ends_a.size() < ends_b.size()
-                                                         : least_step(ends_a) >= least_step(ends_b);
-        const std::vector<double>& knots = by_a ? ends_a : ends_b;
-        add_shares(a, knots, stretch.count(), shares);
-        add_shares(b, knots, stretch.count(), shares);
-        stretch.first.push_back(stretch.count() + static_cast<int>(knots.size()) - 1);
-    }
-    std::stable_sort(shares.begin(), shares.end(), [](const Share& one, const Share& other) {
-        return std::pair(one.tile, one.interval) < std::pair(other.tile, other.interval);
-    });
+    Union intervals;
+    const std::vector<Share> shares = find_shares(envelope, intervals);
+    for (std::size_t k = 0; k < shares.size(); k += same_edge(shares, k).size())
+        join_across_seams(same_edge(shares, k), intervals);
+    SeamStretch stretch;
+    const std::vector<int> numbers = intervals.numbers(stretch.count);
     auto from = shares.begin();
     for (std::size_t t = 0; t < envelope.tiles.size(); ++t) {
         const auto to =
             std::find_if(from, shares.end(), [&](const Share& share) { return share.tile != static_cast<int>(t); });
-        stretch.tiles.push_back(gather(envelope.tiles[t], std::span(from, to)));
+        stretch.tiles.push_back(make_stretch(envelope.tiles[t], std::span(from, to), numbers));
         from = to;
     }
     return stretch;

@@ -8,7 +8,7 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 constexpr double surface_bending = 1e-5;  // while the edges are free, in A^1.5 E: what seam-exact has
-constexpr int attempt_iterations = 20;        // from a start that is right to second order
+constexpr int attempt_iterations = 20;    // from a start that is right to second order
 constexpr double loose_force = 1e-6;      // the free shape is what the cut line bends about, so it is to be at rest
 
 }  // namespace
@@ -17,10 +17,25 @@ SeamTile::SeamTile(const Tile& tile, const Fabric& fabric, const TileStretch& st
     : stretch_(stretch), problem_(tile, fabric, {.bending = surface_bending}), newton_(problem_) {
     target_ = problem_.lengths();
     force_scale_ = problem_.stiffness() * target_.mean();
-    loose_ = counted(newton_.minimize(seam_start(tile, SeamStart::arap),
-                                      {.hold_edges = false, .force_tolerance = loose_force}));
+    loose_ = counted(
+        newton_.minimize(seam_start(tile, SeamStart::arap), {.hold_edges = false, .force_tolerance = loose_force}));
     free_stretch_ = problem_.flat_lengths(loose_.u).cwiseQuotient(target_).array() - 1;
-    problem_.set_bending(bending, problem_.flat_turning(loose_.u));
+    stiffen_seams(tile, bending);
+}
+
+/// The seams bend about their free shape; edges that keep their length bend as in seam-exact flattening.
+void SeamTile::stiffen_seams(const Tile& tile, double bending) {
+    const Eigen::Index count = target_.size();
+    Vector stiffness = Vector::Constant(count, surface_bending);
+    Vector reference = surface_turning(tile.mesh, tile.boundary);
+    const Vector free_turning = problem_.flat_turning(loose_.u);
+    const Vector sewn = stretch_.reach.rowwise().sum();
+    for (Eigen::Index i = 0; i < count; ++i) {
+        if (sewn[i] == 0 || sewn[(i + count - 1) % count] == 0) continue;
+        stiffness[i] = bending;
+        reference[i] = free_turning[i];
+    }
+    problem_.set_bending(stiffness, reference);
 }
 
 SeamSolution SeamTile::counted(SeamSolution solution) {

@@ -9,7 +9,7 @@ namespace ripstop {
 /// exact first and second derivatives. In its own intervals' order (`TileStretch::intervals`).
 class SeamTile {
   public:
-    /// Flattens with free edges, which gives the cut line the shape about which it bends. `bending` in A^1.5 E, > 0. Keeps a
+    /// Flattens with free edges, which gives the seams the shape about which they bend. `bending` in A^1.5 E, > 0. Keeps a
     /// reference to `stretch`.
     SeamTile(const Tile& tile, const Fabric& fabric, const TileStretch& stretch, double bending);
 
@@ -38,6 +38,7 @@ class SeamTile {
     int factorizations() const { return factorizations_; }
 
   private:
+    void stiffen_seams(const Tile& tile, double bending);
     SeamSolution counted(SeamSolution solution);
 
     const TileStretch& stretch_;

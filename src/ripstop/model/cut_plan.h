@@ -20,7 +20,7 @@ struct FlatTile {
     Bounds bounds;  ///< known before the solve
     Accuracy accuracy;
     Verdict verdict;
-    double seconds = 0;  ///< of this tile's solve, wall clock
+    double seconds = 0;  ///< of this tile's solve, wall clock; its share where all tiles are solved together
 };
 
 /// What `flatten` gives: every tile flattened and judged.

@@ -15,8 +15,8 @@ struct FlattenOptions {
     Progress progress = {};
 };
 
-/// The main job: flattens every tile by one method and judges it. Tiles are independent and worked on in parallel; the
-/// result does not depend on the number of threads. Throws InputError for an unknown method, or for `given` where a tile
+/// The main job: flattens every tile by one method and judges it. Tiles are worked on in parallel, on their own or, where the
+/// method asks for it, together with their neighbours; the result does not depend on the number of threads. Throws InputError for an unknown method, or for `given` where a tile
 /// came without flat positions.
 CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options);
 
