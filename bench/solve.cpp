@@ -17,6 +17,7 @@
 
 #include "ripstop/design/gores.h"
 #include "ripstop/flatten/arap.h"
+#include "ripstop/flatten/boundary_first.h"
 #include "ripstop/flatten/lscm.h"
 #include "ripstop/flatten/seam_exact.h"
 #include "ripstop/flatten/seam_problem.h"
@@ -118,6 +119,7 @@ std::vector<Row> rows() {
         {"floor-simplicial", [](const Tile& tile) { return floor_of(tile, SolverKind::simplicial); }},
         {"floor-supernodal", [](const Tile& tile) { return floor_of(tile, SolverKind::supernodal); }},
         {"seam-exact", [](const Tile& tile) { return best([&] { return said(flatten_seam_exact(tile, cloth())); }); }},
+        {"bff", [](const Tile& tile) { return best([&] { return said(flatten_boundary_first(tile)); }); }},
         {"lscm", [](const Tile& tile) { return best([&] { return said(flatten_lscm(tile)); }); }},
         {"arap", [](const Tile& tile) { return best([&] { return said(flatten_arap(tile)); }); }},
     };

@@ -89,16 +89,11 @@ TEST(SeamProblem, LongestStepStopsBeforeTheFirstTriangleWithoutArea) {
     EXPECT_FALSE(std::isfinite(c.problem.energy(c.u + step / 0.9 * 1.0001 * d)));
 }
 
-TEST(SeamNewton, SatisfiesTheFirstOrderConditionsAndConvergesQuadratically) {
+TEST(SeamNewton, SatisfiesTheFirstOrderConditionsAfterAFewFactorizations) {
     const Tile tile = make_tile("t", testing::spherical_square(0.4, 8), {.warp = Vec3::UnitX()});
     const SeamProblem problem(tile, Fabric{}, {});
     Points2 flat = tile.mesh.positions.leftCols(2);
     const Vector start = Eigen::Map<Vector>(flat.data(), flat.size());
-    std::vector<double> error;
-    for (int iterations = 1; iterations <= 6; ++iterations) {
-        SeamNewton newton(problem);
-        error.push_back(newton.minimize(start, {.max_iterations = iterations}).length_residual);
-    }
     SeamNewton newton(problem);
     const SeamSolution at = newton.minimize(start);
     ASSERT_EQ(at.summary.termination, Termination::converged);
@@ -107,9 +102,7 @@ TEST(SeamNewton, SatisfiesTheFirstOrderConditionsAndConvergesQuadratically) {
         problem.gradient(at.u) + problem.edge_transposed(at.u, at.lambda) + problem.dense_rows(at.u) * at.mu;
     EXPECT_LT(balance.lpNorm<Eigen::Infinity>(), 1e-6);
     EXPECT_LT(problem.edge_residual(at.u).lpNorm<Eigen::Infinity>(), 1e-12);
-    // quadratic: each error below a constant times the square of the one before, until rounding
-    for (std::size_t k = 2; k < error.size() && error[k] > 1e-13; ++k)
-        EXPECT_LT(error[k], 1000 * error[k - 1] * error[k - 1] + 1e-13) << k;
+    EXPECT_LE(at.summary.factorizations, 3);
 }
 
 TEST(SeamNewton, MultipliersArePricesOfTheLengths) {

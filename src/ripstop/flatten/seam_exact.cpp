@@ -9,14 +9,15 @@
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/flatten/boundary_first.h"
+#include "ripstop/flatten/coarse_start.h"
 #include "ripstop/flatten/grain.h"
 #include "ripstop/mesh/flips.h"
 
 namespace ripstop {
 namespace {
 
-using Vector = Eigen::VectorXd;
-
+constexpr int coarse_start_from =
+    5'000;                             ///< triangles: of smaller tiles the coarse cloth would cost as much as it saves
 constexpr int direct_iterations = 20;  ///< from the boundary's own lengths; what needs more is better led there
 
 bool without_flips(const Tile& tile, const Flattening& flat) {
@@ -44,10 +45,12 @@ std::string price_of_area(const Tile& tile, const Fabric& fabric, SeamExactOptio
 }
 
 /// From a start whose edges are nearly right straight to the end; empty where that turns triangles over.
-std::optional<SeamSolution> from_boundary(const Tile& tile, SeamNewton& newton) {
+std::optional<SeamSolution> from_boundary(const Tile& tile, const Fabric& fabric, SeamNewton& newton) {
     const Flattening flat = flatten_boundary_first(tile);
     if (!without_flips(tile, flat)) return std::nullopt;
-    return newton.minimize(Eigen::Map<const Vector>(flat.positions.data(), flat.positions.size()),
+    const bool large = tile.mesh.triangle_count() >= coarse_start_from;
+    const Points2 start = large ? coarse_solution(tile, fabric, flat.positions) : flat.positions;
+    return newton.minimize(Eigen::Map<const Eigen::VectorXd>(start.data(), start.size()),
                            {.max_iterations = direct_iterations});
 }
 
@@ -67,10 +70,11 @@ SeamSolution from_rest(const Tile& tile, SeamProblem& problem, SeamNewton& newto
     return exact;
 }
 
-SeamSolution solve(const Tile& tile, SeamProblem& problem, SeamNewton& newton, const SeamExactOptions& options) {
+SeamSolution solve(const Tile& tile, const Fabric& fabric, SeamProblem& problem, SeamNewton& newton,
+                   const SeamExactOptions& options) {
     SolveSummary spent;
     if (options.start == SeamStart::boundary_first) {
-        std::optional<SeamSolution> exact = from_boundary(tile, newton);
+        std::optional<SeamSolution> exact = from_boundary(tile, fabric, newton);
         if (exact && exact->summary.termination == Termination::converged && exact->strict_minimum) return *exact;
         if (exact) spent = exact->summary;
     }
@@ -86,7 +90,7 @@ Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const Seam
         throw InputError("seam-exact options: bending >= 0, max_iterations > 0");
     SeamProblem problem(tile, fabric, {options.bending, options.keep_area});
     SeamNewton newton(problem);
-    const SeamSolution exact = solve(tile, problem, newton, options);
+    const SeamSolution exact = solve(tile, fabric, problem, newton, options);
     Flattening result;
     result.positions = Eigen::Map<const Points2>(exact.u.data(), exact.u.size() / 2, 2);
     result.summary = exact.summary;

@@ -45,8 +45,8 @@ class Search {
                 return length;
             }
             if (halving == 0 && length > 0.99) {
-                const auto correction =
-                    system.correction(problem_.edge_residual(trial), problem_.dense_residual(trial));
+                const auto correction = system.correction(
+                    Vector::Zero(problem_.unknowns()), problem_.edge_residual(trial), problem_.dense_residual(trial));
                 const Vector corrected = trial + correction.d;
                 if (problem_.longest_step(u, corrected - u) > 0.99 && accepted(corrected)) {
                     u = corrected;
@@ -67,6 +67,46 @@ class Search {
 
 SeamNewton::SeamNewton(const SeamProblem& problem) : problem_(problem), step_(std::make_unique<SeamStep>(problem)) {}
 SeamNewton::~SeamNewton() = default;
+
+/// How far the first-order conditions are from holding, and by how much more than is asked.
+class SeamNewton::Balance {
+  public:
+    Balance(const SeamProblem& problem, const SeamNewtonOptions& options, const SeamSolution& at)
+        : force(problem.gradient(at.u) + problem.dense_rows(at.u) * at.mu),
+          lengths(problem.edge_residual(at.u)),
+          dense(problem.dense_residual(at.u)) {
+        if (options.hold_edges) force += problem.edge_transposed(at.u, at.lambda);
+        force_residual = force.lpNorm<Eigen::Infinity>() / (problem.stiffness() * problem.lengths().mean());
+        if (options.hold_edges) length_residual = lengths.cwiseQuotient(problem.lengths()).lpNorm<Eigen::Infinity>();
+        excess = std::max({force_residual / options.force_tolerance, length_residual / options.length_tolerance,
+                           dense.lpNorm<Eigen::Infinity>() / problem.size() / options.length_tolerance});
+        if (!std::isfinite(excess)) excess = std::numeric_limits<double>::infinity();
+    }
+
+    Vector force, lengths, dense;
+    double force_residual = 0, length_residual = 0;
+    double excess = 0;  ///< at most one where all is as asked
+};
+
+/// Goes on with the factorisation at hand, which costs a solve a step, as long as that takes a decade off each time.
+SeamNewton::Balance SeamNewton::settle(const SeamNewtonOptions& options, SeamSolution& at) const {
+    Balance balance(problem_, options, at);
+    while (balance.excess > 1) {
+        const SeamStep::Solution step = step_->correction(balance.force, balance.lengths, balance.dense);
+        if (problem_.longest_step(at.u, step.d) < 0.99) break;
+        SeamSolution next = at;
+        next.u += step.d;
+        next.lambda += step.lambda;
+        next.mu += step.mu;
+        const Balance after(problem_, options, next);
+        if (!(after.excess < balance.excess)) break;
+        const bool fast = after.excess < 0.1 * balance.excess;
+        at = std::move(next);
+        balance = after;
+        if (!fast) break;
+    }
+    return balance;
+}
 
 const SeamStep* SeamNewton::system_at(const SeamSolution& solution) {
     step_->hold_edges(true);
@@ -91,34 +131,15 @@ SeamSolution SeamNewton::minimize(const SeamSolution& start, const SeamNewtonOpt
     at.lambda = start.lambda;
     at.mu = start.mu;
     Search search(problem, options);
-    const double force_scale = problem.stiffness() * problem.lengths().mean();
     at.summary = {Termination::iteration_limit, 0, 0, "the forces were not yet in balance"};
     if (!std::isfinite(problem.energy(start.u))) {
         at.summary = {Termination::failed, 0, 0, "the start has triangles turned over"};
         return at;
     }
-    while (true) {
-        const Vector g = problem.gradient(at.u);
-        Vector residual = g + problem.dense_rows(at.u) * at.mu;
-        if (options.hold_edges) residual += problem.edge_transposed(at.u, at.lambda);
-        at.force_residual = residual.lpNorm<Eigen::Infinity>() / force_scale;
-        at.length_residual =
-            options.hold_edges ? problem.edge_residual(at.u).cwiseQuotient(problem.lengths()).lpNorm<Eigen::Infinity>()
-                               : 0;
-        const double dense = problem.dense_residual(at.u).lpNorm<Eigen::Infinity>() / problem.size();
-        if (at.force_residual <= options.force_tolerance && at.length_residual <= options.length_tolerance &&
-            dense <= options.length_tolerance) {
-            at.summary.termination = Termination::converged;
-            at.summary.reason = "forces in balance";
-            // the last factorisation was one step before; one more only where there was none, or it was helped
-            at.strict_minimum =
-                options.hold_edges && ((at.summary.iterations > 0 && system.exact()) ||
-                                       (system.factorize(at.u, at.lambda, at.mu, true) && system.exact()));
-            break;
-        }
-        if (at.summary.iterations == options.max_iterations) break;
+    Balance balance(problem, options, at);
+    while (balance.excess > 1 && at.summary.iterations < options.max_iterations) {
         ++at.summary.iterations;
-        const bool near = options.hold_edges && at.length_residual < near_rest;
+        const bool near = options.hold_edges && balance.length_residual < near_rest;
         if (!system.factorize(at.u, at.lambda, at.mu, near)) {
             at.summary.termination = Termination::stagnated;
             at.summary.reason = "no shift makes the Newton system positive definite";
@@ -133,7 +154,18 @@ SeamSolution SeamNewton::minimize(const SeamSolution& start, const SeamNewtonOpt
         }
         at.lambda += length * (step.lambda - at.lambda);
         at.mu += length * (step.mu - at.mu);
+        const bool settling = options.hold_edges && length == 1 && system.exact();
+        balance = settling ? settle(options, at) : Balance(problem, options, at);
     }
+    if (balance.excess <= 1) {
+        at.summary.termination = Termination::converged;
+        at.summary.reason = "forces in balance";
+        // one more factorisation only where there was none, or it was helped
+        at.strict_minimum = options.hold_edges && ((at.summary.iterations > 0 && system.exact()) ||
+                                                   (system.factorize(at.u, at.lambda, at.mu, true) && system.exact()));
+    }
+    at.force_residual = balance.force_residual;
+    at.length_residual = balance.length_residual;
     at.summary.factorizations = system.factorizations() - spent;
     at.energy = problem.energy(at.u);
     return at;

@@ -36,7 +36,9 @@ struct SeamSolution {
 /// constraints (rho large), which its pivots' signs certify. The system above is solved by a few multiplier updates
 /// lambda += rho (J d + c) with that one factorisation, each 1/rho closer; grain and area by a border of two columns.
 /// Where a pivot is negative the element Hessians are clamped, then a multiple of the identity is added. Steps stop short
-/// of the first triangle that would lose its area, then satisfy an l1 merit with a second-order correction.
+/// of the first triangle that would lose its area, then satisfy an l1 merit with a second-order correction. After a whole
+/// step with nothing clamped or added the same factorisation serves again (simplified Newton), as long as a step takes a
+/// decade off what is out of balance: a solve costs a tenth of a factorisation.
 class SeamNewton {
   public:
     /// Analyses the problem's pattern once, for every `minimize`. Keeps a reference to the problem.
@@ -51,6 +53,9 @@ class SeamNewton {
     const SeamStep* system_at(const SeamSolution& solution);
 
   private:
+    class Balance;
+    Balance settle(const SeamNewtonOptions& options, SeamSolution& at) const;
+
     const SeamProblem& problem_;
     std::unique_ptr<SeamStep> step_;
 };

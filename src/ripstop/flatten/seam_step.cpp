@@ -119,11 +119,11 @@ SeamStep::Solution SeamStep::step() const {
     return solution;
 }
 
-SeamStep::Solution SeamStep::correction(const Eigen::VectorXd& c, const Eigen::VectorXd& r) const {
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(problem_.unknowns());
+SeamStep::Solution SeamStep::correction(const Eigen::VectorXd& g, const Eigen::VectorXd& c,
+                                        const Eigen::VectorXd& r) const {
     Solution solution{{}, Eigen::VectorXd::Zero(problem_.edge_count()), {}};
-    solution.d = solver_.solve(right_side(none, solution.lambda, c));
-    update_multipliers(none, c, r, solution);
+    solution.d = solver_.solve(right_side(g, solution.lambda, c));
+    update_multipliers(g, c, r, solution);
     return solution;
 }
 

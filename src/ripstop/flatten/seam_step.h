@@ -42,8 +42,9 @@ class SeamStep {
     /// The Newton step at the last u.
     Solution step() const;
 
-    /// The step that mends the residuals c, r there and does nothing else.
-    Solution correction(const Eigen::VectorXd& c, const Eigen::VectorXd& r) const;
+    /// The step that takes away forces g out of balance and residuals c, r met elsewhere, nearby; lambda and mu are what
+    /// it adds to the multipliers.
+    Solution correction(const Eigen::VectorXd& g, const Eigen::VectorXd& c, const Eigen::VectorXd& r) const;
 
     /// How the tensions answer the lengths (#edges x #edges, symmetric): S = (J H⁻¹ Jᵀ)⁻¹ along R = 0, the stiffness of the
     /// tile as its edges feel it. One solve an edge, and a dense inverse.

@@ -72,7 +72,7 @@ void SeamTile::aim(const Vector& change) {
     course_ = {Vector::Zero(problem_.unknowns()), Vector::Zero(problem_.edge_count()),
                Vector::Zero(problem_.dense_count())};
     if (!system_) return;
-    course_ = system_->correction(-length_change_, course_.mu);
+    course_ = system_->correction(course_.d, -length_change_, course_.mu);
     course_.lambda += held_.lambda.cwiseQuotient(lengths_).cwiseProduct(length_change_);
 }
 
