@@ -136,7 +136,8 @@ SeamSolution SeamNewton::minimize(const SeamSolution& start, const SeamNewtonOpt
         at.summary = {Termination::failed, 0, 0, "the start has triangles turned over"};
         return at;
     }
-    Balance balance(problem, options, at);
+    const bool goes_on = options.hold_edges && options.go_on && system.exact();
+    Balance balance = goes_on ? settle(options, at) : Balance(problem, options, at);
     while (balance.excess > 1 && at.summary.iterations < options.max_iterations) {
         ++at.summary.iterations;
         const bool near = options.hold_edges && balance.length_residual < near_rest;
@@ -161,7 +162,7 @@ SeamSolution SeamNewton::minimize(const SeamSolution& start, const SeamNewtonOpt
         at.summary.termination = Termination::converged;
         at.summary.reason = "forces in balance";
         // one more factorisation only where there was none, or it was helped
-        at.strict_minimum = options.hold_edges && ((at.summary.iterations > 0 && system.exact()) ||
+        at.strict_minimum = options.hold_edges && (((goes_on || at.summary.iterations > 0) && system.exact()) ||
                                                    (system.factorize(at.u, at.lambda, at.mu, true) && system.exact()));
     }
     at.force_residual = balance.force_residual;

@@ -82,7 +82,7 @@ double SeamTile::attempt(double share) {
     tried_.u += share * course_.d;
     tried_.lambda += share * course_.lambda;
     tried_.mu += share * course_.mu;
-    tried_ = counted(newton_.minimize(tried_, {.max_iterations = attempt_iterations}));
+    tried_ = counted(newton_.minimize(tried_, {.go_on = system_ != nullptr, .max_iterations = attempt_iterations}));
     return tried_.summary.termination == Termination::converged ? tried_.energy
                                                                 : std::numeric_limits<double>::infinity();
 }
