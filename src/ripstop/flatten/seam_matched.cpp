@@ -243,8 +243,9 @@ Flattening MatchedEnvelope::finish(int t) {
     const Tile& of = envelope_.tiles[static_cast<std::size_t>(t)];
     if (!tile(t)) {
         Flattening alone = flatten_seam_exact(of, fabric_);
-        if (!stretch_of(t).intervals.empty())
-            alone.note = "could not be held at the lengths its neighbours ask for: flattened with its seams as drawn";
+        alone.note = stretch_of(t).intervals.empty()
+                         ? "has no seam with a neighbour: flattened with its edges as drawn"
+                         : "could not be held at the lengths its neighbours ask for: flattened with its seams as drawn";
         return alone;
     }
     const SeamSolution& held = tile(t)->solution();

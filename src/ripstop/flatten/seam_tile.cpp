@@ -1,6 +1,9 @@
 #include "ripstop/flatten/seam_tile.h"
 
 #include <limits>
+#include <utility>
+
+#include "ripstop/flatten/boundary_first.h"
 
 namespace ripstop {
 namespace {
@@ -14,20 +17,20 @@ constexpr double loose_force = 1e-6;      // the free shape is what the cut line
 }  // namespace
 
 SeamTile::SeamTile(const Tile& tile, const Fabric& fabric, const TileStretch& stretch, double bending)
-    : stretch_(stretch), problem_(tile, fabric, {.bending = surface_bending}), newton_(problem_) {
+    : tile_(tile), stretch_(stretch), problem_(tile, fabric, {.bending = surface_bending}), newton_(problem_) {
     target_ = problem_.lengths();
     force_scale_ = problem_.stiffness() * target_.mean();
     loose_ = counted(
         newton_.minimize(seam_start(tile, SeamStart::arap), {.hold_edges = false, .force_tolerance = loose_force}));
     free_stretch_ = problem_.flat_lengths(loose_.u).cwiseQuotient(target_).array() - 1;
-    stiffen_seams(tile, bending);
+    stiffen_seams(bending);
 }
 
 /// The seams bend about their free shape; edges that keep their length bend as in seam-exact flattening.
-void SeamTile::stiffen_seams(const Tile& tile, double bending) {
+void SeamTile::stiffen_seams(double bending) {
     const Eigen::Index count = target_.size();
     Vector stiffness = Vector::Constant(count, surface_bending);
-    Vector reference = surface_turning(tile.mesh, tile.boundary);
+    Vector reference = surface_turning(tile_.mesh, tile_.boundary);
     const Vector free_turning = problem_.flat_turning(loose_.u);
     const Vector sewn = stretch_.reach.rowwise().sum();
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -47,7 +50,16 @@ bool SeamTile::hold(const Vector& h) {
     lengths_ = target_ + stretch_.reach * h;
     problem_.set_lengths(lengths_);
     held_ = counted(hold_lengths(problem_, newton_, loose_.u));
-    return held_.summary.termination == Termination::converged;
+    const auto rests = [](const SeamSolution& at) { return at.summary.termination == Termination::converged; };
+    if (rests(held_) && held_.strict_minimum) return true;
+    // where the lengths are far from the free ones and near the drawn ones, the other start is the better one
+    const Flattening drawn = flatten_boundary_first(tile_);
+    if (drawn.summary.usable()) {
+        SeamSolution other =
+            counted(newton_.minimize(Eigen::Map<const Vector>(drawn.positions.data(), drawn.positions.size())));
+        if (rests(other) && other.strict_minimum) held_ = std::move(other);
+    }
+    return rests(held_);
 }
 
 Vector SeamTile::gradient() const {

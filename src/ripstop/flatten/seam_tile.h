@@ -9,8 +9,8 @@ namespace ripstop {
 /// exact first and second derivatives. In its own intervals' order (`TileStretch::intervals`).
 class SeamTile {
   public:
-    /// Flattens with free edges, which gives the seams the shape about which they bend. `bending` in A^1.5 E, > 0. Keeps a
-    /// reference to `stretch`.
+    /// Flattens with free edges, which gives the seams the shape about which they bend. `bending` in A^1.5 E, > 0. Keeps
+    /// references to tile and stretch.
     SeamTile(const Tile& tile, const Fabric& fabric, const TileStretch& stretch, double bending);
 
     /// By how much each edge is longer than its target where all are free, as a ratio.
@@ -38,9 +38,10 @@ class SeamTile {
     int factorizations() const { return factorizations_; }
 
   private:
-    void stiffen_seams(const Tile& tile, double bending);
+    void stiffen_seams(double bending);
     SeamSolution counted(SeamSolution solution);
 
+    const Tile& tile_;
     const TileStretch& stretch_;
     SeamProblem problem_;
     SeamNewton newton_;
