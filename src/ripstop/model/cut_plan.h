@@ -23,7 +23,7 @@ struct FlatTile {
     Bounds bounds;  ///< known before the solve
     Accuracy accuracy;
     Verdict verdict;
-    double seconds = 0;     ///< of this tile's solve, wall clock
+    double seconds = 0;     ///< of this tile's solve, wall clock; its share where all tiles are solved together
     int equal_to = -1;      ///< in `CutPlan::tiles`: an earlier tile that is cut alike; -1: the first of its kind
     bool mirrored = false;  ///< its pattern is that one's turned over
     std::optional<SplitProposal> proposal = {};  ///< for a tile that cannot be made
