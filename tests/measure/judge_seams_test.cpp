@@ -6,6 +6,7 @@
 #include "ripstop/measure/judge.h"
 #include "ripstop/measure/seam_walk.h"
 #include "support/seams.h"
+#include "support/sewn.h"
 #include "support/shapes.h"
 
 namespace ripstop {

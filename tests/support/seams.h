@@ -5,12 +5,8 @@
 
 #include "ripstop/model/cut_plan.h"
 
-/// Seams made by hand, for what comes after they are found.
+/// Seams and flat tiles made by hand, for what comes after seams are found.
 namespace ripstop::testing {
-
-/// The envelope of tiles with vertices at the same places along their common edges: a seam for each run of such edges within
-/// one chain of both. `S1`, `S2`, … in the order of the tiles; no uncertainty, no gap.
-Envelope sewn(std::vector<Tile> tiles);
 
 /// One side of a seam: edges `from` to `to` - 1 of the chain, whole, as long as drawn.
 SeamSide run_of_chain(const Envelope& envelope, int tile, int chain, int from, int to);
