@@ -26,8 +26,9 @@ std::vector<std::string> codes(const std::vector<Finding>& findings) {
 CutPlan squares(double left_height, double right_height, int sewn_edges = 4) {
     TriangleMesh right = testing::rectangle(1, 1, 4, 4);
     right.positions.col(0).array() += 1;
-    Envelope envelope = testing::sewn({make_tile("left", testing::rectangle(1, 1, 4, 4), {.warp = Vec3::UnitX()}),
-                                       make_tile("right", right, {.warp = Vec3::UnitX()})});
+    Envelope envelope =
+        testing::sewn_by_hand({make_tile("left", testing::rectangle(1, 1, 4, 4), {.warp = Vec3::UnitX()}),
+                               make_tile("right", right, {.warp = Vec3::UnitX()})});
     CutPlan plan;
     plan.tiles = testing::laid_flat(envelope);
     for (std::size_t t = 0; t < 2; ++t) {

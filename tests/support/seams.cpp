@@ -54,7 +54,7 @@ double length(const SeamSide& side) {
     return sum;
 }
 
-Envelope sewn(std::vector<Tile> tiles) {
+Envelope sewn_by_hand(std::vector<Tile> tiles) {
     Envelope envelope{std::move(tiles)};
     std::map<Key, Edge> by_ends;
     std::vector<Edge> all;
@@ -126,7 +126,7 @@ CutPlan sewn_plan() {
         mesh.positions.col(1).array() += y;
         return make_tile(name, mesh, {.warp = Vec3::UnitX()});
     };
-    Envelope envelope = sewn({sheet("left", 0, 0, 2), sheet("low", 1, 0, 1), sheet("high", 1, 1, 1)});
+    Envelope envelope = sewn_by_hand({sheet("left", 0, 0, 2), sheet("low", 1, 0, 1), sheet("high", 1, 1, 1)});
     CutPlan plan;
     plan.tiles = laid_flat(envelope);
     for (FlatTile& tile : plan.tiles) tile.verdict.judged = true;

@@ -10,7 +10,7 @@ namespace ripstop::testing {
 
 /// The envelope of tiles with vertices at the same places along their common edges: a seam for each run of such edges within
 /// one chain of both. `S1`, `S2`, … in the order of the tiles; no uncertainty, no gap.
-Envelope sewn(std::vector<Tile> tiles);
+Envelope sewn_by_hand(std::vector<Tile> tiles);
 
 /// One side of a seam: edges `from` to `to` - 1 of the chain, whole, as long as drawn.
 SeamSide run_of_chain(const Envelope& envelope, int tile, int chain, int from, int to);
