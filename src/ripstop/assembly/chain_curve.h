@@ -4,14 +4,15 @@
 
 namespace ripstop {
 
-/// The smooth curve through the vertices of a chain: a cubic an edge, with tangents of the circle through three vertices
-/// in a row, and at the chain's ends, and where it turns by more than 45 degrees in space, of the circle of the last three.
+/// The smooth curve through the vertices of a chain: a cubic an edge, with tangents of the circle through three
+/// vertices in a row, and at the chain's ends, and where it turns by more than 45 degrees in space, of the circle of
+/// the last three.
 ///
 ///     T_i ~ b u_a + a u_b        a, b the lengths of the edges before and after, u their directions
 ///     c'(0) = m T_i,  c'(1) = m T_(i+1),  m = chord / cos^2(phi / 4),  phi the angle from T_i to T_(i+1)
 ///
-/// Of a circle it has the right tangents at any spacing and a length true to sixth order; of any smooth curve, to fourth. A
-/// place on it is a number `at`: edge k from k to k + 1. A chain without ends goes on past them.
+/// Of a circle it has the right tangents at any spacing and a length true to sixth order; of any smooth curve, to
+/// fourth. A place on it is a number `at`: edge k from k to k + 1. A chain without ends goes on past them.
 struct ChainCurve {
     Points3 points;                    ///< #E + 1 [m]
     Points3 start_slopes, end_slopes;  ///< #E: c'(0) and c'(1) of each edge [m]

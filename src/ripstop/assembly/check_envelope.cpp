@@ -117,7 +117,8 @@ SeamSampling sampling_of(const std::vector<PlacedChain>& chains, const Seam& sea
     return sampling;
 }
 
-/// Corners of a tile whose two chains are sewn to one chain of one neighbour, edge after edge: nothing else meets there.
+/// Corners of a tile whose two chains are sewn to one chain of one neighbour, edge after edge: nothing else meets
+/// there.
 int count_odd_corners(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
     struct End {
         int tile, chain, edge;

@@ -30,25 +30,26 @@ struct FoundSeams {
 /// The seams of an envelope, from the geometry of its boundaries alone.
 ///
 /// Two runs of chains are a seam where every vertex of either lies within the tolerance of the other's smooth curve
-/// (`ChainCurve`) and the two run against each other, for at least four tolerances. The two sides need not share vertices;
-/// a run ends where either chain does, anywhere along an edge of the other (a T-junction); both sides may be one tile's (a
-/// cone cut open, a dart). Where more runs lie on one another the longest is the seam, so that no place is sewn twice.
+/// (`ChainCurve`) and the two run against each other, for at least four tolerances. The two sides need not share
+/// vertices; a run ends where either chain does, anywhere along an edge of the other (a T-junction); both sides may
+/// be one tile's (a cone cut open, a dart). Where more runs lie on one another the longest is the seam, so that no
+/// place is sewn twice.
 ///
-/// Both sides are measured on one curve, so the sums of their parts agree. Where their vertices coincide (within 1e-6 of the
-/// length) it is the polyline, and the edges keep their own lengths; else the smooth curve of the side with more edges,
-/// onto which the other side's vertices are projected. `uncertainty` adds up what is unknown:
+/// Both sides are measured on one curve, so the sums of their parts agree. Where their vertices coincide (within 1e-6
+/// of the length) it is the polyline, and the edges keep their own lengths; else the smooth curve of the side with
+/// more edges, onto which the other side's vertices are projected. `uncertainty` adds up what is unknown:
 ///
 ///     |L_a - L_b| + sum over the edges of s phi^2 / 2,  s = chord phi^2 / 24
 ///
-/// with L the smooth lengths and phi the largest turn of an edge and its two neighbours; where the curve is the polyline,
-/// the sum of s (by which it is short) in place of |L_a - L_b|. For a chain of one edge, whose turn nobody sees, the turn of
-/// the surface's normal stands for phi, and the error may be as large as s.
+/// with L the smooth lengths and phi the largest turn of an edge and its two neighbours; where the curve is the
+/// polyline, the sum of s (by which it is short) in place of |L_a - L_b|. For a chain of one edge, whose turn nobody
+/// sees, the turn of the surface's normal stands for phi, and the error may be as large as s.
 ///
 /// A `NearMiss` is what stays loose and runs along another loose edge at less than 20 tolerances or 5 % of the shorter
 /// chain (`Reach`), over at least a quarter of that chain: reported, never sewn.
 ///
-/// Throws InputError for a tolerance that is not positive and finite. About linear in the number of boundary edges: some
-/// seconds for 5,000 tiles.
+/// Throws InputError for a tolerance that is not positive and finite. About linear in the number of boundary edges:
+/// some seconds for 5,000 tiles.
 FoundSeams find_seams(const std::vector<Tile>& tiles, const SeamOptions& options = {});
 
 /// Sets the envelope's `seams` and the `curve_lengths` of its tiles to what `find_seams` finds.

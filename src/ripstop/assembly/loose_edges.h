@@ -26,8 +26,9 @@ class BoundaryCurve {
     int edges_;
 };
 
-/// The loose edges of an envelope joined end to start into loops: a tile's own first, over its corners, then the nearest
-/// start of another within twenty tolerances or a twentieth of the longer run. O(#runs^2) in the runs of tiles that are sewn somewhere.
+/// The loose edges of an envelope joined end to start into loops: a tile's own first, over its corners, then the
+/// nearest start of another within twenty tolerances or a twentieth of the longer run. O(#runs^2) in the runs of
+/// tiles that are sewn somewhere.
 std::vector<LooseLoop> find_loops(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                                   const std::vector<LooseRun>& loose, double tolerance,
                                   std::vector<std::vector<int>>* runs_of_loop = nullptr);

@@ -80,8 +80,8 @@ Openness openness(const ChainCurve& curve, double low, double high) {
     return sum;
 }
 
-/// Arc lengths on the master, from its start, at the breaks of the other side (ascending on that side, so descending here):
-/// each vertex projected, or all in proportion where that would squeeze an edge.
+/// Arc lengths on the master, from its start, at the breaks of the other side (ascending on that side, so descending
+/// here): each vertex projected, or all in proportion where that would squeeze an edge.
 std::vector<double> projected(const ChainCurve& master, const ChainCurve& other, const std::vector<double>& breaks,
                               const Run& run, bool master_is_a, const RunEnds& ends) {
     const double master_low = master_is_a ? ends.start_a : ends.start_b;

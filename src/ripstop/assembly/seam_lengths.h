@@ -10,7 +10,8 @@ namespace ripstop {
 /// The seam of a run, both sides measured on one curve (`find_seams`); without an id.
 Seam make_seam(const std::vector<PlacedChain>& chains, const Run& run, double tolerance);
 
-/// Where a run begins and ends on each side: at a vertex where there is one within the tolerance. Loops go on past theirs.
+/// Where a run begins and ends on each side: at a vertex where there is one within the tolerance. Loops go on past
+/// theirs.
 struct RunEnds {
     double start_a, end_a;  ///< ascending
     double start_b, end_b;  ///< ascending; b's start lies beside a's end
@@ -27,8 +28,8 @@ struct RunOnSeam {
 std::vector<LooseRun> loose_runs_of(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                                     const std::vector<RunOnSeam>& runs, double tolerance);
 
-/// `Tile::curve_lengths` of every tile: the parts on seams and the chord's share of what is on none. Empty where each edge
-/// has the length of its chord.
+/// `Tile::curve_lengths` of every tile: the parts on seams and the chord's share of what is on none. Empty where each
+/// edge has the length of its chord.
 std::vector<Eigen::VectorXd> curve_lengths_of(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                                               const std::vector<Seam>& seams, const std::vector<RunOnSeam>& runs,
                                               double tolerance);

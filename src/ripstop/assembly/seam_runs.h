@@ -39,21 +39,21 @@ struct Run {
     double gap = 0;     ///< largest distance [m]
 };
 
-/// How far from each other two chains are looked at: twenty tolerances, or 5 % of the shorter one but no more than a fifth of
-/// the median chain, so that one huge tile does not meet everything.
+/// How far from each other two chains are looked at: twenty tolerances, or 5 % of the shorter one but no more than a
+/// fifth of the median chain, so that one huge tile does not meet everything.
 struct Reach {
     double least = 0, most = 0;  ///< [m]
     double operator()(const ChainCurve& a, const ChainCurve& b) const;
 };
 Reach make_reach(const std::vector<PlacedChain>& chains, double tolerance);
 
-/// For each vertex of each chain the nearest place of every other chain within `reach`, once running against it and once
-/// running the same way; where a chain folds back on itself, the fold. Sorted by a, b, same_way, at_a, so the same on any
-/// number of threads. A grid of cells over all edges: O(#V) for edges of like length.
+/// For each vertex of each chain the nearest place of every other chain within `reach`, once running against it and
+/// once running the same way; where a chain folds back on itself, the fold. Sorted by a, b, same_way, at_a, so the
+/// same on any number of threads. A grid of cells over all edges: O(#V) for edges of like length.
 std::vector<Touch> find_touches(const std::vector<PlacedChain>& chains, double tolerance);
 
-/// Joins the touches of two chains into runs: from one to the next there is no vertex of either chain between. Takes one
-/// pair of chains and direction; runs of no length are left out.
+/// Joins the touches of two chains into runs: from one to the next there is no vertex of either chain between. Takes
+/// one pair of chains and direction; runs of no length are left out.
 std::vector<Run> join_touches(const std::vector<PlacedChain>& chains, std::vector<Touch> touches, double tolerance);
 
 }  // namespace ripstop

@@ -27,12 +27,13 @@ struct TargetEdge {
     int edge;
 };
 
-/// The similarity that lays points onto edges, by the nearest points in turn [BM92], with scale after [U91], from `start`. `with_scale` false: a motion alone. O(#points x #edges) a step, at most 60 steps.
+/// The similarity that lays points onto edges, by the nearest points in turn [BM92], with scale after [U91], from
+/// `start`. `with_scale` false: a motion alone. O(#points x #edges) a step, at most 60 steps.
 TileFit fit_to_edges(const Points3& points, const std::vector<TargetEdge>& edges, const Similarity& start,
                      bool with_scale);
 
-/// The similarity without turn that brings one closed polygon's centre and size to another's: centres and spreads of the
-/// outlines themselves, however their points are spaced.
+/// The similarity without turn that brings one closed polygon's centre and size to another's: centres and spreads of
+/// the outlines themselves, however their points are spaced.
 Similarity match_outlines(const Points3& from, const Points3& to);
 
 }  // namespace ripstop

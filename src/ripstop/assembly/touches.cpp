@@ -105,7 +105,8 @@ double curvature_at(const ChainCurve& curve, int vertex) {
     return length > 0 ? turn / length : 0;
 }
 
-/// What the curve of an edge may be off at place t of it, as judged from itself and from the curvature of its neighbour.
+/// What the curve of an edge may be off at place t of it, as judged from itself and from the curvature of its
+/// neighbour.
 double slack_on_edge(const ChainCurve& curve, int edge, double t, double other_curvature, const Reach& reach) {
     const double chord = chord_of_edge(curve, edge);
     double slack = sagitta_share * turn_of_edge(curve, edge) * sagitta(curve, edge);
