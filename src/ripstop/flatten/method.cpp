@@ -9,6 +9,7 @@
 #include "ripstop/flatten/lscm.h"
 #include "ripstop/flatten/paper.h"
 #include "ripstop/flatten/seam_exact.h"
+#include "ripstop/flatten/wirewarping.h"
 #include "ripstop/flatten/woven_mesh.h"
 
 namespace ripstop {
@@ -34,6 +35,8 @@ constexpr std::array table = {
            [](const Tile& tile, const Fabric&) { return flatten_arap(tile); }},
     Method{"energy", "Wang, Smith, Yuen 2002: triangles laid one by one, springs on the edges release their energy",
            [](const Tile& tile, const Fabric&) { return flatten_energy_release(tile); }},
+    Method{"wirewarping", "Wang 2008: the outline's edges exact, its angles as near as may be to the surface's",
+           [](const Tile& tile, const Fabric&) { return flatten_wirewarping(tile); }},
 };
 
 }  // namespace
