@@ -5,6 +5,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/flatten/arap.h"
 #include "ripstop/flatten/boundary_first.h"
+#include "ripstop/flatten/dirichlet.h"
 #include "ripstop/flatten/energy_release.h"
 #include "ripstop/flatten/lscm.h"
 #include "ripstop/flatten/paper.h"
@@ -33,6 +34,8 @@ constexpr std::array table = {
            [](const Tile& tile, const Fabric&) { return flatten_boundary_first(tile); }},
     Method{"arap", "Liu, Zhang, Xu, Gotsman, Gortler 2008: as rigid as possible, isotropic",
            [](const Tile& tile, const Fabric&) { return flatten_arap(tile); }},
+    Method{"dirichlet", "Smith, Schaefer 2015: symmetric Dirichlet energy from Tutte's embedding, nothing turned over",
+           [](const Tile& tile, const Fabric&) { return flatten_dirichlet(tile); }},
     Method{"energy", "Wang, Smith, Yuen 2002: triangles laid one by one, springs on the edges release their energy",
            [](const Tile& tile, const Fabric&) { return flatten_energy_release(tile); }},
     Method{"wirewarping", "Wang 2008: the outline's edges exact, its angles as near as may be to the surface's",
