@@ -8,6 +8,7 @@
 #include "ripstop/flatten/dirichlet.h"
 #include "ripstop/flatten/energy_release.h"
 #include "ripstop/flatten/lscm.h"
+#include "ripstop/flatten/mccartney.h"
 #include "ripstop/flatten/paper.h"
 #include "ripstop/flatten/seam_exact.h"
 #include "ripstop/flatten/wirewarping.h"
@@ -38,6 +39,11 @@ constexpr std::array table = {
            [](const Tile& tile, const Fabric&) { return flatten_dirichlet(tile); }},
     Method{"energy", "Wang, Smith, Yuen 2002: triangles laid one by one, springs on the edges release their energy",
            [](const Tile& tile, const Fabric&) { return flatten_energy_release(tile); }},
+    Method{"mccartney",
+           "McCartney, Hinds, Seow 1999: triangles laid one by one, trial moves that lower the edge energy",
+           [](const Tile& tile, const Fabric& fabric) { return flatten_mccartney(tile, fabric); }},
+    Method{"mccartney-woven", "the same, then under the orthotropic energy of its sequels of 2000 and 2005",
+           [](const Tile& tile, const Fabric& fabric) { return flatten_mccartney(tile, fabric, {.woven = true}); }},
     Method{"wirewarping", "Wang 2008: the outline's edges exact, its angles as near as may be to the surface's",
            [](const Tile& tile, const Fabric&) { return flatten_wirewarping(tile); }},
 };
