@@ -7,6 +7,7 @@
 #include "ripstop/flatten/boundary_first.h"
 #include "ripstop/flatten/dirichlet.h"
 #include "ripstop/flatten/energy_release.h"
+#include "ripstop/flatten/kub10.h"
 #include "ripstop/flatten/lscm.h"
 #include "ripstop/flatten/mccartney.h"
 #include "ripstop/flatten/paper.h"
@@ -44,6 +45,8 @@ constexpr std::array table = {
            [](const Tile& tile, const Fabric& fabric) { return flatten_mccartney(tile, fabric); }},
     Method{"mccartney-woven", "the same, then under the orthotropic energy of its sequels of 2000 and 2005",
            [](const Tile& tile, const Fabric& fabric) { return flatten_mccartney(tile, fabric, {.woven = true}); }},
+    Method{"kub10", "the paper's authors earlier: a planar projection refined by the woven model",
+           [](const Tile& tile, const Fabric&) { return flatten_kub10(tile); }},
     Method{"wirewarping", "Wang 2008: the outline's edges exact, its angles as near as may be to the surface's",
            [](const Tile& tile, const Fabric&) { return flatten_wirewarping(tile); }},
 };
