@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ripstop/base/error.h"
+#include "ripstop/flatten/aono.h"
 #include "ripstop/flatten/arap.h"
 #include "ripstop/flatten/boundary_first.h"
 #include "ripstop/flatten/dirichlet.h"
@@ -47,6 +48,8 @@ constexpr std::array table = {
            [](const Tile& tile, const Fabric& fabric) { return flatten_mccartney(tile, fabric, {.woven = true}); }},
     Method{"kub10", "the paper's authors earlier: a planar projection refined by the woven model",
            [](const Tile& tile, const Fabric&) { return flatten_kub10(tile); }},
+    Method{"aono", "Aono, Breen, Wozny 1994: threads that do not stretch, swept from two straight lines",
+           [](const Tile& tile, const Fabric&) { return flatten_aono(tile); }},
     Method{"wirewarping", "Wang 2008: the outline's edges exact, its angles as near as may be to the surface's",
            [](const Tile& tile, const Fabric&) { return flatten_wirewarping(tile); }},
 };
