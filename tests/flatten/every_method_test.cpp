@@ -26,8 +26,8 @@ class EveryMethod : public ::testing::TestWithParam<Method> {
     Tile tile(const TriangleMesh& mesh) const { return make_tile("tile", mesh, {.warp = Vec3(0.2, 1, 0.5)}); }
     Flattening flatten(const Tile& of) const { return GetParam().flatten(of, fabric); }
     Accuracy accuracy(const Tile& of) const { return measure_accuracy(of, flatten(of).positions, fabric); }
-    /// A weave that begins on a planar projection is stretched there and comes to rest slowly; the others are exact.
-    double developable_error() const { return std::string(GetParam().name) == "kub10" ? 5e-3 : 1e-7; }
+    /// A weave that begins on a planar projection is stretched there and not at rest at the limit of its sweeps.
+    double developable_error() const { return std::string(GetParam().name) == "kub10" ? 1e-2 : 1e-7; }
     /// WireWarping lays the outline alone; its weights inside know no angles.
     bool shapes_the_inside() const { return std::string(GetParam().name) != "wirewarping"; }
     /// Iterations that stop at rest differ by what their stop leaves; how far another rounding takes them.

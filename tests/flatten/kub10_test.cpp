@@ -24,6 +24,7 @@ TEST(Kub10, ComesNearerToADevelopableTheLongerItMaySettle) {
     const Tile tile = make_tile("cylinder", testing::cylinder(1, 1.2, 2, 12, 16));
     const auto error = [&](int sweeps) {
         WovenOptions options = kub10_options;
+        options.energy_tolerance = 1e-6;
         options.max_iterations = sweeps;
         return testing::worst_edge_error(tile.mesh, flatten_kub10(tile, options).positions);
     };
@@ -38,12 +39,10 @@ TEST(Kub10, DependsOnTheProjection) {
     const Tile square = make_tile("square", testing::spherical_square(0.3, 12));
     const Tile gore = make_tile("gore", testing::lune(2 * std::numbers::pi / 24, 6, 48));
     const auto away = [](const Tile& tile) {
-        WovenOptions same = kub10_options;
-        same.energy_tolerance = 0.01;
         return std::abs(testing::perimeter_error(tile, flatten_kub10(tile).positions) -
-                        testing::perimeter_error(tile, flatten_woven(tile, Fabric{}, same).positions));
+                        testing::perimeter_error(tile, flatten_woven(tile, Fabric{}, kub10_options).positions));
     };
-    EXPECT_LT(away(square), 0.002);
+    EXPECT_LT(away(square), 0.003);
     EXPECT_GT(away(gore), 0.004);
 }
 

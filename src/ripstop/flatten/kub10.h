@@ -5,8 +5,7 @@
 namespace ripstop {
 
 /// Springs alike in all directions, which rest soonest.
-inline constexpr WovenOptions kub10_options = {
-    .warp_stiffness = 1, .weft_stiffness = 1, .energy_tolerance = 0.001, .max_iterations = 400};
+inline constexpr WovenOptions kub10_options = {.warp_stiffness = 1, .weft_stiffness = 1};
 
 /// The earlier system of the paper's authors [KZ, their Kub10]: the tile is projected on a plane, and the woven model refines
 /// that. All that is known is this and that it "depended heavily on the early surface projection"; the rest is our reading.
@@ -21,7 +20,7 @@ inline constexpr WovenOptions kub10_options = {
 /// Exact on plane ones. Vertices that no crossing sees are laid on from their neighbours; the summary's reason counts them.
 /// A tile that is steep in the middle (folded) gets no weave at all and is laid triangle by triangle.
 ///
-/// Requires a disk (`make_tile`). Throws InputError for options out of range. Some 100 ms a thousand triangles.
+/// Requires a disk (`make_tile`). Throws InputError for options out of range. Under a second a thousand triangles.
 Flattening flatten_kub10(const Tile& tile, const WovenOptions& options = kub10_options);
 
 }  // namespace ripstop
