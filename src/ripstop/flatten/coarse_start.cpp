@@ -13,8 +13,9 @@
 namespace ripstop {
 namespace {
 
-constexpr int target_cells = 100;
-constexpr int least_cells = 5;  ///< along each side
+constexpr int most_cells = 100;
+constexpr int triangles_a_cell = 300;  ///< so that the coarse cloth stays cheap beside the fine one
+constexpr int least_cells = 5;         ///< along each side
 constexpr std::size_t cell_samples =
     16;  ///< triangles that stand for a cell; with fewer the splines cheat between them
 constexpr int edge_samples = 400;
@@ -29,7 +30,7 @@ constexpr int support = 16;  ///< control points that move a point
 /// Cubic B-splines on a grid of square-like cells over the box of some points.
 class SplineGrid {
   public:
-    explicit SplineGrid(const Points2& points) : low_(points.colwise().minCoeff().transpose()) {
+    SplineGrid(const Points2& points, int target_cells) : low_(points.colwise().minCoeff().transpose()) {
         const Vec2 size = points.colwise().maxCoeff().transpose() - low_;
         const double wanted = std::sqrt(size.x() * size.y() / target_cells);
         for (int d = 0; d < 2; ++d) {
@@ -82,7 +83,9 @@ class SplineGrid {
 class CoarseCloth {
   public:
     CoarseCloth(const Tile& tile, const Fabric& fabric, const Points2& start)
-        : grid_(start), membrane_(fabric), stiffness_(0.5 * (fabric.c11() + fabric.c22())) {
+        : grid_(start, std::min(most_cells, tile.mesh.triangle_count() / triangles_a_cell)),
+          membrane_(fabric),
+          stiffness_(0.5 * (fabric.c11() + fabric.c22())) {
         sample_triangles(tile, start);
         sample_edges(tile, start);
     }

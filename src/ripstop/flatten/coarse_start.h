@@ -10,7 +10,7 @@ namespace ripstop {
 ///
 /// The cloth is deformed by a smooth displacement of its start u0,
 ///
-///     u(v) = u0(v) + sum_k N_k(u0(v)) c_k        N_k tensor products of cubic B-splines, a hundred cells over u0
+///     u(v) = u0(v) + sum_k N_k(u0(v)) c_k        N_k tensor products of cubic B-splines, some tens of cells over u0
 ///
 /// whose few coefficients c minimise the energy of the woven membrane, taken on a sample of the triangles in each cell, with
 /// the strain of a sample of the boundary edges and the turn of the grain held by stiff springs. The displacement is smooth,

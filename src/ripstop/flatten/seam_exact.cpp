@@ -23,8 +23,9 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr int coarse_start_from = 30'000;  ///< triangles: smaller tiles are solved before the coarse cloth has settled
-constexpr int direct_iterations = 20;      ///< from the boundary's own lengths; what needs more is better led there
+constexpr int coarse_start_from =
+    5'000;                             ///< triangles: of smaller tiles the coarse cloth would cost as much as it saves
+constexpr int direct_iterations = 20;  ///< from the boundary's own lengths; what needs more is better led there
 
 bool without_flips(const Tile& tile, const Flattening& flat) {
     return flat.summary.usable() && count_flipped(tile.mesh.triangles, flat.positions) == 0;
