@@ -11,7 +11,7 @@ struct AonoOptions {
         0.26;  ///< between threads: below it, and as near to straight, a cell is locked, in (0, 1.5) [rad]
 };
 
-/// Fitting a woven cloth of threads that do not stretch [ABW94, ABW96]: a discrete Chebyshev net.
+/// Fitting a woven cloth of threads that do not stretch [ABW94, ABW01]: a discrete Chebyshev net.
 ///
 ///     X_ij on the surface,  |X_ij - X_i-1,j| = |X_ij - X_i,j-1| = r
 ///

@@ -16,7 +16,7 @@ struct DirichletOptions {
 /// possible between distant parts of the boundary is for the judge to find.
 ///
 /// Isotropic, boundary free, exact on developable tiles. It weighs a triangle pressed together and one pulled out alike,
-/// so area is nearer than with `arap` and the outline is as wrong as the curvature makes any free one.
+/// so the whole area is nearer than with `arap`, and the outline is as wrong as the curvature makes any free one.
 ///
 /// Requires a disk (`make_tile`). 10 to 40 factorisations of size 2 #V. Throws InputError for options out of range.
 Flattening flatten_dirichlet(const Tile& tile, const DirichletOptions& options = {});
