@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
@@ -14,10 +16,10 @@
 namespace ripstop {
 namespace {
 
-/// A cell whose threads lie along one another.
+/// A crossing that was not placed because the threads to it lie along one another.
 struct Lock {
-    int count = 0;
-    Vec3 first = Vec3::Zero();
+    Site site;
+    SurfacePoint beside;
 };
 
 class Net {
@@ -33,7 +35,7 @@ class Net {
     }
 
     WovenFit fit() const { return {spacing_, crossings_.nodes(), 0, true, 0}; }
-    const Lock& lock() const { return lock_; }
+    std::vector<Lock> locks() const;  ///< in the order in which they were met, each site once
 
   private:
     void lay_lines(const WeaveFrame& frame);
@@ -43,7 +45,6 @@ class Net {
     bool lead_on(const Site& site);
     std::optional<SurfacePoint> walk(const SurfacePoint& from, const Vec2& way) const;
     std::optional<Vec2> meet(const Vec2& a, const Vec2& b) const;
-    void note_lock(const SurfacePoint& at);
 
     const UnfoldedSurface& surface_;
     double spacing_;
@@ -51,7 +52,7 @@ class Net {
     double smallest_sine_;
     Crossings crossings_;
     std::vector<Site> open_;  ///< crossings round which cells may close, oldest first
-    Lock lock_;
+    std::vector<Lock> locks_;
 };
 
 /// Where a straight way ends; nothing where the boundary comes before.
@@ -67,8 +68,12 @@ void Net::place(const Site& site, const SurfacePoint& at, bool line) {
     open_.push_back(site);
 }
 
-void Net::note_lock(const SurfacePoint& at) {
-    if (lock_.count++ == 0) lock_.first = surface_.position(at);
+std::vector<Lock> Net::locks() const {
+    std::vector<Lock> open;
+    std::set<std::pair<int, int>> seen;
+    for (const Lock& lock : locks_)  // another cell may have had a way to the site
+        if (crossings_.is_free(lock.site) && seen.emplace(lock.site.warp, lock.site.weft).second) open.push_back(lock);
+    return open;
 }
 
 /// Where the circles of one spacing round a and b meet, whichever is nearer to the origin.
@@ -95,7 +100,7 @@ bool Net::close_cell(const Site& corner, const Site& across) {
     const Vec2 warp = cell.to(along_warp), weft = cell.to(along_weft);
     const double turn = across.warp * across.weft;
     if (turn * cross(warp, weft) < smallest_sine_ * warp.norm() * weft.norm()) {
-        note_lock(from);
+        locks_.push_back({site, from});
         return false;
     }
     std::optional<SurfacePoint> at = walk(from, warp + weft);
@@ -106,13 +111,13 @@ bool Net::close_cell(const Site& corner, const Site& across) {
         if (around.is_crowded) {
             // by its own neighbours: the cell is nearly shut; by others: here two fronts of the net meet
             const auto shut = [&](const Site& d) { return around.sees(d) && around.to(d).norm() < crowded * spacing_; };
-            if (std::any_of(diagonal.begin(), diagonal.end(), shut)) note_lock(*at);
+            if (std::any_of(diagonal.begin(), diagonal.end(), shut)) locks_.push_back({site, *at});
             return false;
         }
         if (!around.sees(back_warp) || !around.sees(back_weft)) return false;
         const std::optional<Vec2> move = meet(around.to(back_warp), around.to(back_weft));
         if (!move) {
-            note_lock(*at);
+            locks_.push_back({site, *at});
             return false;
         }
         at = walk(*at, *move);
@@ -184,14 +189,15 @@ Flattening flatten_aono(const Tile& tile, const AonoOptions& options) {
     const Net net(surface, frame, most_crossings(tile), options.smallest_angle);
     const WovenFit fit = net.fit();
     std::string reason = std::to_string(count_crossings(fit)) + " crossings";
-    if (net.lock().count > 0) {
-        const Vec3& at = net.lock().first;
+    const std::vector<Lock> locks = net.locks();
+    if (!locks.empty()) {
+        const Vec3 at = surface.position(locks.front().beside);
         reason += ", the net breaks down: threads come to lie along one another, first at (" + format_fixed(at.x(), 3) +
                   ", " + format_fixed(at.y(), 3) + ", " + format_fixed(at.z(), 3) + ") m, " +
-                  std::to_string(net.lock().count) + " cells left open";
+                  std::to_string(locks.size()) + " crossings have no place";
     }
     return read_weave(tile, adjacency, surface, fit, frame.centre.triangle,
-                      net.lock().count > 0 ? Termination::stagnated : Termination::converged, reason);
+                      !locks.empty() ? Termination::stagnated : Termination::converged, reason);
 }
 
 }  // namespace ripstop

@@ -51,6 +51,7 @@ class LaidSystem {
     const TriangleMesh& mesh_;
     const Adjacency& adjacency_;
     const EnergyReleaseOptions& options_;
+    Eigen::VectorXd drawn_area_;
     Eigen::VectorXd inverse_mass_;
     double time_step_ = 0;
     std::vector<bool> laid_;
@@ -66,6 +67,7 @@ LaidSystem::LaidSystem(const TriangleMesh& mesh, const Adjacency& adjacency, con
       mesh_(mesh),
       adjacency_(adjacency),
       options_(options),
+      drawn_area_(triangle_areas(mesh)),
       laid_(static_cast<std::size_t>(mesh.vertex_count()), false),
       triangle_laid_(static_cast<std::size_t>(mesh.triangle_count()), false),
       velocity_(Points2::Zero(mesh.vertex_count(), 2)),
@@ -73,7 +75,7 @@ LaidSystem::LaidSystem(const TriangleMesh& mesh, const Adjacency& adjacency, con
     Eigen::VectorXd mass = Eigen::VectorXd::Zero(mesh.vertex_count());
     Eigen::VectorXd valence = Eigen::VectorXd::Zero(mesh.vertex_count());
     for (int t = 0; t < mesh.triangle_count(); ++t)
-        for (int k = 0; k < 3; ++k) mass[mesh.triangles(t, k)] += triangle_area(mesh, t);
+        for (int k = 0; k < 3; ++k) mass[mesh.triangles(t, k)] += drawn_area_[t];
     for (const int h : adjacency.edges()) {
         valence[adjacency.from(h)] += 1;
         valence[adjacency.to(h)] += 1;
@@ -111,7 +113,7 @@ void LaidSystem::lay(const LayingStep& step) {
 bool LaidSystem::accurate() const {
     double area = 0, missing_area = 0, length = 0, missing_length = 0;
     for (const int t : triangles_) {
-        const double drawn = triangle_area(mesh_, t);
+        const double drawn = drawn_area_[t];
         area += drawn;
         missing_area +=
             std::abs(drawn - signed_area(positions.row(mesh_.triangles(t, 0)), positions.row(mesh_.triangles(t, 1)),
@@ -144,7 +146,7 @@ void LaidSystem::push_open() {
     for (const int t : triangles_) {
         const double area = signed_area(positions.row(mesh_.triangles(t, 0)), positions.row(mesh_.triangles(t, 1)),
                                         positions.row(mesh_.triangles(t, 2)));
-        const double least = options_.penalty_below * triangle_area(mesh_, t);
+        const double least = options_.penalty_below * drawn_area_[t];
         if (area >= least) continue;
         for (int k = 0; k < 3; ++k) {
             const Eigen::RowVector2d a = positions.row(mesh_.triangles(t, (k + 1) % 3));
