@@ -23,8 +23,9 @@ TEST(Aono, IsExactOnDevelopables) {
 }
 
 TEST(Aono, ThreadsKeepTheirLengthAndShearAsTheSphereDemands) {
-    // On a surface of curvature K the angle of a Chebyshev net changes by K u v at the place (u, v): K a^2 in the corner of a
-    // square. Vertices are read off from crossings within two spacings, so the last triangle has about a tenth less.
+    // On a surface of curvature K the angle of a Chebyshev net changes by K u v at the place (u, v): K a^2 in the
+    // corner of a square. Vertices are read off from crossings within two spacings, so the last triangle has about a
+    // tenth less.
     const double a = 0.3;
     const Tile tile = make_tile("square", testing::spherical_square(a, 24), {.warp = Vec3::UnitX()});
     const Accuracy found = measure_accuracy(tile, flatten_aono(tile).positions, Fabric{});
@@ -35,7 +36,8 @@ TEST(Aono, ThreadsKeepTheirLengthAndShearAsTheSphereDemands) {
 }
 
 TEST(Aono, QuarterSphereHasErrorsOfTheOrderThatThePaperPrints) {
-    // printed for it in the paper: area 1.93 %, shape 14.01 %, by a woven model that hardly resists shear; this one does not
+    // printed for it in the paper: area 1.93 %, shape 14.01 %, by a woven model that hardly resists shear; this one
+    // does not
     const Tile tile = make_tile("quarter", testing::lune(std::numbers::pi / 2, 16, 32), {.warp = Vec3::UnitZ()});
     const Points2 flat = flatten_aono(tile).positions;
     EXPECT_NEAR(testing::perimeter_error(tile, flat), 0.1401, 0.01);

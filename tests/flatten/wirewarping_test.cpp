@@ -37,13 +37,14 @@ TEST(WireWarping, OutlineIsExactOnDevelopables) {
 }
 
 TEST(WireWarping, MakesALensOfAnyGore) {
-    // Equal edges share the change of turning, the integral of the curvature, evenly: geodesic seams become arcs that turn by b
-    // each. Half width b s (pi - s) / (2 pi), area b pi^2 / 6 against the sphere's 2 b: pi^2 / 12 - 1, whatever b is.
+    // Equal edges share the change of turning, the integral of the curvature, evenly: geodesic seams become arcs that
+    // turn by b each. Half width b s (pi - s) / (2 pi), area b pi^2 / 6 against the sphere's 2 b: pi^2 / 12 - 1,
+    // whatever b is.
     const double lens = std::numbers::pi * std::numbers::pi / 12 - 1;
     for (const int gores : {12, 24, 48})
         for (const int columns : {4, 16}) {
-            // The outermost vertices of a mesh carry half a column of the curvature each, which turns with the latitude as it
-            // should: the lens is made of the rest.
+            // The outermost vertices of a mesh carry half a column of the curvature each, which turns with the
+            // latitude as it should: the lens is made of the rest.
             const double expected = lens * (1 - 1.0 / columns);
             const Tile tile = make_tile("gore", testing::lune(2 * std::numbers::pi / gores, columns, 200));
             const Points2 flat = flatten_wirewarping(tile).positions;
@@ -53,7 +54,8 @@ TEST(WireWarping, MakesALensOfAnyGore) {
 }
 
 TEST(WireWarping, FindsTheNearestTurningsOfAWireThatIsOpen) {
-    // A square asked to turn by 1 rad and 2.2 rad in turn: by symmetry the turnings stay 1 and 2.2 less the same share, a rhombus.
+    // A square asked to turn by 1 rad and 2.2 rad in turn: by symmetry the turnings stay 1 and 2.2 less the same
+    // share, a rhombus.
     Eigen::VectorXd wanted(4);
     wanted << 1, 2.2, 1, 2.2;
     const ClosedWire wire = warp_wire(Eigen::VectorXd::Ones(4), wanted);

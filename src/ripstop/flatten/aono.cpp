@@ -157,7 +157,8 @@ void Net::lay_lines(const WeaveFrame& frame) {
     }
 }
 
-/// Closes cells round each crossing in turn, in the order in which they were placed; threads are led on where that ends.
+/// Closes cells round each crossing in turn, in the order in which they were placed; threads are led on where that
+/// ends.
 void Net::sweep() {
     std::size_t closed = 0, led = 0;
     while (crossings_.count() < most_) {

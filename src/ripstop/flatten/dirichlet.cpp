@@ -33,7 +33,8 @@ class DirichletProblem {
         return sum;
     }
 
-    /// Energy and gradient at u; the Newton step from there into `step`, false where the Hessian is not positive definite.
+    /// Energy and gradient at u; the Newton step from there into `step`, false where the Hessian is not positive
+    /// definite.
     bool newton_step(const Vector& u, Curvature curvature, double& energy, Vector& gradient, Vector& step);
 
     int factorizations() const { return solver_.factorizations(); }
@@ -62,7 +63,8 @@ class DirichletProblem {
     SymmetricSolver solver_;
 };
 
-/// Three unknowns tied to where they are, which takes away shift and turn and nothing else: the energy pulls at neither.
+/// Three unknowns tied to where they are, which takes away shift and turn and nothing else: the energy pulls at
+/// neither.
 void DirichletProblem::hold_still(const Vector& u, Vector& values) const {
     double sum = 0;
     for (int i = 0; i < pattern_.size(); ++i) sum += values[pattern_.diagonal_slot(i)];

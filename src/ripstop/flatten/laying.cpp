@@ -15,8 +15,8 @@ double flat_area(const TriangleMesh& mesh, const Points2& positions, int triangl
     return signed_area(positions.row(corners[0]), positions.row(corners[1]), positions.row(corners[2]));
 }
 
-/// What a repair makes less at a vertex: how many of its triangles are flipped, or the worst one's flat area over the true
-/// one, negative. To count alone gets stuck in folds, to look at the worst alone spreads them.
+/// What a repair makes less at a vertex: how many of its triangles are flipped, or the worst one's flat area over the
+/// true one, negative. To count alone gets stuck in folds, to look at the worst alone spreads them.
 enum class Aim { fewer, less_bad };
 
 using Badness = std::pair<int, double>;

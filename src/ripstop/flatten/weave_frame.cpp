@@ -11,8 +11,8 @@
 namespace ripstop {
 namespace {
 
-/// Half the mean edge, as the paper has it, but three yarns across a narrow tile, some 100 crossings on one of few triangles
-/// and no more than 20 a triangle where tiny edges draw the mean down.
+/// Half the mean edge, as the paper has it, but three yarns across a narrow tile, some 100 crossings on one of few
+/// triangles and no more than 20 a triangle where tiny edges draw the mean down.
 double yarn_spacing(const Tile& tile, const Adjacency& adjacency, double relative) {
     double sum = 0;
     for (const int h : adjacency.edges())
@@ -60,9 +60,9 @@ double distance_to_boundary(const Tile& tile, const Vec3& point) {
     return nearest;
 }
 
-/// The point of the tile nearest its area centre; where that is close to the boundary, the middle of the triangle that is
-/// far from the boundary and yet not far from there. A little off every edge and vertex, so that the yarns of a regular
-/// mesh do not run into vertices, where rounding would choose their side.
+/// The point of the tile nearest its area centre; where that is close to the boundary, the middle of the triangle that
+/// is far from the boundary and yet not far from there. A little off every edge and vertex, so that the yarns of a
+/// regular mesh do not run into vertices, where rounding would choose their side.
 SurfacePoint weave_centre(const Tile& tile, const Adjacency& adjacency, const UnfoldedSurface& surface) {
     const Vec3 centre = centroid(tile.mesh);
     const Eigen::VectorXd deep = depth(tile, adjacency);

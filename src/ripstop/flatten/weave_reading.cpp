@@ -10,8 +10,8 @@
 namespace ripstop {
 namespace {
 
-/// The crossings' plane coordinates carried to the vertices: each crossing spreads its own over what it sees, by the affine
-/// map that takes its neighbours to theirs; a vertex takes the mean, weighted (1 / distance - 1 / reach)^2.
+/// The crossings' plane coordinates carried to the vertices: each crossing spreads its own over what it sees, by the
+/// affine map that takes its neighbours to theirs; a vertex takes the mean, weighted (1 / distance - 1 / reach)^2.
 class ReadOff {
   public:
     ReadOff(const TriangleMesh& mesh, const UnfoldedSurface& surface, const WovenFit& fit);
