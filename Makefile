@@ -1,5 +1,5 @@
 # `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
-.PHONY: setup build demo test bench bench-solve robustness accuracy install format check clean
+.PHONY: setup build demo test bench bench-solve bench-seams robustness matched accuracy install format check clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
 
@@ -21,8 +21,14 @@ bench: build
 bench-solve: build
 	build/release/ripstop-bench-solve $(SOLVE)
 
+bench-seams: build
+	build/release/ripstop-bench-seams
+
 robustness: build
 	build/release/ripstop-robustness
+
+matched: build
+	build/release/ripstop-matched
 
 accuracy: build
 	build/release/ripstop-accuracy $(METHODS)

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <limits>
 
 #include "commands.h"
 #include "options.h"
@@ -11,7 +12,9 @@
 #include "ripstop/io/mesh_file.h"
 #include "ripstop/pattern/pieces.h"
 #include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/pipeline/propose_redesign.h"
 #include "ripstop/report/directory.h"
+#include "ripstop/report/proposals.h"
 #include "ripstop/report/report_json.h"
 #include "ripstop/report/tables.h"
 #include "tell.h"
@@ -24,6 +27,8 @@ struct Arguments {
     std::filesystem::path directory;
     int jobs = 0;
     bool force = false, json = false, quiet = false, reproducible = false;
+    std::string propose = "auto";
+    bool propose_merges = false;
 };
 
 /// Where no unit was given, the size tells whether metres were the right guess.
@@ -35,6 +40,15 @@ void print_assumed_size(const Envelope& envelope) {
     tell(fmt::format(
         "No unit given: taken as metres, which makes the envelope {:.4g} x {:.4g} x {:.4g} m (--unit changes it)\n",
         size.x(), size.y(), size.z()));
+}
+
+/// What to draw instead. Nothing where the input was only judged: there is no method to try it with.
+void propose(CutPlan& plan, const std::string& method, const Arguments& given) {
+    if (method == "given") return;
+    constexpr int all = std::numeric_limits<int>::max();
+    if (given.propose == "auto") add_proposals(plan, method_named(method), given.jobs);
+    if (given.propose == "all") add_proposals(plan, method_named(method), given.jobs, {all, all});
+    if (given.propose_merges) plan.merges = propose_merges(plan, method_named(method), given.jobs);
 }
 
 ExitCode run(const Arguments& given) {
@@ -50,13 +64,14 @@ ExitCode run(const Arguments& given) {
     plan.input_file = given.input.file.filename().string();
     plan.input_sha256 = sha256_of_file(given.input.file);
     plan.unit = input.unit;
+    propose(plan, method, given);
 
     const std::vector<PatternPiece> pieces = make_pieces(plan);
     write_directory(given.directory, plan, pieces, lay_out(pieces, 0.1), {given.force, given.reproducible, true});
     if (given.json)
         fmt::print("{}", report_json(plan, given.reproducible));
     else if (!given.quiet)
-        fmt::print("{}\n{}\n", tiles_table(plan), given.directory.string());
+        fmt::print("{}{}\n{}\n", tiles_table(plan), proposals_text(plan), given.directory.string());
     return plan.manufacturable() ? manufacturable : not_manufacturable;
 }
 
@@ -73,6 +88,14 @@ void add_flatten(CLI::App& app) {
     command->add_flag("--json", given->json, "Print report.json on stdout instead of the table");
     command->add_flag("--quiet", given->quiet, "No table, no progress");
     command->add_flag("--reproducible", given->reproducible, "Leave the seconds out of report.json");
+    command
+        ->add_option("--propose", given->propose,
+                     "For tiles that cannot be made, try the seams that help: auto (where few kinds fail), all, none")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"auto", "all", "none"}));
+    command->add_flag(
+        "--propose-merges", given->propose_merges,
+        "Try every two neighbours as one tile and list those that could be made; flattens once more a seam");
     command->footer("Example: ripstop flatten envelope.obj --unit mm --fabric nylon -o cut-plan");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);

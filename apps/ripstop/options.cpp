@@ -83,6 +83,8 @@ void add_input_options(CLI::App& command, InputArguments& given) {
                     "Turn the warp from each tile's longest axis, degrees counter-clockwise seen from outside")
         ->check(CLI::Range(-360.0, 360.0))
         ->check(finite());
+    command.add_option("--seam-tolerance", given.seam_tolerance,
+                       "Edges to be sewn together lie within this length, as 0.5mm (else the project's, else 0.5mm)");
     // One name at a time, else `--tile G01 envelope.obj` would take the input for a second name.
     command.add_option("--tile", given.tiles, "Only the tiles of this name; * and ? stand for others; may be repeated")
         ->allow_extra_args(false);
@@ -117,6 +119,9 @@ Input resolve(const InputArguments& given) {
     input.read.metres_per_unit = metres_per_unit(input.unit);
     input.read.grain_turn = given.grain * degree;
     input.read.only = given.tiles;
+    if (project && project->seam_tolerance) input.read.seam_tolerance = *project->seam_tolerance;
+    if (!given.seam_tolerance.empty())
+        input.read.seam_tolerance = parse_length(given.seam_tolerance, "--seam-tolerance");
     if (!given.fabric.empty()) {
         input.fabric = fabric_named(given.fabric);
     } else {

@@ -20,7 +20,8 @@ struct InputArguments {
     std::string fabric;   ///< empty: the project's, else isotropic
     std::string method = "seam-exact";
     bool keep_area = false;
-    double grain = 0;  ///< [degrees]
+    double grain = 0;            ///< [degrees]
+    std::string seam_tolerance;  ///< a length with its unit; empty: the project's, else half a millimetre
     std::vector<std::string> tiles;
 };
 

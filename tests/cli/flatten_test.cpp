@@ -104,7 +104,7 @@ TEST(FlattenCommand, LaysThePlanOutAsTheContractSays) {
     EXPECT_THAT(written, ElementsAre("cut/envelope.dxf", "cut/envelope.svg", "cut/tiles/Bily_dracek_2.dxf",
                                      "cut/tiles/Bily_dracek_2.svg", "cut/tiles/G01P01.dxf", "cut/tiles/G01P01.svg",
                                      "flat/Bily_dracek_2.obj", "flat/G01P01.obj", "pictures/Bily_dracek_2.svg",
-                                     "pictures/G01P01.svg", "report.json", "tiles.csv"));
+                                     "pictures/G01P01.svg", "report.json", "seams.csv", "tiles.csv"));
     EXPECT_THAT(workshop.names(), ElementsAre("envelope.obj", "plan"));
     const Json report = report_of(workshop, "plan");
     EXPECT_THAT(tile_names(report), ElementsAre("G01P01", "Bílý dráček/2"));
@@ -129,6 +129,23 @@ TEST(FlattenCommand, WritesAReportThatItsSchemaAccepts) {
     EXPECT_EQ(result.code, 0) << result.output;
 }
 
+TEST(FlattenCommand, ProposesASeamForATileThatCannotBeMade) {
+    const Workshop workshop;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile("flat"), testing::curved_tile("quarter")});
+    const ProgramRun run = workshop.ripstop("flatten envelope.obj -o plan");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.out, HasSubstr("quarter: of "));
+    const Json tiles = report_of(workshop, "plan")["tiles"];
+    EXPECT_FALSE(tiles[0].contains("proposal"));
+    const Json& proposal = tiles[1]["proposal"];
+    EXPECT_EQ(proposal["direction"], "along the warp");
+    for (const Json& half : proposal["halves"])
+        EXPECT_GT(half["area_error_pct"].get<double>(), 0.4 * tiles[1]["area_error_pct"].get<double>());
+    EXPECT_EQ(workshop.ripstop("flatten envelope.obj -o without --propose none").code, 1);
+    EXPECT_FALSE(report_of(workshop, "without")["tiles"][1].contains("proposal"));
+    EXPECT_EQ(workshop.ripstop("flatten envelope.obj -o never --propose sometimes").code, 2);
+}
+
 TEST(FlattenCommand, LeavesNothingBehindWhenItFails) {
     const Workshop workshop;
     workshop.write_tiles("envelope.obj", {testing::flat_tile()});
@@ -145,7 +162,7 @@ TEST(FlattenCommand, GivesTheSameBytesOnAnyNumberOfThreads) {
         workshop.ripstop(std::string("flatten envelope.obj --reproducible -o jobs") + jobs + " --jobs " + jobs);
     EXPECT_EQ(workshop.files("jobs1"), workshop.files("jobs2"));
     EXPECT_EQ(workshop.files("jobs1"), workshop.files("jobs3"));
-    EXPECT_EQ(workshop.files("jobs1").size(), 24u);
+    EXPECT_EQ(workshop.files("jobs1").size(), 25u);
     EXPECT_THAT(workshop.read("jobs1/report.json"), Not(HasSubstr("\"seconds\"")));
 }
 

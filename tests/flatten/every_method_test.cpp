@@ -139,7 +139,8 @@ TEST_P(EveryMethod, FlattensASingleTriangle) {
 
 std::string test_name(const ::testing::TestParamInfo<Method>& tested) {
     std::string name = tested.param.name;
-    std::replace(name.begin(), name.end(), '-', '_');
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
     return name;
 }
 

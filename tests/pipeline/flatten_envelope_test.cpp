@@ -10,6 +10,7 @@
 #include "ripstop/io/fabric_json.h"
 #include "ripstop/measure/judge.h"
 #include "ripstop/pipeline/read_envelope.h"
+#include "support/sewn.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"
 
@@ -73,6 +74,48 @@ TEST(Balloon, NeighboursCutApartHaveSeamsOfTheSameLength) {
         for (const ChainAccuracy& b : lengths("G01P06"))
             nearest = std::min(nearest, std::abs(a.flat_length - b.flat_length));
     EXPECT_LT(nearest, 1e-8);
+}
+
+/// The same with the seams between its tiles, which share the places of their vertices.
+Envelope sewn_balloon() {
+    Envelope envelope = balloon();
+    envelope.seams = testing::conforming_seams(envelope.tiles);
+    return envelope;
+}
+
+double total_energy(const CutPlan& plan) {
+    double sum = 0;
+    for (const FlatTile& tile : plan.tiles) sum += tile.accuracy.energy;
+    return sum;
+}
+
+std::vector<Points2> flat_positions(const CutPlan& plan) {
+    std::vector<Points2> flats;
+    for (const FlatTile& tile : plan.tiles) flats.push_back(tile.flattening.positions);
+    return flats;
+}
+
+TEST(Balloon, MatchedSeamsAreEquallyLongOnBothSidesAndStrainTheClothLess) {
+    const Envelope envelope = sewn_balloon();
+    ASSERT_EQ(envelope.seams.size(), 24u * 15 + 24 * 14);
+    for (const char* fabric : {"isotropic", "nylon"}) {
+        const CutPlan exact = flatten(envelope, fabric), matched = flatten(envelope, fabric, "seam-matched");
+        EXPECT_LT(testing::worst_drift(envelope, flat_positions(matched)), 1e-10);
+        EXPECT_LT(total_energy(matched), 0.75 * total_energy(exact));
+        for (const FlatTile& tile : matched.tiles) {
+            EXPECT_EQ(tile.flattening.summary.termination, Termination::converged) << tile.tile.name;
+            EXPECT_TRUE(tile.flattening.certificate->strict_minimum) << tile.tile.name;
+            EXPECT_LE(std::abs(tile.accuracy.area_error), 1e-4) << tile.tile.name;
+        }
+    }
+}
+
+TEST(Balloon, SeamsMatchedWithinTheToleranceAreJudgedManufacturable) {
+    const Envelope envelope = sewn_balloon();
+    const CutPlan exact = flatten(envelope, "isotropic"), tight = flatten(envelope, "isotropic", "seam-matched-0.1");
+    EXPECT_LT(testing::worst_drift(envelope, flat_positions(tight)), 1e-10);
+    EXPECT_LT(total_energy(tight), 0.6 * total_energy(exact));
+    for (const FlatTile& tile : tight.tiles) EXPECT_TRUE(tile.verdict.manufacturable()) << tile.tile.name;
 }
 
 TEST(QuarterSphere, IsRefusedWithReasons) {

@@ -58,7 +58,7 @@ TEST(TilesCsv, HasALineATileAndAFieldAColumn) {
     const auto all = lines(tiles_csv(plan));
     ASSERT_EQ(all.size(), 3u);
     const auto heads = fields(all[0]), first = fields(all[1]), second = fields(all[2]);
-    ASSERT_EQ(heads.size(), 25u);
+    ASSERT_EQ(heads.size(), 29u);
     ASSERT_EQ(first.size(), heads.size());
     ASSERT_EQ(second.size(), heads.size());
     const auto of = [&](const std::vector<std::string>& row, const std::string& column) {
@@ -123,6 +123,24 @@ TEST(TilesTable, ShowsAllTilesUpToItsRowsAndThenTheFailingOnes) {
     EXPECT_THAT(bad, HasSubstr("T179 "));
     EXPECT_THAT(bad, Not(HasSubstr("T180 ")));
     EXPECT_THAT(bad, HasSubstr("60 more tiles, 20 of them failing"));
+}
+
+TEST(PlanSummary, CountsThePatternsThatAreCutMoreThanOnce) {
+    EXPECT_THAT(plan_summary(plan_of(6, 0)), Not(HasSubstr("different")));
+    CutPlan plan = plan_of(6, 0);
+    for (const std::size_t i : {2u, 4u}) plan.tiles[i].equal_to = 0;
+    for (const std::size_t i : {3u, 5u}) plan.tiles[i].equal_to = 1;
+    EXPECT_THAT(plan_summary(plan), HasSubstr("6 tiles, 2 different, each 3 times\n"));
+    plan.tiles[5] = plan_of(1, 0).tiles[0];
+    plan.tiles[3].mirrored = true;
+    EXPECT_THAT(plan_summary(plan), HasSubstr("6 tiles, 3 different, 1 of them 3 times, 1 of them 2 times, mirror"));
+    for (std::size_t i = 1; i < 6; ++i) plan.tiles[i].equal_to = 0;
+    plan.tiles[3].mirrored = false;
+    EXPECT_THAT(plan_summary(plan), HasSubstr("6 tiles, 1 different, 6 times\n"));
+    const auto first = fields(lines(tiles_csv(plan))[1]), second = fields(lines(tiles_csv(plan))[2]);
+    EXPECT_EQ(first[27], "6");
+    EXPECT_EQ(second[25], "T100");
+    EXPECT_EQ(second[27], "0");
 }
 
 TEST(PlanSummary, NamesTheWorst) {

@@ -2,19 +2,26 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
+#include "ripstop/base/progress.h"
+#include "ripstop/model/envelope.h"
 #include "ripstop/model/fabric.h"
 #include "ripstop/model/flattening.h"
-#include "ripstop/model/tile.h"
 
 namespace ripstop {
 
-/// A way to flatten a tile. The command line, the benchmarks and the property tests all walk this table, so a method is
+/// A way to flatten. The command line, the benchmarks and the property tests all walk this table, so a method is
 /// compared, timed and tested by being listed.
 struct Method {
     const char* name;
     const char* origin;  ///< what it comes from, a line for `ripstop methods`
-    Flattening (*flatten)(const Tile& tile, const Fabric& fabric);
+    Flattening (*flatten)(const Tile& tile, const Fabric& fabric);  ///< a tile on its own
+
+    /// The tiles of an envelope together, on so many threads (0: one a core), for a method to which its seams matter; null
+    /// where each tile is flattened on its own.
+    std::vector<Flattening> (*flatten_together)(const Envelope& envelope, const Fabric& fabric, int threads,
+                                                const Progress& progress) = nullptr;
 };
 
 std::span<const Method> methods();

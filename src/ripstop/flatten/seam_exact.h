@@ -1,18 +1,11 @@
 #pragma once
 
+#include "ripstop/flatten/seam_hold.h"
 #include "ripstop/model/fabric.h"
 #include "ripstop/model/flattening.h"
 #include "ripstop/model/tile.h"
 
 namespace ripstop {
-
-/// Where the iteration begins.
-enum class SeamStart {
-    boundary_first,  ///< the conformal map with an isometric boundary; the next where that turns triangles over
-    arap,            ///< as rigid as possible, from a conformal map; Tutte's embedding where that turns triangles over
-    lscm,            ///< the conformal map alone
-    tutte,           ///< Tutte's embedding: a circle
-};
 
 struct SeamExactOptions {
     double bending = 1e-5;   ///< stiffness of the cut line, in A^1.5 E, >= 0: keeps it from folding into a zig-zag

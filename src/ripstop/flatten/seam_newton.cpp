@@ -108,22 +108,36 @@ SeamNewton::Balance SeamNewton::settle(const SeamNewtonOptions& options, SeamSol
     return balance;
 }
 
+const SeamStep* SeamNewton::system_at(const SeamSolution& solution) {
+    step_->hold_edges(true);
+    return step_->factorize(solution.u, solution.lambda, solution.mu, true) ? step_.get() : nullptr;
+}
+
 SeamSolution SeamNewton::minimize(const Vector& start, const SeamNewtonOptions& options) {
+    SeamSolution at;
+    at.u = start;
+    at.lambda = Vector::Zero(problem_.edge_count());
+    at.mu = Vector::Zero(problem_.dense_count());
+    return minimize(at, options);
+}
+
+SeamSolution SeamNewton::minimize(const SeamSolution& start, const SeamNewtonOptions& options) {
     const SeamProblem& problem = problem_;
     SeamStep& system = *step_;
     system.hold_edges(options.hold_edges);
     const int spent = system.factorizations();
     SeamSolution at;
-    at.u = start;
-    at.lambda = Vector::Zero(problem.edge_count());
-    at.mu = Vector::Zero(problem.dense_count());
+    at.u = start.u;
+    at.lambda = start.lambda;
+    at.mu = start.mu;
     Search search(problem, options);
     at.summary = {Termination::iteration_limit, 0, 0, "the forces were not yet in balance"};
-    if (!std::isfinite(problem.energy(start))) {
+    if (!std::isfinite(problem.energy(start.u))) {
         at.summary = {Termination::failed, 0, 0, "the start has triangles turned over"};
         return at;
     }
-    Balance balance(problem, options, at);
+    const bool goes_on = options.hold_edges && options.go_on && system.exact();
+    Balance balance = goes_on ? settle(options, at) : Balance(problem, options, at);
     while (balance.excess > 1 && at.summary.iterations < options.max_iterations) {
         ++at.summary.iterations;
         const bool near = options.hold_edges && balance.length_residual < near_rest;
@@ -148,7 +162,7 @@ SeamSolution SeamNewton::minimize(const Vector& start, const SeamNewtonOptions& 
         at.summary.termination = Termination::converged;
         at.summary.reason = "forces in balance";
         // one more factorisation only where there was none, or it was helped
-        at.strict_minimum = options.hold_edges && ((at.summary.iterations > 0 && system.exact()) ||
+        at.strict_minimum = options.hold_edges && (((goes_on || at.summary.iterations > 0) && system.exact()) ||
                                                    (system.factorize(at.u, at.lambda, at.mu, true) && system.exact()));
     }
     at.force_residual = balance.force_residual;

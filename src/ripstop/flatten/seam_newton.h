@@ -10,6 +10,7 @@ namespace ripstop {
 
 struct SeamNewtonOptions {
     bool hold_edges = true;           ///< false: a free boundary, only the grain (and the area) is held
+    bool go_on = false;               ///< edges held: begin with the factorisation at hand (`system_at`), from nearby
     int max_iterations = 60;          ///< > 0
     double force_tolerance = 1e-8;    ///< largest force out of balance, in E times the mean boundary edge
     double length_tolerance = 1e-11;  ///< largest |length_i| left, in l_i
@@ -46,6 +47,11 @@ class SeamNewton {
     ~SeamNewton();
 
     SeamSolution minimize(const Eigen::VectorXd& start, const SeamNewtonOptions& options = {});
+    /// Begins with u, lambda and mu of `start`.
+    SeamSolution minimize(const SeamSolution& start, const SeamNewtonOptions& options = {});
+
+    /// The step with edges held, factorised at a solution; null where no shift makes that possible. Valid until the next call.
+    const SeamStep* system_at(const SeamSolution& solution);
 
   private:
     class Balance;

@@ -56,8 +56,8 @@ SeamProblem::SeamProblem(const Tile& tile, const Fabric& fabric, const Options& 
         area_ += 0.5 * target.determinant();
     }
     size_ = std::sqrt(area_);
-    bending_ = options.bending * stiffness_ * area_ * size_;
-    if (bending_ > 0) {
+    if (options.bending > 0) {
+        const double stiffness = options.bending * stiffness_ * area_ * size_;
         std::vector<bool> corner(static_cast<std::size_t>(vertex_count_), false);
         if (tile.chains.size() > 1)
             for (const Chain& chain : tile.chains) corner[static_cast<std::size_t>(chain.vertices.front())] = true;
@@ -65,7 +65,7 @@ SeamProblem::SeamProblem(const Tile& tile, const Fabric& fabric, const Options& 
         for (int i = 0; i < edge_count(); ++i) {
             if (corner[static_cast<std::size_t>(boundary_at(i))]) continue;
             const double before = lengths_[(i + edge_count() - 1) % edge_count()];
-            bends_.push_back({i, reference[i], 0.5 * (before + lengths_[i])});
+            bends_.push_back({i, reference[i], 0.5 * (before + lengths_[i]), stiffness});
         }
     }
     Couplings couplings;
@@ -83,6 +83,13 @@ SeamProblem::SeamProblem(const Tile& tile, const Fabric& fabric, const Options& 
     pattern_ = std::make_unique<SparsePattern>(unknowns(), couplings);
     const Vec3 centre = centroid(tile.mesh);
     (tile.mesh.positions.rowwise() - centre.transpose()).rowwise().squaredNorm().minCoeff(&held_vertex_);
+}
+
+void SeamProblem::set_bending(const Eigen::VectorXd& bending, const Eigen::VectorXd& reference) {
+    for (Bend& bend : bends_) {
+        bend.stiffness = bending[bend.index] * stiffness_ * area_ * size_;
+        bend.reference = reference[bend.index];
+    }
 }
 
 void SeamProblem::add_membrane(const Eigen::VectorXd& u, Curvature curvature, double& energy, Eigen::VectorXd& gradient,
@@ -106,7 +113,7 @@ void SeamProblem::add_bending(const Eigen::VectorXd& u, Curvature curvature, dou
         const int p = boundary_at(bend.index + edge_count() - 1), v = boundary_at(bend.index);
         const int n = boundary_at(bend.index + 1);
         const auto corners = unknowns_of(p, v, n);
-        const BendingElement element = boundary_bending(at(u, p), at(u, v), at(u, n), bend.reference, bending_,
+        const BendingElement element = boundary_bending(at(u, p), at(u, v), at(u, n), bend.reference, bend.stiffness,
                                                         bend.length, curvature == Curvature::semidefinite);
         energy += element.energy;
         for (int k = 0; k < 6; ++k) gradient[corners[static_cast<std::size_t>(k)]] += element.gradient[k];
@@ -137,10 +144,8 @@ double SeamProblem::energy(const Eigen::VectorXd& u) const {
         if (!(sum < std::numeric_limits<double>::infinity())) return std::numeric_limits<double>::infinity();
     }
     for (const Bend& bend : bends_) {
-        const double excess = turning(at(u, boundary_at(bend.index + edge_count() - 1)), at(u, boundary_at(bend.index)),
-                                      at(u, boundary_at(bend.index + 1))) -
-                              bend.reference;
-        sum += 0.5 * bending_ / bend.length * excess * excess;
+        const double excess = turning_at(u, bend.index) - bend.reference;
+        sum += 0.5 * bend.stiffness / bend.length * excess * excess;
     }
     return sum;
 }
@@ -175,13 +180,24 @@ Eigen::VectorXd SeamProblem::gradient(const Eigen::VectorXd& u) const {
     return gradient;
 }
 
+double SeamProblem::turning_at(const Eigen::VectorXd& u, int i) const {
+    return turning(at(u, boundary_at(i + edge_count() - 1)), at(u, boundary_at(i)), at(u, boundary_at(i + 1)));
+}
+
+Eigen::VectorXd SeamProblem::flat_turning(const Eigen::VectorXd& u) const {
+    return Eigen::VectorXd::NullaryExpr(edge_count(),
+                                        [&](Eigen::Index i) { return turning_at(u, static_cast<int>(i)); });
+}
+
+Eigen::VectorXd SeamProblem::flat_lengths(const Eigen::VectorXd& u) const {
+    return Eigen::VectorXd::NullaryExpr(edge_count(), [&](Eigen::Index i) {
+        return (at(u, boundary_at(static_cast<int>(i) + 1)) - at(u, boundary_at(static_cast<int>(i)))).norm();
+    });
+}
+
 Eigen::VectorXd SeamProblem::edge_residual(const Eigen::VectorXd& u) const {
-    Eigen::VectorXd residual(edge_count());
-    for (int i = 0; i < edge_count(); ++i) {
-        const double length = (at(u, boundary_at(i + 1)) - at(u, boundary_at(i))).norm();
-        residual[i] = (length - lengths_[i]) * (length + lengths_[i]) / (2 * lengths_[i]);
-    }
-    return residual;
+    const Eigen::ArrayXd flat = flat_lengths(u), wanted = lengths_;
+    return (flat - wanted) * (flat + wanted) / (2 * wanted);
 }
 
 Eigen::VectorXd SeamProblem::dense_residual(const Eigen::VectorXd& u) const {

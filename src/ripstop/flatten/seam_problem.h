@@ -34,6 +34,8 @@ class SeamProblem {
     const SparsePattern& pattern() const { return *pattern_; }
     const Eigen::VectorXd& lengths() const { return lengths_; }
     void set_lengths(const Eigen::VectorXd& lengths) { lengths_ = lengths; }
+    /// Of each boundary vertex that is no corner: stiffness, in A^1.5 E, and turning at rest. Requires bending > 0 so far.
+    void set_bending(const Eigen::VectorXd& bending, const Eigen::VectorXd& reference);
 
     double energy(const Eigen::VectorXd& u) const;  ///< +infinity where a triangle is flipped
 
@@ -43,6 +45,8 @@ class SeamProblem {
                     Curvature curvature, Eigen::VectorXd& gradient, Eigen::VectorXd& values) const;
     Eigen::VectorXd gradient(const Eigen::VectorXd& u) const;
 
+    Eigen::VectorXd flat_lengths(const Eigen::VectorXd& u) const;    ///< of the edges as they lie [m]
+    Eigen::VectorXd flat_turning(const Eigen::VectorXd& u) const;    ///< at the boundary's vertices [rad]
     Eigen::VectorXd edge_residual(const Eigen::VectorXd& u) const;   ///< length_i [m]
     Eigen::VectorXd dense_residual(const Eigen::VectorXd& u) const;  ///< grain, area
     Eigen::MatrixXd dense_rows(const Eigen::VectorXd& u) const;      ///< 2 #V x dense_count: their gradients
@@ -70,6 +74,7 @@ class SeamProblem {
     void add_edges(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda, double rho, Curvature curvature,
                    Eigen::VectorXd& values) const;
     Vec2 at(const Eigen::VectorXd& u, int vertex) const { return u.segment<2>(2 * vertex); }
+    double turning_at(const Eigen::VectorXd& u, int i) const;
     int boundary_at(int i) const { return boundary_[static_cast<std::size_t>(i % edge_count())]; }
 
     int vertex_count_;
@@ -80,16 +85,14 @@ class SeamProblem {
     Eigen::VectorXd grain_row_;
     WovenMembrane membrane_;
     double stiffness_, size_ = 0, area_ = 0;
-    double bending_;
     bool keep_area_;
     struct Bend {
-        int index;         ///< in the boundary
-        double reference;  ///< turning on the surface [rad]
-        double length;     ///< of the cut line that belongs to the vertex [m]
+        int index;                 ///< in the boundary
+        double reference;          ///< turning at rest [rad]
+        double length, stiffness;  ///< of the cut line that belongs to the vertex [m, J m]
     };
     std::vector<Bend> bends_;
-    int first_bend_group_ = 0;
-    int first_edge_group_ = 0;
+    int first_bend_group_ = 0, first_edge_group_ = 0;
     std::unique_ptr<SparsePattern> pattern_;
     int held_vertex_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "ripstop/flatten/seam_step.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@ constexpr int max_attempts = 16;
 constexpr int max_shifts = 6;         // near rest, before the elements are clamped
 constexpr double least_shift = 1e-7;  // in mean stiffnesses
 constexpr int max_updates = 8;
+constexpr int columns_at_once = 64;      // of a solve for every edge: what a cache holds
 constexpr double edge_tolerance = 1e-4;  // of the edges' errors: Newton itself leaves their square
 constexpr double rounding = 1e-13;       // of the lengths: what is smaller cannot be mended
 
@@ -123,6 +125,26 @@ SeamStep::Solution SeamStep::correction(const Eigen::VectorXd& g, const Eigen::V
     solution.d = solver_.solve(right_side(g, solution.lambda, c));
     update_multipliers(g, c, r, solution);
     return solution;
+}
+
+Eigen::MatrixXd SeamStep::edge_stiffness() const {
+    // what is factorised is K = H + rho JᵀJ, and J K⁻¹ Jᵀ = (S + rho I)⁻¹
+    const int count = problem_.edge_count();
+    const Eigen::PartialPivLU<Eigen::MatrixXd> border(schur_);
+    Eigen::MatrixXd softness(count, count);
+    for (int first = 0; first < count; first += columns_at_once) {
+        const int width = std::min(columns_at_once, count - first);
+        Eigen::MatrixXd x(problem_.unknowns(), width);
+        for (int k = 0; k < width; ++k)
+            x.col(k) = problem_.edge_transposed(u_, Eigen::VectorXd::Unit(count, first + k));
+        x = solver_.solve_columns(x);
+        x -= solved_ * border.solve(columns_.transpose() * x).eval();
+        for (int k = 0; k < width; ++k) softness.col(first + k) = problem_.edge_product(u_, x.col(k));
+    }
+    const Eigen::MatrixXd mean = 0.5 * (softness + softness.transpose());
+    Eigen::MatrixXd stiffness = mean.llt().solve(Eigen::MatrixXd::Identity(count, count));
+    stiffness.diagonal().array() -= rho_;
+    return stiffness;
 }
 
 }  // namespace ripstop

@@ -46,6 +46,10 @@ class SeamStep {
     /// it adds to the multipliers.
     Solution correction(const Eigen::VectorXd& g, const Eigen::VectorXd& c, const Eigen::VectorXd& r) const;
 
+    /// How the tensions answer the lengths (#edges x #edges, symmetric): S = (J H⁻¹ Jᵀ)⁻¹ along R = 0, the stiffness of the
+    /// tile as its edges feel it. One solve an edge, and a dense inverse.
+    Eigen::MatrixXd edge_stiffness() const;
+
   private:
     void hold_still();
     bool border();

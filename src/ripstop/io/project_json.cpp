@@ -112,7 +112,7 @@ const ProjectTile* deciding(const Project& project, const std::string& tile_name
 
 Project read_project(std::istream& in, const std::string& name) {
     const json object = read_json_object(in, name);
-    require_known_keys(object, {"unit", "fabric", "tolerances", "tiles"}, name);
+    require_known_keys(object, {"unit", "fabric", "tolerances", "seam_tolerance_mm", "tiles"}, name);
     Project project;
     project.file = name;
     project.unit = text_at(object, "unit", name);
@@ -123,6 +123,12 @@ Project read_project(std::istream& in, const std::string& name) {
         }
     project.fabric = text_at(object, "fabric", name);
     if (object.contains("tolerances")) read_tolerances(object["tolerances"], name + ": tolerances", project);
+    if (const std::optional<double> given = number_at(object, "seam_tolerance_mm", name)) {
+        if (!(*given > 0))
+            throw InputError(name + ": seam_tolerance_mm is " + format_shortest(*given) +
+                             ", expected a number above 0");
+        project.seam_tolerance = *given * millimetre;
+    }
     if (object.contains("tiles")) {
         const json& tiles = object["tiles"];
         if (!tiles.is_array()) throw InputError(name + ": tiles is no list, expected [{\"name\": ...}, ...]");

@@ -26,7 +26,8 @@ struct Project {
     std::optional<double> area;    ///< tolerances, as in `Tolerances`
     std::optional<double> length;  ///< as a ratio
     std::optional<double> strain;
-    std::optional<double> shear;  ///< [rad]
+    std::optional<double> shear;           ///< [rad]
+    std::optional<double> seam_tolerance;  ///< edges to be sewn together lie within this [m]
     std::vector<ProjectTile> tiles;
 };
 

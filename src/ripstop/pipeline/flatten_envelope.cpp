@@ -2,12 +2,16 @@
 
 #include <chrono>
 #include <mutex>
+#include <utility>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/parallel.h"
 #include "ripstop/flatten/method.h"
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/judge.h"
+#include "ripstop/measure/judge_seams.h"
+#include "ripstop/measure/seam_walk.h"
+#include "ripstop/pipeline/equal_pieces.h"
 
 namespace ripstop {
 namespace {
@@ -21,21 +25,38 @@ Flattening given_flattening(const Tile& tile) {
     return flat;
 }
 
-/// Reports the tiles done, one call at a time.
+/// Reports the tiles done, one call at a time, from where the progress stands.
 class Counter {
   public:
-    Counter(int count, const Progress& progress) : count_(count), progress_(progress) {}
+    Counter(int count, double from, const Progress& progress) : count_(count), from_(from), progress_(progress) {}
     void done(const std::string& tile) {
         if (!progress_) return;
         const std::lock_guard lock(guard_);
-        progress_(static_cast<double>(++done_) / count_, tile);
+        progress_(from_ + (1 - from_) * ++done_ / count_, tile);
     }
 
   private:
     int count_, done_ = 0;
+    double from_;
     const Progress& progress_;
     std::mutex guard_;
 };
+
+constexpr double together_share = 0.9;  ///< of the progress, where all tiles are solved before any is judged
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::vector<Flattening> flatten_together(const Method& method, const Envelope& envelope,
+                                         const FlattenOptions& options) {
+    Progress progress;
+    if (options.progress)
+        progress = [&](double fraction, const std::string& what) { options.progress(together_share * fraction, what); };
+    return method.flatten_together(envelope, options.fabric, options.threads, progress);
+}
 
 }  // namespace
 
@@ -46,20 +67,49 @@ CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options
     plan.tolerances = options.tolerances;
     plan.tiles.resize(envelope.tiles.size());
     const int count = static_cast<int>(envelope.tiles.size());
-    Counter counter(count, options.progress);
-    parallel_for(count, options.threads, [&](int i) {
+    const bool at_once = method && method->flatten_together;
+    const auto begun = Clock::now();
+    std::vector<Flattening> flats;
+    if (at_once) flats = flatten_together(*method, envelope, options);
+    const double seconds_each = seconds_since(begun) / count;
+    Counter counter(count, at_once ? together_share : 0, options.progress);
+    const std::vector<Likeness> likeness = find_equal_tiles(envelope.tiles);
+    const bool copies = method && !at_once;
+    std::vector<int> solved, copied;
+    for (int i = 0; i < count; ++i)
+        (copies && !likeness[static_cast<std::size_t>(i)].vertex.empty() ? copied : solved).push_back(i);
+    const auto flatten_and_judge = [&](int i, const Likeness* copy) {
         const Tile& tile = envelope.tiles[static_cast<std::size_t>(i)];
         FlatTile& result = plan.tiles[static_cast<std::size_t>(i)];
-        const auto start = std::chrono::steady_clock::now();
-        result.bounds = measure_bounds(tile);
-        result.flattening = method ? method->flatten(tile, options.fabric) : given_flattening(tile);
-        result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const auto start = Clock::now();
+        if (copy) {
+            const FlatTile& first = plan.tiles[static_cast<std::size_t>(copy->to)];
+            result.bounds = moved_bounds(first.bounds, *copy);
+            result.flattening = copied_flattening(first, tile, *copy);
+        } else {
+            result.bounds = measure_bounds(tile);
+            result.flattening = at_once  ? std::move(flats[static_cast<std::size_t>(i)])
+                                : method ? method->flatten(tile, options.fabric)
+                                         : given_flattening(tile);
+        }
+        result.seconds = seconds_since(start) + (at_once ? seconds_each : 0);
         result.tile = tile;
         result.method = options.method;
-        result.accuracy = measure_accuracy(tile, result.flattening.positions, options.fabric);
+        result.accuracy =
+            measure_accuracy(tile, result.flattening.positions, options.fabric, result.flattening.edges_on_curve);
         result.verdict = judge(tile, result.bounds, result.flattening, result.accuracy, options.tolerances);
         counter.done(tile.name);
+    };
+    const auto nth = [](const std::vector<int>& list, int k) { return list[static_cast<std::size_t>(k)]; };
+    parallel_for(static_cast<int>(solved.size()), options.threads,
+                 [&](int k) { flatten_and_judge(nth(solved, k), nullptr); });
+    parallel_for(static_cast<int>(copied.size()), options.threads, [&](int k) {
+        flatten_and_judge(nth(copied, k), &likeness[static_cast<std::size_t>(nth(copied, k))]);
     });
+    list_equal_pieces(plan, likeness);
+    plan.seams = envelope.seams;
+    plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);
+    judge_seams(plan);
     return plan;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ripstop/assembly/find_seams.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/glob.h"
 #include "ripstop/io/mesh_file.h"
@@ -57,6 +58,7 @@ Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& optio
         }
     }
     if (!faults.empty()) refuse(faults);
+    add_seams(envelope, {options.seam_tolerance});
     return envelope;
 }
 

@@ -40,6 +40,16 @@ std::string failing_codes(const Verdict& verdict) {
     return text;
 }
 
+std::vector<Quantity> quantities(const CutPlan& plan) {
+    std::vector<Quantity> counts(plan.tiles.size());
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        const FlatTile& tile = plan.tiles[i];
+        Quantity& count = counts[tile.equal_to < 0 ? i : static_cast<std::size_t>(tile.equal_to)];
+        ++(tile.mirrored ? count.mirrored : count.same);
+    }
+    return counts;
+}
+
 bool is_drawable(const FlatTile& tile) {
     const Points2& positions = tile.flattening.positions;
     return positions.rows() == tile.tile.mesh.vertex_count() && positions.rows() > 0 && positions.allFinite();
@@ -52,7 +62,7 @@ std::vector<std::string> file_stems(const std::vector<std::string>& names) {
         return text;
     };
     std::vector<std::string> stems;
-    std::set<std::string> used;
+    std::set<std::string> used{"seams"};  // the picture of the seams
     for (const std::string& name : names) {
         std::string base = ascii_text(name).substr(0, 80);
         for (char& c : base) {

@@ -18,11 +18,19 @@ double worst_chain_error(const Accuracy& accuracy);
 /// the tile can be made.
 std::string failing_codes(const Verdict& verdict);
 
+/// How many pieces are cut by each tile's pattern (`equal_to`), and how many by the pattern turned over. None by one that is
+/// equal to an earlier tile.
+struct Quantity {
+    int same = 0, mirrored = 0;
+};
+std::vector<Quantity> quantities(const CutPlan& plan);
+
 /// Has each vertex a finite place on the cloth? Only then is there something to draw.
 bool is_drawable(const FlatTile& tile);
 
 /// A file name stem for each name: ASCII letters, digits, `.`, `_`, `-`, all else `_`; no leading point or dash, at most 80
 /// characters, never empty, and unique even where upper and lower case are one (then `_2`, `_3` … in order).
+/// None is `seams`, the picture of the seams.
 std::vector<std::string> file_stems(const std::vector<std::string>& names);
 std::vector<std::string> file_stems(const CutPlan& plan);
 

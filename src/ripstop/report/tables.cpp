@@ -3,27 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <vector>
 
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
+#include "ripstop/report/csv.h"
 #include "ripstop/report/figures.h"
+#include "ripstop/report/seam_tables.h"
 
 namespace ripstop {
 namespace {
 
 using Row = std::vector<std::string>;
-
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + "\"";
-}
-
-std::string figure(double value) {
-    return std::isfinite(value) ? format_shortest(clean(value)) : "";
-}
 
 constexpr std::array csv_columns{"name",
                                  "vertices",
@@ -49,9 +42,13 @@ constexpr std::array csv_columns{"name",
                                  "flipped",
                                  "overlaps",
                                  "stop",
-                                 "finding"};
+                                 "finding",
+                                 "equal_to",
+                                 "mirror_of",
+                                 "quantity",
+                                 "quantity_mirrored"};
 
-Row csv_row(const FlatTile& tile) {
+Row csv_row(const FlatTile& tile, const std::string& equal_to, const Quantity& cut) {
     const Accuracy& a = tile.accuracy;
     const std::vector<Finding>& findings = tile.verdict.findings;
     return {tile.tile.name,
@@ -59,31 +56,30 @@ Row csv_row(const FlatTile& tile) {
             std::to_string(tile.tile.mesh.triangle_count()),
             tile.method,
             tile.verdict.manufacturable() ? "true" : "false",
-            figure(a.area),
-            figure(a.flat_area),
-            figure(a.area_error / percent),
-            figure(a.area_error_abs / percent),
-            figure(a.perimeter / millimetre),
-            figure(a.perimeter_error / percent),
-            figure(a.edge_error_abs / percent),
-            figure(a.boundary_error_abs / percent),
-            figure(a.boundary_error_max / percent),
-            figure(worst_chain_error(a) / percent),
-            figure(a.warp_strain_min / percent),
-            figure(a.warp_strain_max / percent),
-            figure(a.weft_strain_min / percent),
-            figure(a.weft_strain_max / percent),
-            figure(a.shear_max / degree),
-            figure(a.energy),
+            csv_figure(a.area),
+            csv_figure(a.flat_area),
+            csv_figure(a.area_error / percent),
+            csv_figure(a.area_error_abs / percent),
+            csv_figure(a.perimeter / millimetre),
+            csv_figure(a.perimeter_error / percent),
+            csv_figure(a.edge_error_abs / percent),
+            csv_figure(a.boundary_error_abs / percent),
+            csv_figure(a.boundary_error_max / percent),
+            csv_figure(worst_chain_error(a) / percent),
+            csv_figure(a.warp_strain_min / percent),
+            csv_figure(a.warp_strain_max / percent),
+            csv_figure(a.weft_strain_min / percent),
+            csv_figure(a.weft_strain_max / percent),
+            csv_figure(a.shear_max / degree),
+            csv_figure(a.energy),
             std::to_string(a.flipped),
             std::to_string(a.overlaps),
             name(tile.flattening.summary.termination),
-            findings.empty() ? "" : findings.front().message};
-}
-
-void add_csv_line(std::string& text, const Row& row) {
-    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + quoted(row[i]);
-    text += "\n";
+            findings.empty() ? "" : findings.front().message,
+            tile.mirrored ? "" : equal_to,
+            tile.mirrored ? equal_to : "",
+            std::to_string(cut.same),
+            std::to_string(cut.mirrored)};
 }
 
 const Row headings{"tile",   "triangles", "area %",    "perimeter %", "worst chain %",
@@ -139,6 +135,27 @@ std::string aligned(const std::vector<Row>& rows) {
     return text;
 }
 
+/// `360 tiles, 15 different, each cut 24 times`; empty where no two are alike.
+std::string kinds(const CutPlan& plan) {
+    std::map<int, int, std::greater<>> times;  // how many patterns are cut so often
+    bool turned = false;
+    for (const Quantity& cut : quantities(plan)) {
+        if (cut.same + cut.mirrored > 0) ++times[cut.same + cut.mirrored];
+        turned = turned || cut.mirrored > 0;
+    }
+    int different = 0;
+    for (const auto& [often, patterns] : times) different += patterns;
+    if (static_cast<std::size_t>(different) == plan.tiles.size()) return {};
+    std::string text = std::to_string(plan.tiles.size()) + " tiles, " + std::to_string(different) + " different";
+    for (const auto& [often, patterns] : times) {
+        if (often == 1) continue;
+        text += times.size() == 1 ? ", " + std::string(different == 1 ? "" : "each ")
+                                  : ", " + std::to_string(patterns) + " of them ";
+        text += std::to_string(often) + " times";
+    }
+    return text + (turned ? ", mirror images counted together\n" : "\n");
+}
+
 struct Worst {
     double value = 0;
     std::string tile;
@@ -158,7 +175,14 @@ struct Worst {
 std::string tiles_csv(const CutPlan& plan) {
     std::string text;
     add_csv_line(text, Row(csv_columns.begin(), csv_columns.end()));
-    for (const FlatTile& tile : plan.tiles) add_csv_line(text, csv_row(tile));
+    const std::vector<Quantity> cut = quantities(plan);
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        const FlatTile& tile = plan.tiles[i];
+        add_csv_line(text, csv_row(tile,
+                                   tile.equal_to < 0 ? std::string()
+                                                     : plan.tiles[static_cast<std::size_t>(tile.equal_to)].tile.name,
+                                   cut[i]));
+    }
     return text;
 }
 
@@ -181,7 +205,8 @@ std::string plan_summary(const CutPlan& plan) {
            " m2 of cloth\n" + "worst: " + area.text("area", percent, 3, " %", true) + ", " +
            perimeter.text("perimeter", percent, 3, " %", true) + ", " + chain.text("chain", percent, 3, " %", true) +
            ",\n       " + strain.text("strain", percent, 2, " %", true) + ", " +
-           shear.text("shear", degree, 2, " deg", false) + ", " + std::to_string(flipped) + " flipped\n";
+           shear.text("shear", degree, 2, " deg", false) + ", " + std::to_string(flipped) + " flipped\n" + kinds(plan) +
+           seams_summary(plan);
 }
 
 std::string tiles_table(const CutPlan& plan, int max_rows) {

@@ -1,0 +1,257 @@
+#include "ripstop/assembly/check_envelope.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "ripstop/assembly/faults.h"
+#include "ripstop/assembly/loose_edges.h"
+#include "ripstop/assembly/seam_runs.h"
+#include "ripstop/base/number_text.h"
+
+namespace ripstop {
+namespace {
+
+constexpr double tallest = 100, smallest = 0.1;       // [m] beyond these the unit is in doubt
+constexpr double length_tolerance = 0.001;            // of the paper: 1 mm on a metre
+constexpr double balloon_low = 5, balloon_high = 60;  // [m]
+constexpr std::size_t most_misses = 8;  // with more of them than seams the tolerance is wrong, not the tiles
+
+Vec3 size_of(const std::vector<Tile>& tiles) {
+    Eigen::AlignedBox3d box;
+    for (const Tile& tile : tiles)
+        for (Eigen::Index v = 0; v < tile.mesh.positions.rows(); ++v) box.extend(Vec3(tile.mesh.positions.row(v)));
+    return box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
+}
+
+/// The unit under which a file read with `metres_per_unit` would be as tall as a balloon; empty if none is.
+std::string fitting_unit(double height, double metres_per_unit) {
+    for (const char* unit : {"mm", "cm", "m", "in", "ft"}) {
+        const double tall = height / metres_per_unit * ripstop::metres_per_unit(unit);
+        if (tall >= balloon_low && tall <= balloon_high) return unit;
+    }
+    return {};
+}
+
+/// To a tenth, or to a tenth of a millimetre where that says more.
+double rounded(double length) {
+    const double digits = length < 1 ? 1e4 : 10;
+    return std::round(length * digits) / digits;
+}
+
+/// The largest extent of the tiles' middles, but for the outermost fiftieth at either end, and of a tile: one tile gone
+/// astray is no reason to doubt the unit.
+double robust_extent(const std::vector<Tile>& tiles) {
+    const std::size_t count = tiles.size(), cut = count / 50;
+    std::vector<double> diagonals;
+    std::array<std::vector<double>, 3> middles;
+    for (const Tile& tile : tiles) {
+        diagonals.push_back(bounding_diagonal(tile.mesh));
+        const Vec3 middle = centroid(tile.mesh);
+        for (std::size_t axis = 0; axis < 3; ++axis) middles[axis].push_back(middle[static_cast<int>(axis)]);
+    }
+    std::sort(diagonals.begin(), diagonals.end());
+    double extent = 0;
+    for (std::vector<double>& along : middles) {
+        std::sort(along.begin(), along.end());
+        extent = std::max(extent, along[count - 1 - cut] - along[cut]);
+    }
+    return extent + diagonals[count / 2] / 2;
+}
+
+/// Is the envelope so large or small that another unit is meant? Then tolerances mean nothing.
+bool names_unit(const std::vector<Tile>& tiles, double metres_per_unit, EnvelopeCheck& check) {
+    if (tiles.empty()) return false;
+    const double extent = robust_extent(tiles);
+    if (extent <= tallest && extent >= smallest) return false;
+    const std::string unit = fitting_unit(extent, metres_per_unit);
+    if (unit.empty()) return false;
+    const double size = check.size.maxCoeff();
+    check.issues.push_back({"unit",
+                            "the envelope measures " + format_shortest(rounded(size)) +
+                                " m, a hot-air balloon is 5 to 60 m tall; with --unit " + unit + " it would measure " +
+                                format_fixed(size / metres_per_unit * ripstop::metres_per_unit(unit), 2) + " m",
+                            {},
+                            Vec3::Zero(),
+                            size});
+    return true;
+}
+
+/// What is worth a look though nothing need be wrong.
+void add_notes(EnvelopeCheck& check) {
+    const auto worst =
+        std::max_element(check.sampling.begin(), check.sampling.end(),
+                         [](const SeamSampling& p, const SeamSampling& q) { return p.chord_error < q.chord_error; });
+    if (worst != check.sampling.end() && worst->chord_error > length_tolerance)
+        check.notes.push_back("edges turn by up to " + format_fixed(worst->turn / degree, 1) + " degrees (seam " +
+                              worst->id + "), so that the mesh is short by " +
+                              format_fixed(worst->chord_error / millimetre, 2) +
+                              " mm/m there, more than a seam may err; lengths are taken on smooth curves where "
+                              "neighbours are meshed apart, a finer mesh makes them certain");
+    if (check.odd_corners > 0)
+        check.notes.push_back(
+            "odd corners lie in the middle of one neighbour's edge, where nothing else meets; give "
+            "the corners in the project file if they are none");
+    if (check.loose_ends > 0)
+        check.notes.push_back(
+            "loose ends are where open edges touch others but go on along none; look for edges that "
+            "do not fit");
+}
+
+/// Lengths of the parts decide: how many edges a metre of seam has on its coarser side.
+SeamSampling sampling_of(const std::vector<PlacedChain>& chains, const Seam& seam) {
+    SeamSampling sampling{seam.id, seam.length, 0, 0};
+    for (const SeamSide* side : {&seam.a, &seam.b}) {
+        const auto placed = std::lower_bound(chains.begin(), chains.end(), std::pair(side->tile, side->chain),
+                                             [](const PlacedChain& chain, const std::pair<int, int>& at) {
+                                                 return std::pair(chain.tile, chain.chain) < at;
+                                             });
+        for (const SeamPart& part : side->parts) {
+            const int local = (part.edge - placed->first_edge + placed->boundary_edges) % placed->boundary_edges;
+            sampling.turn = std::max({sampling.turn, turn_of_edge(placed->curve, local), placed->curve.unseen_turn});
+        }
+    }
+    sampling.chord_error = sampling.turn * sampling.turn / 24;
+    return sampling;
+}
+
+/// Corners of a tile whose two chains are sewn to one chain of one neighbour, edge after edge: nothing else meets there.
+int count_odd_corners(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
+    struct End {
+        int tile, chain, edge;
+    };
+    std::map<std::pair<int, int>, End> first, last;  // by boundary edge of a tile: the mate there
+    const auto add = [&](const SeamSide& side, const SeamSide& mate) {
+        first[{side.tile, side.parts.front().edge}] = {mate.tile, mate.chain, mate.parts.back().edge};
+        last[{side.tile, side.parts.back().edge}] = {mate.tile, mate.chain, mate.parts.front().edge};
+    };
+    for (const Seam& seam : seams) {
+        add(seam.a, seam.b);
+        add(seam.b, seam.a);
+    }
+    int odd = 0;
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        const Tile& tile = tiles[t];
+        const int count = static_cast<int>(tile.boundary.size());
+        if (tile.chains.size() < 2) continue;
+        int edge = static_cast<int>(
+            std::find(tile.boundary.begin(), tile.boundary.end(), tile.chains.front().vertices.front()) -
+            tile.boundary.begin());
+        for (const Chain& chain : tile.chains) {
+            const auto before = last.find({static_cast<int>(t), (edge + count - 1) % count});
+            const auto after = first.find({static_cast<int>(t), edge});
+            edge = (edge + chain.edge_count()) % count;
+            if (before == last.end() || after == first.end()) continue;
+            const End &p = before->second, &q = after->second;
+            if (p.tile != q.tile || p.chain != q.chain || p.tile == static_cast<int>(t)) continue;
+            const int mate_count = static_cast<int>(tiles[static_cast<std::size_t>(p.tile)].boundary.size());
+            odd += p.edge == q.edge || (q.edge + 1) % mate_count == p.edge;
+        }
+    }
+    return odd;
+}
+
+/// Ends of seams that lie within a chain of one side.
+int count_t_junctions(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
+    std::map<std::pair<int, int>, int> seams_on;
+    for (const Seam& seam : seams) {
+        ++seams_on[{seam.a.tile, seam.a.chain}];
+        ++seams_on[{seam.b.tile, seam.b.chain}];
+    }
+    int junctions = 0;
+    for (const auto& [chain, count] : seams_on) {
+        const Tile& tile = tiles[static_cast<std::size_t>(chain.first)];
+        const bool loop = tile.chains.size() == 1;
+        junctions += loop ? (count > 1 ? count : 0) : count - 1;
+    }
+    return junctions;
+}
+
+std::vector<std::string> grains_of(const std::vector<Tile>& tiles) {
+    std::map<std::string, int> counts;
+    for (const Tile& tile : tiles) ++counts[tile.grain.source];
+    std::vector<std::string> texts;
+    for (const auto& [source, count] : counts)
+        texts.push_back(source + " (" + std::to_string(count) + (count == 1 ? " tile)" : " tiles)"));
+    return texts;
+}
+
+EnvelopeCheck figures(const Envelope& envelope, const FoundSeams& found, const SeamOptions& options) {
+    const std::vector<PlacedChain> chains = place_chains(envelope.tiles);
+    EnvelopeCheck check;
+    check.tiles = static_cast<int>(envelope.tiles.size());
+    check.chains = static_cast<int>(chains.size());
+    check.seams = static_cast<int>(found.seams.size());
+    check.seam_tolerance = options.tolerance;
+    check.size = size_of(envelope.tiles);
+    check.grain_sources = grains_of(envelope.tiles);
+    for (const Tile& tile : envelope.tiles) {
+        check.area += surface_area(tile.mesh);
+        check.triangles += tile.mesh.triangle_count();
+        if (tile.chains.size() > 1 || tile.chains.front().vertices.front() != tile.boundary.front())
+            check.corners += static_cast<int>(tile.chains.size());
+    }
+    for (const Seam& seam : found.seams) {
+        check.self_seams += seam.a.tile == seam.b.tile;
+        check.seam_length += seam.length;
+        check.gap_max = std::max(check.gap_max, seam.gap);
+        check.sampling.push_back(sampling_of(chains, seam));
+    }
+    for (const int group : sewn_groups(check.tiles, found.seams)) check.parts = std::max(check.parts, group + 1);
+    check.odd_corners = count_odd_corners(envelope.tiles, found.seams);
+    check.t_junctions = count_t_junctions(envelope.tiles, found.seams);
+    check.loops = find_loops(envelope.tiles, chains, found.loose, options.tolerance);
+    for (const LooseLoop& loop : check.loops) check.loose_ends += loop.closed ? 0 : 2;
+    return check;
+}
+
+void add(std::vector<EnvelopeIssue>& issues, std::vector<EnvelopeIssue> more) {
+    issues.insert(issues.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+/// Most edges miss their mates: one issue instead of one a tile.
+EnvelopeIssue tolerance_issue(const FoundSeams& found, const SeamOptions& options) {
+    std::vector<double> distances;
+    for (const NearMiss& miss : found.near_misses) distances.push_back(miss.distance);
+    std::sort(distances.begin(), distances.end());
+    const double median = distances[distances.size() / 2], most = distances[distances.size() * 9 / 10];
+    return {"gap",
+            std::to_string(distances.size()) +
+                " pairs of edges lie beside each other but not within the seam tolerance of " +
+                length_text(options.tolerance) + " (half of them more than " + length_text(median) +
+                " apart), against " + std::to_string(found.seams.size()) + " seams; give --seam-tolerance " +
+                format_fixed(std::ceil(12 * most / millimetre) / 10, 1) + "mm if they are to be sewn",
+            {},
+            found.near_misses.front().place,
+            median};
+}
+
+}  // namespace
+
+EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& options, double metres_per_unit) {
+    const FoundSeams as_given = find_seams(envelope.tiles, options);
+    EnvelopeCheck check = figures(envelope, as_given, options);
+    add_notes(check);
+    if (names_unit(envelope.tiles, metres_per_unit, check)) return check;
+
+    std::vector<Tile> tiles = envelope.tiles;
+    add(check.issues, remove_doubled(tiles, options.tolerance));
+    const bool doubled = tiles.size() < envelope.tiles.size();
+    FoundSeams found = doubled ? find_seams(tiles, options) : as_given;
+    std::vector<EnvelopeIssue> turned = turn_back(tiles, found);
+    if (!turned.empty()) found = find_seams(tiles, options);
+    add(check.issues, std::move(turned));
+    if (found.near_misses.size() >= most_misses && found.near_misses.size() > found.seams.size()) {
+        check.issues.push_back(tolerance_issue(found, options));
+        return check;
+    }
+    add(check.issues, move_back(tiles, found, options));
+    add(check.issues, name_gaps(tiles, found, options.tolerance));
+    add(check.issues, name_holes(tiles, found, options.tolerance));
+    add(check.issues, name_strays(tiles, found));
+    return check;
+}
+
+}  // namespace ripstop

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "ripstop/assembly/find_seams.h"
+#include "ripstop/model/envelope_check.h"
+
+namespace ripstop {
+
+/// What an envelope is made of and what is wrong with it, from its geometry alone; nothing is solved.
+///
+/// Figures are those of the envelope as given. Each fault is named once, at the tile that is wrong: doubled tiles first, then
+/// tiles turned over, then tiles shifted or scaled; each is mended in a copy and the seams are searched for anew, so that
+/// what follows from it (missed neighbours, a hole) is not named again. What is then left are gaps, missing tiles and
+/// tiles sewn to nothing. Where most edges miss their mates by more than the tolerance one issue says so.
+///
+/// A hot-air balloon is 5 to 60 m tall: beyond 100 m or below 0.1 m, where another unit would make it one, that unit is named
+/// and nothing else, since no tolerance in millimetres means anything then. `metres_per_unit` is that with which it was read. Some searches (`find_seams`): a
+/// few seconds for 5,000 tiles.
+EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& options = {}, double metres_per_unit = 1);
+
+}  // namespace ripstop

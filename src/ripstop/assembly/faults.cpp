@@ -1,0 +1,212 @@
+#include "ripstop/assembly/faults.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "ripstop/assembly/loose_edges.h"
+#include "ripstop/base/number_text.h"
+
+namespace ripstop {
+namespace {
+
+constexpr std::size_t shown_names = 6;
+constexpr double slit = 0.01;  // openness: a circle has 0.08, a square 0.06, a sliver ten times as long as wide 0.02
+
+std::string name_of(const std::vector<Tile>& tiles, int tile) {
+    return tiles[static_cast<std::size_t>(tile)].name;
+}
+
+std::vector<std::string> names_of(const std::vector<Tile>& tiles, const std::vector<int>& members) {
+    std::vector<std::string> names;
+    for (const int tile : members) names.push_back(name_of(tiles, tile));
+    return names;
+}
+
+/// The first of `names` so often, in their order.
+std::vector<std::string> each_once(std::vector<std::string> names) {
+    std::vector<std::string> once;
+    for (std::string& name : names)
+        if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(std::move(name));
+    return once;
+}
+
+double outline_length(const Tile& tile) {
+    return edge_lengths(tile.mesh.positions, closed(tile.boundary)).sum();
+}
+
+/// A joined set of sets: who belongs together.
+class Groups {
+  public:
+    explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+    int find(int i) const {
+        while (parent_[static_cast<std::size_t>(i)] != i) i = parent_[static_cast<std::size_t>(i)];
+        return i;
+    }
+    void join(int i, int j) {
+        const int a = find(i), b = find(j);
+        parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
+
+  private:
+    std::vector<int> parent_;
+};
+
+/// Are two tiles one, or neighbours on a seam?
+class Neighbours {
+  public:
+    explicit Neighbours(const std::vector<Seam>& seams) {
+        for (const Seam& seam : seams) {
+            pairs_.push_back({seam.a.tile, seam.b.tile});
+            pairs_.push_back({seam.b.tile, seam.a.tile});
+        }
+        std::sort(pairs_.begin(), pairs_.end());
+    }
+    bool are_near(int a, int b) const {
+        return a == b || std::binary_search(pairs_.begin(), pairs_.end(), std::pair(a, b));
+    }
+
+  private:
+    std::vector<std::pair<int, int>> pairs_;
+};
+
+EnvelopeIssue gap_issue(const std::vector<Tile>& tiles, const std::vector<const NearMiss*>& misses, double tolerance) {
+    const NearMiss& worst = **std::max_element(
+        misses.begin(), misses.end(), [](const NearMiss* p, const NearMiss* q) { return p->distance < q->distance; });
+    EnvelopeIssue issue{"gap", {}, {}, worst.place, worst.distance};
+    double length = 0;
+    std::set<std::pair<int, int>> pairs;
+    for (const NearMiss* miss : misses) {
+        length += miss->length;
+        pairs.insert(std::minmax(miss->tile_a, miss->tile_b));
+        issue.tiles.push_back(name_of(tiles, miss->tile_a));
+        issue.tiles.push_back(name_of(tiles, miss->tile_b));
+    }
+    issue.tiles = each_once(issue.tiles);
+    const std::string between =
+        pairs.size() == 1 && worst.tile_a == worst.tile_b ? "two edges of tile " + name_of(tiles, worst.tile_a) + " lie"
+        : pairs.size() == 1
+            ? "tiles " + name_of(tiles, worst.tile_a) + " and " + name_of(tiles, worst.tile_b) + " lie"
+            : "the edges of " + std::to_string(pairs.size()) + " pairs of tiles (" + names_text(issue.tiles) + ") lie";
+    issue.message = between + " beside each other over " + length_text(length) + " but " + length_text(worst.distance) +
+                    " apart at " + place_text(worst.place) + ", more than the seam tolerance of " +
+                    length_text(tolerance) + ": they are not sewn; close the gap, or give a larger --seam-tolerance";
+    return issue;
+}
+
+}  // namespace
+
+std::string length_text(double length) {
+    if (length < 0.1) return format_fixed(length / millimetre, length < 0.01 ? 2 : 1) + " mm";
+    return format_fixed(length, 2) + " m";
+}
+
+std::string place_text(const Vec3& place) {
+    return "(" + format_fixed(place.x(), 2) + ", " + format_fixed(place.y(), 2) + ", " + format_fixed(place.z(), 2) +
+           ") m";
+}
+
+std::string names_text(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), shown_names); ++i) text += (i ? ", " : "") + names[i];
+    if (names.size() > shown_names) text += " and " + std::to_string(names.size() - shown_names) + " more";
+    return text;
+}
+
+std::vector<int> sewn_groups(int tiles, const std::vector<Seam>& seams) {
+    Groups groups(static_cast<std::size_t>(tiles));
+    for (const Seam& seam : seams) groups.join(seam.a.tile, seam.b.tile);
+    std::vector<int> number(static_cast<std::size_t>(tiles), -1);
+    int count = 0;
+    for (int t = 0; t < tiles; ++t) {
+        int& first = number[static_cast<std::size_t>(groups.find(t))];
+        if (first < 0) first = count++;
+        number[static_cast<std::size_t>(t)] = first;
+    }
+    return number;
+}
+
+std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance) {
+    const Neighbours neighbours(found.seams);
+    const auto continues = [&](const NearMiss& p, const NearMiss& q) {
+        return (neighbours.are_near(p.tile_a, q.tile_a) && neighbours.are_near(p.tile_b, q.tile_b)) ||
+               (neighbours.are_near(p.tile_a, q.tile_b) && neighbours.are_near(p.tile_b, q.tile_a));
+    };
+    const std::vector<NearMiss>& misses = found.near_misses;
+    Groups groups(misses.size());
+    for (std::size_t i = 0; i < misses.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (continues(misses[i], misses[j])) groups.join(static_cast<int>(i), static_cast<int>(j));
+    std::map<int, std::vector<const NearMiss*>> together;
+    for (std::size_t i = 0; i < misses.size(); ++i) together[groups.find(static_cast<int>(i))].push_back(&misses[i]);
+    std::vector<EnvelopeIssue> issues;
+    for (const auto& [first, members] : together) issues.push_back(gap_issue(tiles, members, tolerance));
+    return issues;
+}
+
+std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance) {
+    if (found.seams.empty()) return {};
+    double shortest = outline_length(tiles.front()), longest = shortest;
+    for (const Tile& tile : tiles) {
+        shortest = std::min(shortest, outline_length(tile));
+        longest = std::max(longest, outline_length(tile));
+    }
+    std::vector<EnvelopeIssue> issues;
+    for (const LooseLoop& loop : find_loops(tiles, place_chains(tiles), found.loose, tolerance)) {
+        if (!loop.closed || loop.outline || loop.openness < slit || loop.corners < 2) continue;
+        const std::vector<std::string> around = each_once(names_of(tiles, loop.tiles));
+        const bool inside = loop.corners <= 8 && loop.length > 0.5 * shortest && loop.length < 1.5 * longest;
+        const bool at_an_edge = loop.corners <= 8 && static_cast<int>(around.size()) > 2 * loop.corners;
+        if (!inside && !at_an_edge) continue;
+        EnvelopeIssue issue{"missing_tile", {}, around, loop.centre, 0};
+        if (inside)
+            issue.message = "a tile is missing at " + place_text(loop.centre) + ": the loose edges of " +
+                            names_text(around) + " go round a hole of " + std::to_string(loop.corners) +
+                            " corners and " + length_text(loop.length) +
+                            " of edge; add the tile, unless the opening is meant";
+        else
+            issue.message = "a tile may be missing at the open edge round " + place_text(loop.centre) + ": it has " +
+                            std::to_string(loop.corners) + " corners, where a mouth or crown has none; it runs along " +
+                            names_text(around) + "; add the tile, unless the opening is meant";
+        issues.push_back(std::move(issue));
+    }
+    return issues;
+}
+
+std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const FoundSeams& found) {
+    const int count = static_cast<int>(tiles.size());
+    if (count < 2) return {};
+    if (found.seams.empty())
+        return {{"unsewn",
+                 "no two of the " + std::to_string(count) +
+                     " tiles have an edge in common: there are no seams; give the tiles where they hang in space, not "
+                     "laid out flat, or a larger --seam-tolerance",
+                 {},
+                 Vec3::Zero(),
+                 0}};
+    const std::vector<int> group = sewn_groups(count, found.seams);
+    std::vector<std::vector<int>> members(static_cast<std::size_t>(*std::max_element(group.begin(), group.end()) + 1));
+    for (int t = 0; t < count; ++t) members[static_cast<std::size_t>(group[static_cast<std::size_t>(t)])].push_back(t);
+    const auto largest = std::max_element(members.begin(), members.end(),
+                                          [](const auto& p, const auto& q) { return p.size() < q.size(); });
+    Groups near(tiles.size());  // what a gap names already is not named again
+    for (const NearMiss& miss : found.near_misses) near.join(miss.tile_a, miss.tile_b);
+    for (const Seam& seam : found.seams) near.join(seam.a.tile, seam.b.tile);
+    std::vector<EnvelopeIssue> issues;
+    for (const std::vector<int>& some : members) {
+        if (&some == &*largest || near.find(some.front()) == near.find(largest->front())) continue;
+        const Vec3 at = centroid(tiles[static_cast<std::size_t>(some.front())].mesh);
+        const std::vector<std::string> names = names_of(tiles, some);
+        issues.push_back({"apart",
+                          (some.size() == 1 ? "tile " + names[0] + " at " + place_text(at) + " is sewn to nothing"
+                                            : std::to_string(some.size()) + " tiles (" + names_text(names) +
+                                                  ") are sewn to one another but to nothing else") +
+                              "; bring it to its place or take it out of the file",
+                          names, at, 0});
+    }
+    return issues;
+}
+
+}  // namespace ripstop

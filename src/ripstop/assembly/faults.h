@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "ripstop/assembly/find_seams.h"
+#include "ripstop/model/envelope_check.h"
+
+namespace ripstop {
+
+/// Each of these names the faults of one kind and mends them in `tiles`, so that what follows from a fault is not named
+/// again: the search for seams is run anew on the mended tiles.
+
+/// Tiles that lie on one another, whatever their meshes and whichever side is up: of each such pair the later one goes.
+std::vector<EnvelopeIssue> remove_doubled(std::vector<Tile>& tiles, double tolerance);
+
+/// Groups of tiles whose boundary runs the same way as that of larger neighbours: they are turned over.
+std::vector<EnvelopeIssue> turn_back(std::vector<Tile>& tiles, const FoundSeams& found);
+
+/// Tiles that fit their neighbours or a hole when they are moved, turned or scaled: they are. The one that misses most
+/// neighbours goes first. `found` are their seams, before and after.
+std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found, const SeamOptions& options);
+
+/// What is left then: gaps, holes, and groups of tiles that are sewn to nothing else.
+std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance);
+std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance);
+std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const FoundSeams& found);
+
+/// The number of the group of each tile that seams hold together; groups are numbered by their first tile.
+std::vector<int> sewn_groups(int tiles, const std::vector<Seam>& seams);
+
+/// Words for messages: `12.3 mm`, `1.25 m`; `(1.23, 4.56, 7.89) m`; `a, b, c and 4 more`.
+std::string length_text(double length);
+std::string place_text(const Vec3& place);
+std::string names_text(const std::vector<std::string>& names);
+
+}  // namespace ripstop

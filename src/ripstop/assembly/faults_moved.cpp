@@ -1,0 +1,230 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "ripstop/assembly/faults.h"
+#include "ripstop/assembly/loose_edges.h"
+#include "ripstop/assembly/tile_fit.h"
+#include "ripstop/base/number_text.h"
+
+namespace ripstop {
+namespace {
+
+constexpr int most_passes = 20;  // each mends every tile that misses its neighbours by itself
+constexpr double hole_openness = 0.01;
+
+/// What a pass knows of the envelope.
+struct Picture {
+    const std::vector<Tile>& tiles;
+    const FoundSeams& found;
+    const std::vector<PlacedChain>& chains;
+    double tolerance;
+};
+
+/// Who a tile misses, chain by chain, and whether it is sewn to anything.
+struct Standing {
+    int tile = 0;
+    std::set<int> missing_chains, missed_tiles;
+    bool sewn = false;
+};
+
+std::vector<Standing> standings(const Picture& picture) {
+    std::vector<Standing> all(picture.tiles.size());
+    for (std::size_t t = 0; t < all.size(); ++t) all[t].tile = static_cast<int>(t);
+    for (const NearMiss& miss : picture.found.near_misses) {
+        if (miss.tile_a == miss.tile_b) continue;
+        Standing& a = all[static_cast<std::size_t>(miss.tile_a)];
+        Standing& b = all[static_cast<std::size_t>(miss.tile_b)];
+        a.missing_chains.insert(miss.chain_a);
+        b.missing_chains.insert(miss.chain_b);
+        a.missed_tiles.insert(miss.tile_b);
+        b.missed_tiles.insert(miss.tile_a);
+    }
+    for (const Seam& seam : picture.found.seams) {
+        if (seam.a.tile == seam.b.tile) continue;
+        all[static_cast<std::size_t>(seam.a.tile)].sewn = true;
+        all[static_cast<std::size_t>(seam.b.tile)].sewn = true;
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Standing& p, const Standing& q) {
+        return p.missing_chains.size() > q.missing_chains.size();
+    });
+    return all;
+}
+
+/// The tile brought to lie on these edges, by a motion if that will do.
+std::optional<TileFit> lay_on(const Points3& points, const std::vector<TargetEdge>& edges, const Similarity& start,
+                              double tolerance) {
+    if (points.rows() < 3 || edges.empty()) return {};
+    Similarity unscaled = start;
+    unscaled.scale = 1;
+    const Vec3 centre = points.colwise().mean().transpose();
+    unscaled.shift = start(centre) - centre;
+    const TileFit moved = fit_to_edges(points, edges, unscaled, false);
+    const TileFit scaled = fit_to_edges(points, edges, start, true);
+    const TileFit& best = moved.residual <= 2 * scaled.residual + 0.1 * tolerance ? moved : scaled;
+    if (!(best.residual <= 2 * tolerance)) return {};
+    return best;
+}
+
+/// Onto the chains that it misses and those it is sewn to.
+std::optional<TileFit> fit_to_neighbours(const Picture& picture, int tile) {
+    std::set<std::pair<int, int>> own, other;
+    const auto add = [&](int tile_a, int chain_a, int tile_b, int chain_b) {
+        if (tile_a == tile_b) return;
+        if (tile_a == tile) own.insert({tile_a, chain_a}), other.insert({tile_b, chain_b});
+        if (tile_b == tile) own.insert({tile_b, chain_b}), other.insert({tile_a, chain_a});
+    };
+    for (const NearMiss& miss : picture.found.near_misses) add(miss.tile_a, miss.chain_a, miss.tile_b, miss.chain_b);
+    for (const Seam& seam : picture.found.seams) add(seam.a.tile, seam.a.chain, seam.b.tile, seam.b.chain);
+    std::vector<TargetEdge> edges;
+    std::vector<Vec3> vertices;
+    for (const PlacedChain& chain : picture.chains) {
+        if (other.contains({chain.tile, chain.chain}))
+            for (int e = 0; e < chain.curve.edge_count(); ++e) edges.push_back({&chain.curve, e});
+        if (own.contains({chain.tile, chain.chain}))
+            for (int v = 0; v <= chain.curve.edge_count(); ++v) vertices.push_back(chain.curve.points.row(v));
+    }
+    Points3 points(static_cast<Eigen::Index>(vertices.size()), 3);
+    for (Eigen::Index i = 0; i < points.rows(); ++i) points.row(i) = vertices[static_cast<std::size_t>(i)];
+    return lay_on(points, edges, {}, picture.tolerance);
+}
+
+Points3 boundary_points(const Tile& tile) {
+    Points3 points(static_cast<Eigen::Index>(tile.boundary.size()), 3);
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+        points.row(i) = tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>(i)]);
+    return points;
+}
+
+/// The holes that a tile could have fallen out of: their outlines and the edges round them.
+struct Hole {
+    Points3 outline;
+    std::vector<TargetEdge> edges;
+    std::vector<int> tiles;
+};
+
+std::vector<Hole> find_holes(const Picture& picture) {
+    std::vector<std::vector<int>> runs;
+    const std::vector<LooseLoop> loops =
+        find_loops(picture.tiles, picture.chains, picture.found.loose, picture.tolerance, &runs);
+    std::vector<Hole> holes;
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+        if (!loops[l].closed || loops[l].outline || loops[l].openness < hole_openness || loops[l].corners == 0)
+            continue;
+        Hole hole;
+        std::vector<Vec3> outline;
+        for (const int r : runs[l]) {
+            const LooseRun& run = picture.found.loose[static_cast<std::size_t>(r)];
+            const BoundaryCurve curve(picture.chains, run.tile);
+            outline.push_back(curve.point(run.start));
+            for (double at = std::floor(run.start) + 1; at < run.end; ++at) outline.push_back(curve.point(at));
+            outline.push_back(curve.point(run.end));
+            for (int e = static_cast<int>(std::floor(run.start)); e < run.end; ++e) {
+                const auto [chain, edge] = curve.edge(e);
+                hole.edges.push_back({chain, edge});
+            }
+            hole.tiles.push_back(run.tile);
+        }
+        hole.outline.resize(static_cast<Eigen::Index>(outline.size()), 3);
+        for (Eigen::Index i = 0; i < hole.outline.rows(); ++i)
+            hole.outline.row(i) = outline[static_cast<std::size_t>(i)];
+        holes.push_back(std::move(hole));
+    }
+    return holes;
+}
+
+double length_round(const Points3& polygon) {
+    double sum = 0;
+    for (Eigen::Index i = 0; i < polygon.rows(); ++i)
+        sum += (polygon.row((i + 1) % polygon.rows()) - polygon.row(i)).norm();
+    return sum;
+}
+
+/// Into the hole whose outline it has, at whatever size; the best of them.
+std::optional<TileFit> fit_to_hole(const Picture& picture, const std::vector<Hole>& holes, int tile,
+                                   std::vector<int>& around) {
+    const Points3 points = boundary_points(picture.tiles[static_cast<std::size_t>(tile)]);
+    std::optional<TileFit> best;
+    for (const Hole& hole : holes) {
+        if (std::find(hole.tiles.begin(), hole.tiles.end(), tile) != hole.tiles.end()) continue;
+        const Similarity start = match_outlines(points, hole.outline);
+        if (std::abs(start.scale * length_round(points) / length_round(hole.outline) - 1) > 0.05) continue;
+        const std::optional<TileFit> fit = lay_on(points, hole.edges, start, picture.tolerance);
+        if (!fit || (best && best->residual <= fit->residual)) continue;
+        best = fit;
+        around = hole.tiles;
+    }
+    return best;
+}
+
+EnvelopeIssue moved_issue(const Tile& tile, const Similarity& move, const std::vector<std::string>& neighbours) {
+    const Vec3 centre = boundary_points(tile).colwise().mean().transpose();
+    const double scale = 1 / move.scale;  // what was done to the tile undoes the move
+    const double shift = (move(centre) - centre).norm();
+    const double turn = std::abs(Eigen::AngleAxisd(move.turn).angle());
+    const std::string turned =
+        turn > 0.1 * degree ? " and turned by " + format_fixed(turn / degree, 1) + " degrees" : std::string();
+    EnvelopeIssue issue{"shifted", {}, {tile.name}, centre, shift};
+    const std::string against = ", as its neighbours " + names_text(neighbours) + " show";
+    if (move.scale == 1) {
+        issue.message = "tile " + tile.name + " at " + place_text(centre) + " lies " + length_text(shift) +
+                        " away from its place" + turned + against + "; move it by (" +
+                        format_fixed((move(centre) - centre).x() / millimetre, 1) + ", " +
+                        format_fixed((move(centre) - centre).y() / millimetre, 1) + ", " +
+                        format_fixed((move(centre) - centre).z() / millimetre, 1) + ") mm";
+        return issue;
+    }
+    issue.code = "scaled";
+    issue.value = scale;
+    const std::string ratio =
+        std::abs(scale - 1) < 0.5
+            ? format_fixed(100 * std::abs(scale - 1), 2) + " %"
+            : format_shortest(std::round(1000 * (scale > 1 ? scale : 1 / scale)) / 1000) + " times";
+    issue.message = "tile " + tile.name + " at " + place_text(centre) + " is " + ratio + " too " +
+                    (scale > 1 ? "large" : "small") + " (scaled by " + format_fixed(scale, 4) + turned + ")" + against +
+                    "; scale it by " + format_fixed(move.scale, 4);
+    return issue;
+}
+
+}  // namespace
+
+std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found, const SeamOptions& options) {
+    std::vector<EnvelopeIssue> issues;
+    for (int pass = 0; pass < most_passes; ++pass) {
+        const std::vector<PlacedChain> chains = place_chains(tiles);
+        const Picture picture{tiles, found, chains, options.tolerance};
+        const std::vector<Hole> holes = find_holes(picture);
+        std::vector<std::pair<int, Similarity>> moves;
+        std::set<int> settled;
+        for (const Standing& standing : standings(picture)) {
+            const int t = standing.tile;
+            const bool misses = standing.missing_chains.size() >= 2 && standing.missed_tiles.size() >= 2;
+            if (settled.contains(t) || (!misses && standing.sewn)) continue;
+            std::optional<TileFit> fit;
+            std::vector<int> around(standing.missed_tiles.begin(), standing.missed_tiles.end());
+            if (misses) fit = fit_to_neighbours(picture, t);
+            if (!fit && !standing.sewn) fit = fit_to_hole(picture, holes, t, around);
+            if (!fit) continue;
+            std::vector<std::string> names;
+            for (const int other : around) {
+                settled.insert(other);
+                const std::string& name = tiles[static_cast<std::size_t>(other)].name;
+                if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+            }
+            settled.insert(t);
+            issues.push_back(moved_issue(tiles[static_cast<std::size_t>(t)], fit->move, names));
+            moves.emplace_back(t, fit->move);
+        }
+        if (moves.empty()) break;
+        for (const auto& [t, move] : moves) {
+            Points3& positions = tiles[static_cast<std::size_t>(t)].mesh.positions;
+            for (Eigen::Index v = 0; v < positions.rows(); ++v) positions.row(v) = move(positions.row(v).transpose());
+        }
+        found = find_seams(tiles, options);
+    }
+    return issues;
+}
+
+}  // namespace ripstop

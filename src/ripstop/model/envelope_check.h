@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ripstop/geometry/types.h"
+
+namespace ripstop {
+
+/// One thing that is wrong with an envelope as it was given, named at the tile that is wrong.
+struct EnvelopeIssue {
+    std::string code;     ///< stable, for machines: `unit`, `doubled`, `turned_over`, `scaled`, `shifted`, `gap`,
+                          ///< `missing_tile`, `apart`, `unsewn`
+    std::string message;  ///< one sentence for the designer, with what to do
+    std::vector<std::string> tiles;  ///< by name
+    Vec3 at = Vec3::Zero();          ///< where [m]
+    double value = 0;                ///< how far [m] for `shifted` and `gap`, the ratio for `scaled`; else 0
+};
+
+/// A closed run of loose edges: a mouth, a crown, the outline of a sheet, a hole.
+struct LooseLoop {
+    std::vector<int> tiles;  ///< in order, a tile once for each run of its boundary
+    double length = 0;       ///< [m]
+    int corners = 0;         ///< places where it turns by more than 40 degrees in space
+    bool outline = false;    ///< it goes round the outside of a sheet, not round a hole in one
+    bool closed = false;     ///< false: its end meets no other loose edge
+    double openness = 0;     ///< the area it goes round over its length squared: 1/(4 pi) for a circle, 0 for a slit
+    Vec3 centre = Vec3::Zero();
+};
+
+/// How finely a seam's edges follow their curve.
+struct SeamSampling {
+    std::string id;
+    double length = 0;       ///< [m]
+    double turn = 0;         ///< largest turn of an edge of either side [rad]
+    double chord_error = 0;  ///< by how much a polyline turning so is short: theta^2 / 24
+};
+
+/// What was understood of an envelope, and what is wrong with it.
+struct EnvelopeCheck {
+    int tiles = 0, triangles = 0, chains = 0, corners = 0, seams = 0;
+    int self_seams = 0;         ///< seams of a tile with itself
+    int t_junctions = 0;        ///< ends of seams within an edge or chain of the other side
+    int parts = 0;              ///< groups of tiles that seams hold together
+    int odd_corners = 0;        ///< corners of a tile in the middle of one neighbour's chain, where nothing else meets
+    int loose_ends = 0;         ///< ends of loose edges that meet no other
+    double seam_length = 0;     ///< of all seams [m]
+    double area = 0;            ///< [m2]
+    double gap_max = 0;         ///< largest distance of two edges that count as sewn [m]
+    double seam_tolerance = 0;  ///< [m]
+    Vec3 size = Vec3::Zero();   ///< of the bounding box [m]
+    std::vector<LooseLoop> loops;
+    std::vector<SeamSampling> sampling;      ///< one a seam
+    std::vector<std::string> grain_sources;  ///< where the warps come from, with how many tiles each
+    std::vector<EnvelopeIssue> issues;
+    std::vector<std::string> notes;  ///< worth a look, not wrong
+
+    bool sound() const { return issues.empty(); }
+};
+
+}  // namespace ripstop

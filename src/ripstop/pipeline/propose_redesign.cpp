@@ -1,0 +1,159 @@
+#include "ripstop/pipeline/propose_redesign.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "ripstop/base/error.h"
+#include "ripstop/base/parallel.h"
+#include "ripstop/measure/accuracy.h"
+#include "ripstop/measure/judge.h"
+#include "ripstop/mesh/split.h"
+#include "ripstop/pipeline/half_tile.h"
+#include "ripstop/pipeline/weld_tiles.h"
+
+namespace ripstop {
+namespace {
+
+struct Line {
+    bool along = true;  ///< the warp, which is +x of the cloth; else across it
+    double at = 0;      ///< the other coordinate, which is the same all along it
+};
+
+/// The flat place of the vertex nearest to a point of the surface.
+Vec2 on_cloth(const FlatTile& tile, const Vec3& point) {
+    Eigen::Index nearest = 0;
+    (tile.tile.mesh.positions.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    return tile.flattening.positions.row(nearest);
+}
+
+/// Lines to try: none nearer to another than a twentieth of the piece, nor to its end than an eighth.
+std::vector<Line> lines_to_try(const FlatTile& tile) {
+    const Points2& flat = tile.flattening.positions;
+    const std::array<Vec3, 4> places{tile.bounds.centre, tile.accuracy.worst_warp, tile.accuracy.worst_weft,
+                                     tile.accuracy.worst_shear};
+    std::vector<Line> lines;
+    for (const bool along : {true, false}) {
+        const Eigen::Index axis = along ? 1 : 0;
+        const double low = flat.col(axis).minCoeff(), size = flat.col(axis).maxCoeff() - low;
+        std::vector<double> wanted{low + size / 2, 0};  // the middle, and the middle of the area
+        for (const Vec3& place : places) wanted.push_back(on_cloth(tile, place)[axis]);
+        wanted.insert(wanted.end(), {low + size / 3, low + 2 * size / 3});
+        std::vector<double> kept;
+        for (const double at : wanted) {
+            const bool inside = at > low + size / 8 && at < low + 7 * size / 8;
+            const auto is_near = [&](double other) { return std::abs(other - at) < size / 20; };
+            if (inside && std::none_of(kept.begin(), kept.end(), is_near)) kept.push_back(at);
+        }
+        for (const double at : kept) lines.push_back({along, at});
+    }
+    return lines;
+}
+
+Trial try_tile(const Tile& tile, const Method& method, const Fabric& fabric, const Tolerances& tolerances,
+               Flattening* flattening = nullptr) {
+    Trial trial;
+    trial.triangles = tile.mesh.triangle_count();
+    const Flattening flat = method.flatten(tile, fabric);
+    if (flat.positions.rows() != tile.mesh.vertex_count())
+        throw InputError("tile " + tile.name + ": " + flat.summary.text());
+    trial.accuracy = measure_accuracy(tile, flat.positions, fabric, flat.edges_on_curve);
+    trial.verdict = judge(tile, measure_bounds(tile), flat, trial.accuracy, tolerances);
+    if (flattening) *flattening = flat;
+    return trial;
+}
+
+std::optional<SplitProposal> try_line(const FlatTile& tile, const Line& line, const Method& method,
+                                      const Fabric& fabric, const Tolerances& tolerances) {
+    const Points2& flat = tile.flattening.positions;
+    const Eigen::VectorXd field =
+        line.along ? Eigen::VectorXd(flat.col(1).array() - line.at) : Eigen::VectorXd(line.at - flat.col(0).array());
+    const std::optional<MeshSplit> split = split_mesh(tile.tile.mesh, field);
+    if (!split) return std::nullopt;
+    SplitProposal proposal;
+    proposal.direction = line.along ? "along the warp" : "across the warp";
+    for (const int v : split->left.cut) proposal.line.emplace_back(split->left.mesh.positions.row(v));
+    try {
+        proposal.halves = {
+            try_tile(make_half_tile(tile.tile, split->left, tile.tile.name + " left"), method, fabric, tolerances),
+            try_tile(make_half_tile(tile.tile, split->right, tile.tile.name + " right"), method, fabric, tolerances)};
+    } catch (const InputError&) {
+        return std::nullopt;  // the half is none that can be made a tile: no proposal
+    }
+    return proposal;
+}
+
+/// Less is better.
+std::tuple<std::size_t, std::size_t, double> rank(const SplitProposal& proposal) {
+    const std::size_t left = proposal.halves[0].verdict.findings.size();
+    const std::size_t right = proposal.halves[1].verdict.findings.size();
+    return {std::max(left, right), left + right,
+            proposal.halves[0].accuracy.energy + proposal.halves[1].accuracy.energy};
+}
+
+bool is_sound(const FlatTile& tile) {
+    const Points2& flat = tile.flattening.positions;
+    return tile.flattening.summary.usable() && tile.accuracy.flipped == 0 &&
+           flat.rows() == tile.tile.mesh.vertex_count() && flat.allFinite();
+}
+
+}  // namespace
+
+std::optional<SplitProposal> propose_split(const FlatTile& tile, const Method& method, const Fabric& fabric,
+                                           const Tolerances& tolerances) {
+    if (!is_sound(tile)) return std::nullopt;
+    std::optional<SplitProposal> best;
+    int tried = 0;
+    for (const Line& line : lines_to_try(tile)) {
+        std::optional<SplitProposal> here = try_line(tile, line, method, fabric, tolerances);
+        if (!here) continue;
+        ++tried;
+        if (!best || rank(*here) < rank(*best)) best = std::move(here);
+    }
+    if (!best) return std::nullopt;
+    best->tried = tried;
+    best->findings_before = static_cast<int>(tile.verdict.findings.size());
+    return best;
+}
+
+void add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits) {
+    std::vector<std::size_t> failing;
+    long triangles = 0;
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        if (plan.tiles[i].equal_to >= 0 || plan.tiles[i].verdict.manufacturable()) continue;
+        failing.push_back(i);
+        triangles += plan.tiles[i].tile.mesh.triangle_count();
+    }
+    if (static_cast<long>(failing.size()) > limits.kinds || triangles > limits.triangles) return;
+    parallel_for(static_cast<int>(failing.size()), threads, [&](int k) {
+        FlatTile& tile = plan.tiles[failing[static_cast<std::size_t>(k)]];
+        tile.proposal = propose_split(tile, method, plan.fabric, plan.tolerances);
+    });
+}
+
+std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& method, int threads) {
+    std::vector<std::optional<MergeProposal>> found(plan.seams.size());
+    parallel_for(static_cast<int>(plan.seams.size()), threads, [&](int i) {
+        const Seam& seam = plan.seams[static_cast<std::size_t>(i)];
+        const FlatTile& a = plan.tiles[static_cast<std::size_t>(seam.a.tile)];
+        const FlatTile& b = plan.tiles[static_cast<std::size_t>(seam.b.tile)];
+        try {
+            const std::optional<Tile> welded = weld_tiles(a.tile, b.tile, seam);
+            if (!welded) return;
+            Flattening flat;
+            const Trial trial = try_tile(*welded, method, plan.fabric, plan.tolerances, &flat);
+            const double width = flat.positions.col(1).maxCoeff() - flat.positions.col(1).minCoeff();
+            if (trial.verdict.manufacturable() && width <= plan.fabric.roll_width)
+                found[static_cast<std::size_t>(i)] = {seam.a.tile, seam.b.tile, i, trial};
+        } catch (const InputError&) {
+            return;  // together they are no tile
+        }
+    });
+    std::vector<MergeProposal> merges;
+    for (std::optional<MergeProposal>& merge : found)
+        if (merge) merges.push_back(std::move(*merge));
+    return merges;
+}
+
+}  // namespace ripstop

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ripstop/flatten/method.h"
+#include "ripstop/model/cut_plan.h"
+
+namespace ripstop {
+
+/// What the designer may draw instead; nothing is cut by us.
+///
+/// Seam lines tried on a tile: straight on the cloth, along and across the warp, through the tile's middle, thirds, deepest
+/// place and most strained places; each is tried by splitting the mesh on it (`split_mesh`) and flattening and judging both
+/// halves with the same method and fabric. The best has the fewest findings in its worse half, then in both, then the least
+/// energy in both. Nothing where no line can be tried: the tile has no sound flattening to draw on, or none divides it in
+/// two. Cost: some twenty flattenings of half the size.
+std::optional<SplitProposal> propose_split(const FlatTile& tile, const Method& method, const Fabric& fabric,
+                                           const Tolerances& tolerances);
+
+/// Neighbours sewn together by one seam along which their meshes have the same vertices, welded there, flattened and judged:
+/// the pairs that could be made as one tile, in the order of the seams. The piece must lie on the roll, its warp along it.
+/// Left out are pairs whose warps differ by more than 15 degrees and those with compensation. One flattening a seam.
+std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& method, int threads);
+
+/// How much may be tried unasked: where more fails, it is the design and not one seam.
+struct ProposeLimits {
+    int kinds = 12;
+    int triangles = 50000;  ///< of them together
+};
+
+/// Sets the proposals of the plan's failing tiles, the first of each kind; none where they are more than the limits.
+void add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits = {});
+
+}  // namespace ripstop

@@ -1,0 +1,131 @@
+#include "ripstop/report/check_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "ripstop/base/units.h"
+#include "ripstop/report/figures.h"
+
+namespace ripstop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t shown_loops = 8;
+
+std::string plural(int count, const char* one, const char* many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string loops_text(const EnvelopeCheck& check) {
+    if (check.loops.empty()) return "none: the envelope is closed";
+    std::string text;
+    for (std::size_t i = 0; i < std::min(check.loops.size(), shown_loops); ++i) {
+        const LooseLoop& loop = check.loops[i];
+        text += fmt::format("{}{:.2f} m round ({:.2f}, {:.2f}, {:.2f}) m, {}, {}{}", i ? "\n               " : "",
+                            loop.length, loop.centre.x(), loop.centre.y(), loop.centre.z(),
+                            plural(static_cast<int>(loop.tiles.size()), "tile", "tiles"),
+                            loop.corners == 0 ? "no corner" : plural(loop.corners, "corner", "corners"),
+                            loop.closed ? "" : ", not closed");
+    }
+    if (check.loops.size() > shown_loops)
+        text += fmt::format("\n               and {} more", check.loops.size() - shown_loops);
+    return text;
+}
+
+std::string sampling_text(const EnvelopeCheck& check) {
+    if (check.sampling.empty()) return "no seams";
+    const SeamSampling& worst =
+        *std::max_element(check.sampling.begin(), check.sampling.end(),
+                          [](const SeamSampling& p, const SeamSampling& q) { return p.chord_error < q.chord_error; });
+    std::vector<double> errors;
+    for (const SeamSampling& seam : check.sampling) errors.push_back(seam.chord_error);
+    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
+    return fmt::format("{:.3f} mm/m in the middle, {:.3f} mm/m at worst ({}: an edge turns by {:.1f} degrees)",
+                       errors[errors.size() / 2] / millimetre, worst.chord_error / millimetre, worst.id,
+                       worst.turn / degree);
+}
+
+Json point(const Vec3& p) {
+    return Json::array({clean(p.x()), clean(p.y()), clean(p.z())});
+}
+Json point_mm(const Vec3& p) {
+    return point(p / millimetre);
+}
+
+}  // namespace
+
+std::string check_text(const EnvelopeCheck& check, const std::string& file, const std::string& unit) {
+    std::string text = fmt::format(
+        "{}, in {}\n"
+        "size           {:.4g} x {:.4g} x {:.4g} m, {:.4g} m2 of cloth\n"
+        "tiles          {}, {} triangles, {} chains, {} corners, in {}\n"
+        "warp           {}\n"
+        "seams          {}, {:.2f} m, edges up to {:.3f} mm apart (tolerance {:.3g} mm); {} within a tile, {}\n",
+        file, unit, check.size.x(), check.size.y(), check.size.z(), check.area, check.tiles, check.triangles,
+        check.chains, check.corners, plural(check.parts, "part", "parts"),
+        fmt::format("{}", fmt::join(check.grain_sources, ", ")), check.seams, check.seam_length,
+        check.gap_max / millimetre, check.seam_tolerance / millimetre, check.self_seams,
+        plural(check.t_junctions, "T-junction", "T-junctions"));
+    text += fmt::format("open edges     {}\n", loops_text(check));
+    text += fmt::format("loose ends     {}\nodd corners    {}\nchord error    {}\n", check.loose_ends,
+                        check.odd_corners, sampling_text(check));
+    for (const std::string& note : check.notes) text += fmt::format("note           {}\n", note);
+    for (const EnvelopeIssue& issue : check.issues) text += fmt::format("WRONG          {}\n", issue.message);
+    text += check.sound() ? "Sound: nothing is wrong with this envelope.\n"
+                          : fmt::format("{} wrong with this envelope.\n",
+                                        check.issues.size() == 1 ? "One thing is"
+                                                                 : fmt::format("{} things are", check.issues.size()));
+    return text;
+}
+
+std::string check_json(const EnvelopeCheck& check, const std::string& file, const std::string& unit) {
+    Json json;
+    json["input"] = {{"file", file}, {"unit", unit}};
+    json["sound"] = check.sound();
+    json["size_m"] = point(check.size);
+    json["area_m2"] = clean(check.area);
+    json["tiles"] = check.tiles;
+    json["triangles"] = check.triangles;
+    json["chains"] = check.chains;
+    json["corners"] = check.corners;
+    json["odd_corners"] = check.odd_corners;
+    json["parts"] = check.parts;
+    json["grain"] = check.grain_sources;
+    json["seam_tolerance_mm"] = clean(check.seam_tolerance / millimetre);
+    json["seam_length_mm"] = clean(check.seam_length / millimetre);
+    json["seam_gap_max_mm"] = clean(check.gap_max / millimetre);
+    json["self_seams"] = check.self_seams;
+    json["t_junctions"] = check.t_junctions;
+    json["loose_ends"] = check.loose_ends;
+    json["seams"] = Json::array();
+    for (const SeamSampling& seam : check.sampling)
+        json["seams"].push_back({{"id", seam.id},
+                                 {"length_mm", clean(seam.length / millimetre)},
+                                 {"turn_deg", clean(seam.turn / degree)},
+                                 {"chord_error_mm_per_m", clean(seam.chord_error / millimetre)}});
+    json["loops"] = Json::array();
+    for (const LooseLoop& loop : check.loops)
+        json["loops"].push_back({{"tiles", loop.tiles.size()},
+                                 {"length_mm", clean(loop.length / millimetre)},
+                                 {"corners", loop.corners},
+                                 {"closed", loop.closed},
+                                 {"outline", loop.outline},
+                                 {"centre_mm", point_mm(loop.centre)}});
+    json["issues"] = Json::array();
+    for (const EnvelopeIssue& issue : check.issues) {
+        Json entry = {
+            {"code", issue.code}, {"message", issue.message}, {"tiles", issue.tiles}, {"at_mm", point_mm(issue.at)}};
+        if (issue.code == "shifted" || issue.code == "gap")
+            entry["distance_mm"] = clean(issue.value / millimetre);
+        else if (issue.code == "scaled")
+            entry["ratio"] = clean(issue.value);
+        json["issues"].push_back(std::move(entry));
+    }
+    json["notes"] = check.notes;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ripstop

@@ -1,0 +1,272 @@
+/// Each way an envelope can be wrong, named once and at the tile that is wrong.
+#include "ripstop/assembly/check_envelope.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <functional>
+
+#include "support/envelopes.h"
+#include "support/shapes.h"
+
+namespace ripstop {
+namespace {
+
+using ::testing::HasSubstr;
+
+EnvelopeDesign small_balloon() {
+    EnvelopeDesign design;
+    design.gores = 12;
+    design.panels = 6;
+    design.volume = 600;
+    design.edge_length = 0.3;
+    return design;
+}
+
+/// The balloon with conforming meshes, and with each tile meshed by itself.
+std::vector<std::vector<NamedMesh>> both_balloons() {
+    return {design_natural(small_balloon()), testing::meshed_apart(small_balloon(), 4, 2)};
+}
+
+constexpr std::size_t middle = 3 * 6 + 2;  // gore 4, panel 3: neighbours on all four sides
+
+EnvelopeCheck check(const std::vector<NamedMesh>& meshes) {
+    return check_envelope(testing::tiles_of(meshes));
+}
+
+/// The codes of the issues, with the first tile each names.
+std::vector<std::string> named(const EnvelopeCheck& check) {
+    std::vector<std::string> codes;
+    for (const EnvelopeIssue& issue : check.issues)
+        codes.push_back(issue.code + " " + (issue.tiles.empty() ? std::string("-") : issue.tiles.front()));
+    return codes;
+}
+
+void move(TriangleMesh& mesh, const Vec3& by) {
+    mesh.positions.rowwise() += by.transpose();
+}
+
+Vec3 middle_of(const TriangleMesh& mesh) {
+    return mesh.positions.colwise().mean().transpose();
+}
+
+void scale_about(TriangleMesh& mesh, const Vec3& centre, double factor) {
+    mesh.positions = ((mesh.positions.rowwise() - centre.transpose()) * factor).rowwise() + centre.transpose();
+}
+
+TEST(SoundEnvelope, IsSoundAndItsFiguresAreThoseOfTheDesign) {
+    for (const std::vector<NamedMesh>& balloon : both_balloons()) {
+        const EnvelopeCheck result = check(balloon);
+        EXPECT_TRUE(result.sound()) << (result.sound() ? "" : result.issues[0].message);
+        EXPECT_EQ(result.tiles, 72);
+        EXPECT_EQ(result.chains, 4 * 72);
+        EXPECT_EQ(result.corners, 4 * 72);
+        EXPECT_EQ(result.seams, 72 + 60);
+        EXPECT_EQ(result.parts, 1);
+        EXPECT_EQ(result.loose_ends, 0);
+        EXPECT_EQ(result.odd_corners, 0);
+        EXPECT_EQ(result.t_junctions, 0);
+        ASSERT_EQ(result.loops.size(), 2u) << "mouth and crown";
+        for (const LooseLoop& loop : result.loops) {
+            EXPECT_TRUE(loop.closed);
+            EXPECT_EQ(loop.corners, 0);
+            EXPECT_EQ(loop.tiles.size(), 12u);
+            EXPECT_FALSE(loop.outline);
+        }
+        EXPECT_EQ(result.sampling.size(), 132u);
+    }
+}
+
+TEST(ShiftedTile, IsNamedWithHowFar) {
+    for (std::vector<NamedMesh> balloon : both_balloons())
+        for (const double distance : {0.003, 0.05, 0.4}) {
+            const Vec3 by = distance * Vec3(0.6, -0.64, 0.48);
+            std::vector<NamedMesh> shifted = balloon;
+            move(shifted[middle].mesh, by);
+            const EnvelopeCheck result = check(shifted);
+            EXPECT_THAT(named(result), ::testing::ElementsAre("shifted " + balloon[middle].name)) << distance;
+            if (result.issues.empty()) continue;
+            // to within the tolerance of a seam, which is what the neighbours say of its place
+            EXPECT_NEAR(result.issues[0].value, distance, 0.0005) << result.issues[0].message;
+            EXPECT_THAT(result.issues[0].message, HasSubstr("away from its place"));
+        }
+}
+
+TEST(ShiftedTile, AtTheMouthIsNamedToo) {
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    move(balloon[6].mesh, Vec3(0.01, 0.01, 0.02));
+    EXPECT_THAT(named(check(balloon)), ::testing::ElementsAre("shifted " + balloon[6].name));
+}
+
+TEST(ScaledTile, IsNamedWithTheRatio) {
+    for (std::vector<NamedMesh> balloon : both_balloons())
+        for (const double ratio : {1.01, 0.97, 1.25, 1000.0}) {
+            for (const bool about_itself : {true, false}) {
+                std::vector<NamedMesh> scaled = balloon;
+                scale_about(scaled[middle].mesh, about_itself ? middle_of(scaled[middle].mesh) : Vec3::Zero(), ratio);
+                const EnvelopeCheck result = check(scaled);
+                EXPECT_THAT(named(result), ::testing::ElementsAre("scaled " + balloon[middle].name))
+                    << ratio << about_itself;
+                if (result.issues.empty()) continue;
+                EXPECT_NEAR(result.issues.back().value, ratio, 1e-3 * ratio) << result.issues.back().message;
+            }
+        }
+}
+
+TEST(MissingTile, IsNamedWithItsNeighbours) {
+    for (std::vector<NamedMesh> balloon : both_balloons()) {
+        const Vec3 place = middle_of(balloon[middle].mesh);
+        const std::string above = balloon[middle + 1].name;
+        balloon.erase(balloon.begin() + middle);
+        const EnvelopeCheck result = check(balloon);
+        ASSERT_EQ(result.issues.size(), 1u);
+        const EnvelopeIssue& issue = result.issues[0];
+        EXPECT_EQ(issue.code, "missing_tile");
+        EXPECT_LT((issue.at - place).norm(), 0.3);
+        EXPECT_EQ(issue.tiles.size(), 4u);
+        EXPECT_THAT(issue.tiles, ::testing::Contains(above));
+        EXPECT_THAT(issue.message, HasSubstr("a tile is missing at"));
+    }
+}
+
+TEST(MissingTile, AtTheMouthIsSuspectedFromTheCornersOfTheOpenEdge) {
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    balloon.erase(balloon.begin() + 6);
+    EXPECT_THAT(named(check(balloon)), ::testing::ElementsAre(HasSubstr("missing_tile")));
+}
+
+TEST(FlippedTile, IsNamed) {
+    for (std::vector<NamedMesh> balloon : both_balloons()) {
+        balloon[middle].mesh.triangles.col(0).swap(balloon[middle].mesh.triangles.col(1));
+        const EnvelopeCheck result = check(balloon);
+        EXPECT_THAT(named(result), ::testing::ElementsAre("turned_over " + balloon[middle].name));
+        EXPECT_THAT(result.issues[0].message, HasSubstr("is inside out"));
+    }
+}
+
+TEST(FlippedTiles, NextToEachOtherAreOneFault) {
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    for (const std::size_t t : {middle, middle + 1})
+        balloon[t].mesh.triangles.col(0).swap(balloon[t].mesh.triangles.col(1));
+    const EnvelopeCheck result = check(balloon);
+    ASSERT_EQ(result.issues.size(), 1u);
+    EXPECT_THAT(result.issues[0].tiles, ::testing::ElementsAre(balloon[middle].name, balloon[middle + 1].name));
+}
+
+TEST(DoubledTile, IsNamedEitherWayUp) {
+    for (const std::vector<NamedMesh>& balloon : both_balloons())
+        for (const bool flipped : {false, true}) {
+            std::vector<NamedMesh> doubled = balloon;
+            doubled.push_back(doubled[middle]);
+            doubled.back().name = "copy";
+            if (flipped) doubled.back().mesh.triangles.col(0).swap(doubled.back().mesh.triangles.col(1));
+            const EnvelopeCheck result = check(doubled);
+            EXPECT_THAT(named(result), ::testing::ElementsAre("doubled copy")) << flipped;
+            if (!result.issues.empty()) {
+                EXPECT_THAT(result.issues[0].message, HasSubstr("lies on tile " + balloon[middle].name));
+            }
+        }
+}
+
+TEST(DoubledTile, IsNamedAlsoWithAnotherMesh) {
+    std::vector<NamedMesh> doubled = testing::meshed_apart(small_balloon(), 4, 2);
+    doubled.push_back(testing::meshed_apart(small_balloon(), 11, 2)[middle]);
+    doubled.back().name = "copy";
+    EXPECT_THAT(named(check(doubled)), ::testing::ElementsAre("doubled copy"));
+}
+
+TEST(GapOfAMillimetre, InOneEdgeIsNamedWithBothTiles) {
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    TriangleMesh& mesh = balloon[middle].mesh;
+    const Tile tile = make_tile("t", mesh);
+    const auto top = std::max_element(tile.chains.begin(), tile.chains.end(), [&](const Chain& p, const Chain& q) {
+        return mesh.positions(p.vertices[1], 2) < mesh.positions(q.vertices[1], 2);
+    });
+    for (const int v : top->vertices) mesh.positions(v, 2) -= 0.001;
+    const EnvelopeCheck result = check(balloon);
+    ASSERT_EQ(result.issues.size(), 1u);
+    EXPECT_EQ(result.issues[0].code, "gap");
+    EXPECT_THAT(result.issues[0].tiles,
+                ::testing::UnorderedElementsAre(balloon[middle].name, balloon[middle + 1].name));
+    EXPECT_NEAR(result.issues[0].value, 0.001, 1e-4);
+    EXPECT_THAT(result.issues[0].message, HasSubstr("1.00 mm apart"));
+}
+
+TEST(GapOfAMillimetre, AllRoundIsOneFault) {
+    for (std::vector<NamedMesh> balloon : both_balloons()) {
+        for (std::size_t t = 0; t < balloon.size(); ++t)
+            if (t % 6 > 2) move(balloon[t].mesh, Vec3(0, 0, 0.001));
+        const EnvelopeCheck result = check(balloon);
+        ASSERT_EQ(result.issues.size(), 1u);
+        EXPECT_EQ(result.issues[0].code, "gap");
+        EXPECT_EQ(result.issues[0].tiles.size(), 24u);
+        EXPECT_THAT(result.issues[0].message, HasSubstr("12 pairs of tiles"));
+    }
+}
+
+TEST(TwoFaults, AreBothNamed) {
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    move(balloon[middle].mesh, Vec3(0.02, 0, 0.01));
+    balloon[middle + 24].mesh.triangles.col(0).swap(balloon[middle + 24].mesh.triangles.col(1));
+    balloon.erase(balloon.begin() + 51);
+    EXPECT_THAT(named(check(balloon)),
+                ::testing::ElementsAre("turned_over " + balloon[middle + 24].name, "shifted " + balloon[middle].name,
+                                       HasSubstr("missing_tile")));
+}
+
+TEST(Unit, IsProposedWhereTheSizeIsNoBalloons) {
+    for (const std::vector<NamedMesh>& balloon : both_balloons()) {
+        std::vector<NamedMesh> scaled = balloon;
+        for (NamedMesh& tile : scaled) tile.mesh.positions *= 1000;
+        const EnvelopeCheck large = check(scaled);
+        ASSERT_THAT(named(large), ::testing::ElementsAre("unit -"));
+        EXPECT_THAT(large.issues[0].message, HasSubstr("with --unit mm it would measure"));
+        for (NamedMesh& tile : scaled) tile.mesh.positions *= 1e-6;
+        const EnvelopeCheck small = check_envelope(testing::tiles_of(scaled), {}, 0.001);
+        ASSERT_THAT(named(small), ::testing::ElementsAre("unit -"));
+        EXPECT_THAT(small.issues[0].message, HasSubstr("with --unit m it would measure"));
+    }
+}
+
+TEST(LooseTiles, AreOneFaultWhereNothingIsSewnAndNoneWhereThereIsOneTile) {
+    const NamedMesh tile{"a", testing::rectangle(2, 2, 3, 3), {}};
+    EXPECT_TRUE(check({tile}).sound());
+    NamedMesh far = tile;
+    far.name = "b";
+    move(far.mesh, Vec3(7, 0, 0));
+    EXPECT_THAT(named(check({tile, far})), ::testing::ElementsAre("unsewn -"));
+}
+
+TEST(StrayTile, IsNamed) {
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    balloon.push_back({"stray", testing::rectangle(1, 0.2, 4, 2), {}});
+    move(balloon.back().mesh, Vec3(0, 0, 3));
+    EXPECT_THAT(named(check(balloon)), ::testing::ElementsAre("apart stray"));
+}
+
+TEST(Tolerance, IsProposedWhereMostEdgesMiss) {
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    for (NamedMesh& tile : balloon) scale_about(tile.mesh, middle_of(tile.mesh), 0.999);
+    const EnvelopeCheck result = check(balloon);
+    ASSERT_EQ(result.issues.size(), 1u);
+    EXPECT_THAT(result.issues[0].message, HasSubstr("give --seam-tolerance"));
+}
+
+TEST(OddCorner, IsCountedWhereOnlyOneSideHasIt) {
+    // the left sheet's edge has a corner given in its middle, the right one's has none
+    Envelope envelope;
+    TileOptions options;
+    options.corners = {{0, 0, 0}, {1, 0, 0}, {1, 0.5, 0}, {1, 1, 0}, {0, 1, 0}};
+    envelope.tiles.push_back(make_tile("left", testing::rectangle(1, 1, 4, 4), options));
+    TriangleMesh right = testing::rectangle(1, 1, 3, 6);
+    move(right, Vec3(1, 0, 0));
+    envelope.tiles.push_back(make_tile("right", right));
+    const EnvelopeCheck result = check_envelope(envelope);
+    EXPECT_EQ(result.seams, 2);
+    EXPECT_EQ(result.odd_corners, 1);
+}
+
+}  // namespace
+}  // namespace ripstop

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ripstop/model/envelope.h"
+
+/// Tiles of the unit sphere that lie between circles of latitude and longitude, meshed each on its own.
+namespace ripstop::testing {
+
+/// A part of the sphere: longitudes and latitudes [rad], edges east and north.
+struct Patch {
+    std::string name;
+    double west, east, south, north;
+    int columns, rows;
+};
+
+/// The tiles of the patches, their edges measured on the sphere (`Tile::curve_lengths`), and the seams between all that share
+/// a piece of a circle. Patches may end within an edge of their neighbour.
+Envelope sewn_patches(const std::vector<Patch>& patches);
+
+}  // namespace ripstop::testing
