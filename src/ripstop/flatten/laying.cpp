@@ -10,27 +10,13 @@
 namespace ripstop {
 namespace {
 
-/// Where corner k of a triangle lies if it is laid unstrained on its two other corners (on the middle of their edge, if
-/// that is strained).
-Vec2 laid_on(const TriangleMesh& mesh, const Points2& positions, int triangle, int k) {
-    const int a = (k + 1) % 3;
-    const int b = (k + 2) % 3;
-    const Mat22 rest = lay_flat(mesh.corner(triangle, a), mesh.corner(triangle, b), mesh.corner(triangle, k));
-    const Vec2 p = positions.row(mesh.triangles(triangle, a));
-    const Vec2 q = positions.row(mesh.triangles(triangle, b));
-    const double length = (q - p).norm();
-    const Vec2 along = length > 0 ? Vec2((q - p) / length) : Vec2(Vec2::UnitX());
-    const Vec2 up(-along.y(), along.x());
-    return 0.5 * (p + q) + (rest(0, 1) - 0.5 * rest(0, 0)) * along + rest(1, 1) * up;
-}
-
 double flat_area(const TriangleMesh& mesh, const Points2& positions, int triangle) {
     const auto& corners = mesh.triangles.row(triangle);
     return signed_area(positions.row(corners[0]), positions.row(corners[1]), positions.row(corners[2]));
 }
 
-/// What a repair makes less at a vertex: how many of its triangles are flipped, or the worst one's flat area over the true
-/// one, negative. To count alone gets stuck in folds, to look at the worst alone spreads them.
+/// What a repair makes less at a vertex: how many of its triangles are flipped, or the worst one's flat area over the
+/// true one, negative. To count alone gets stuck in folds, to look at the worst alone spreads them.
 enum class Aim { fewer, less_bad };
 
 using Badness = std::pair<int, double>;
@@ -76,6 +62,52 @@ bool improve(const TriangleMesh& mesh, const std::vector<int>& outgoing, int ver
 
 }  // namespace
 
+Vec2 laid_on(const TriangleMesh& mesh, const Points2& positions, int triangle, int k) {
+    const int a = (k + 1) % 3;
+    const int b = (k + 2) % 3;
+    const Mat22 rest = lay_flat(mesh.corner(triangle, a), mesh.corner(triangle, b), mesh.corner(triangle, k));
+    const Vec2 p = positions.row(mesh.triangles(triangle, a));
+    const Vec2 q = positions.row(mesh.triangles(triangle, b));
+    const double length = (q - p).norm();
+    const Vec2 along = length > 0 ? Vec2((q - p) / length) : Vec2(Vec2::UnitX());
+    const Vec2 up(-along.y(), along.x());
+    return 0.5 * (p + q) + (rest(0, 1) - 0.5 * rest(0, 0)) * along + rest(1, 1) * up;
+}
+
+std::vector<LayingStep> laying_order(const Adjacency& adjacency, int seed) {
+    std::vector<LayingStep> order = {{seed, 0}};
+    std::vector<bool> found(static_cast<std::size_t>(adjacency.half_edge_count() / 3), false);
+    found[static_cast<std::size_t>(seed)] = true;
+    for (std::size_t next = 0; next < order.size(); ++next)
+        for (int k = 0; k < 3; ++k) {
+            const int twin = adjacency.twin(3 * order[next].triangle + k);
+            if (twin < 0 || found[static_cast<std::size_t>(twin / 3)]) continue;
+            found[static_cast<std::size_t>(twin / 3)] = true;
+            order.push_back({twin / 3, (twin % 3 + 2) % 3});
+        }
+    return order;
+}
+
+int middle_triangle(const TriangleMesh& mesh) {
+    const Vec3 centre = centroid(mesh);
+    const double equal = 1e-9 * bounding_diagonal(mesh);  // rounding must not choose among equals
+    int best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        const double away = ((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3 - centre).norm();
+        if (away >= least - equal) continue;
+        least = away;
+        best = t;
+    }
+    return best;
+}
+
+void lay_first(const TriangleMesh& mesh, int triangle, Points2& positions) {
+    const Mat22 flat = lay_flat(mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2));
+    positions.row(mesh.triangles(triangle, 0)).setZero();
+    for (int k = 1; k < 3; ++k) positions.row(mesh.triangles(triangle, k)) = flat.col(k - 1).transpose();
+}
+
 int lay_on_missing(const TriangleMesh& mesh, int seed, std::vector<bool> placed, Points2& positions) {
     const auto is_placed = [&](int v) { return placed[static_cast<std::size_t>(v)]; };
     const auto missing = [&] { return static_cast<int>(std::count(placed.begin(), placed.end(), false)); };
@@ -86,9 +118,7 @@ int lay_on_missing(const TriangleMesh& mesh, int seed, std::vector<bool> placed,
         started =
             is_placed(mesh.triangles(t, 0)) + is_placed(mesh.triangles(t, 1)) + is_placed(mesh.triangles(t, 2)) >= 2;
     if (!started) {
-        const Mat22 flat = lay_flat(mesh.corner(seed, 0), mesh.corner(seed, 1), mesh.corner(seed, 2));
-        positions.row(mesh.triangles(seed, 0)).setZero();
-        for (int k = 1; k < 3; ++k) positions.row(mesh.triangles(seed, k)) = flat.col(k - 1).transpose();
+        lay_first(mesh, seed, positions);
         std::fill(placed.begin(), placed.end(), false);
         for (int k = 0; k < 3; ++k) placed[static_cast<std::size_t>(mesh.triangles(seed, k))] = true;
     }

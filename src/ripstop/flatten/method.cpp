@@ -3,12 +3,18 @@
 #include <array>
 
 #include "ripstop/base/error.h"
+#include "ripstop/flatten/aono.h"
 #include "ripstop/flatten/arap.h"
 #include "ripstop/flatten/boundary_first.h"
+#include "ripstop/flatten/dirichlet.h"
+#include "ripstop/flatten/energy_release.h"
+#include "ripstop/flatten/kub10.h"
 #include "ripstop/flatten/lscm.h"
+#include "ripstop/flatten/mccartney.h"
 #include "ripstop/flatten/paper.h"
 #include "ripstop/flatten/seam_exact.h"
 #include "ripstop/flatten/seam_matched.h"
+#include "ripstop/flatten/wirewarping.h"
 #include "ripstop/flatten/woven_mesh.h"
 
 namespace ripstop {
@@ -47,6 +53,21 @@ constexpr std::array table = {
            [](const Tile& tile, const Fabric&) { return flatten_boundary_first(tile); }},
     Method{"arap", "Liu, Zhang, Xu, Gotsman, Gortler 2008: as rigid as possible, isotropic",
            [](const Tile& tile, const Fabric&) { return flatten_arap(tile); }},
+    Method{"dirichlet", "Smith, Schaefer 2015: symmetric Dirichlet energy from Tutte's embedding, nothing turned over",
+           [](const Tile& tile, const Fabric&) { return flatten_dirichlet(tile); }},
+    Method{"energy", "Wang, Smith, Yuen 2002: triangles laid one by one, springs on the edges release their energy",
+           [](const Tile& tile, const Fabric&) { return flatten_energy_release(tile); }},
+    Method{"mccartney",
+           "McCartney, Hinds, Seow 1999: triangles laid one by one, trial moves that lower the edge energy",
+           [](const Tile& tile, const Fabric& fabric) { return flatten_mccartney(tile, fabric); }},
+    Method{"mccartney-woven", "the same, then under the orthotropic energy of its sequels of 2000 and 2005",
+           [](const Tile& tile, const Fabric& fabric) { return flatten_mccartney(tile, fabric, {.woven = true}); }},
+    Method{"kub10", "the paper's authors earlier: a planar projection refined by the woven model",
+           [](const Tile& tile, const Fabric&) { return flatten_kub10(tile); }},
+    Method{"aono", "Aono, Breen, Wozny 1994: threads that do not stretch, swept from two straight lines",
+           [](const Tile& tile, const Fabric&) { return flatten_aono(tile); }},
+    Method{"wirewarping", "Wang 2008: the outline's edges exact, its angles as near as may be to the surface's",
+           [](const Tile& tile, const Fabric&) { return flatten_wirewarping(tile); }},
 };
 
 }  // namespace

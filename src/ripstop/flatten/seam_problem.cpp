@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ripstop/energy/boundary_bending.h"
+#include "ripstop/flatten/step_filter.h"
 #include "ripstop/geometry/triangle.h"
 
 namespace ripstop {
@@ -245,20 +246,7 @@ Eigen::VectorXd SeamProblem::edge_transposed(const Eigen::VectorXd& u, const Eig
 }
 
 double SeamProblem::longest_step(const Eigen::VectorXd& u, const Eigen::VectorXd& d) const {
-    double longest = 1 / 0.9;
-    for (int t = 0; t < triangle_count(); ++t) {
-        const int i = triangles_(t, 0), j = triangles_(t, 1), k = triangles_(t, 2);
-        const Vec2 a = at(u, j) - at(u, i), b = at(u, k) - at(u, i);
-        const Vec2 da = at(d, j) - at(d, i), db = at(d, k) - at(d, i);
-        // det(s) = c0 + c1 s + c2 s^2: its smallest positive root
-        const double c0 = cross(a, b), c1 = cross(a, db) + cross(da, b), c2 = cross(da, db);
-        const double discriminant = c1 * c1 - 4 * c0 * c2;
-        if (discriminant < 0) continue;
-        const double q = -0.5 * (c1 + std::copysign(std::sqrt(discriminant), c1));
-        for (const double root : {q != 0 ? c0 / q : -1, c2 != 0 ? q / c2 : -1})
-            if (root > 0) longest = std::min(longest, root);
-    }
-    return 0.9 * longest;
+    return ripstop::longest_step(triangles_, u, d);
 }
 
 int SeamProblem::held_turn(const Eigen::VectorXd& u) const {

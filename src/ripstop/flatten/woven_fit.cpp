@@ -4,44 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
-#include <unordered_map>
 
+#include "ripstop/flatten/crossings.h"
 #include "ripstop/geometry/triangle.h"
 
 namespace ripstop {
 namespace {
-
-struct Site {
-    int warp = 0, weft = 0;
-};
-Site operator+(const Site& a, const Site& b) {
-    return {a.warp + b.warp, a.weft + b.weft};
-}
-
-constexpr std::array<Site, 4> structural = {Site{1, 0}, Site{0, 1}, Site{-1, 0}, Site{0, -1}};
-constexpr std::array<Site, 4> diagonal = {Site{1, 1}, Site{-1, 1}, Site{-1, -1}, Site{1, -1}};
-
-/// A crossing nearer than this to one that is no neighbour would cover the surface twice [spacings].
-constexpr double crowded = 0.5;
-/// A point hidden by less than this sine behind a vertex still counts as seen.
-constexpr double barely_hidden = 0.05;
-
-/// The crossings around one, where it sees them from: `ray[k]` for the neighbour at site (k / 3 - 1, k % 3 - 1).
-struct Neighbourhood {
-    std::array<Vec2, 9> ray;
-    std::array<bool, 9> seen = {};
-    bool is_crowded = false;
-
-    static std::size_t index(const Site& offset) {
-        return static_cast<std::size_t>(3 * (offset.warp + 1) + offset.weft + 1);
-    }
-    bool sees(const Site& offset) const { return seen[index(offset)]; }
-    const Vec2& to(const Site& offset) const { return ray[index(offset)]; }
-    static bool is_around(const Site& offset) { return std::abs(offset.warp) <= 1 && std::abs(offset.weft) <= 1; }
-};
 
 class Loom {
   public:
@@ -50,9 +20,10 @@ class Loom {
           spacing_(spacing),
           max_nodes_(max_nodes),
           options_(options),
-          first_in_(static_cast<std::size_t>(surface.triangle_count()), -1) {}
+          crossings_(surface, spacing) {}
 
     void lay_tendons(const SurfacePoint& centre, const Vec2& warp);
+    void take_over(const std::vector<WovenNode>& start);
     void fill_quadrants();
     void propagate();
     bool refill();
@@ -60,19 +31,15 @@ class Loom {
     WovenFit cut_off();
 
   private:
-    bool is_free(const Site& site) const { return site_.find(key(site)) == site_.end(); }
-    int node_at(const Site& site) const {
-        const auto found = site_.find(key(site));
-        return found == site_.end() ? -1 : found->second;
+    bool is_free(const Site& site) const { return crossings_.is_free(site); }
+    int node_at(const Site& site) const { return crossings_.node_at(site); }
+    const WovenNode& node(int n) const { return crossings_.node(n); }
+    Neighbourhood look(const SurfacePoint& at, const Site& site, double reach) const {
+        return crossings_.look(at, site, reach);
     }
-    static std::int64_t key(const Site& site) { return (std::int64_t{site.warp} << 32) + site.weft; }
-    const WovenNode& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
 
     void place(const Site& site, const SurfacePoint& at, bool tendon);
     void open_around(const Site& site);
-    void link(int n);
-    void unlink(int n);
-    Neighbourhood look(const SurfacePoint& at, const Site& site, double reach) const;
     double rest_length(std::size_t k) const { return k % 2 == 0 ? std::numbers::sqrt2 * spacing_ : spacing_; }
     double stiffness(std::size_t k) const {
         return k % 2 == 0         ? options_.diagonal_stiffness
@@ -89,33 +56,14 @@ class Loom {
     double spacing_;
     int max_nodes_;
     const WovenOptions& options_;
-    std::vector<WovenNode> nodes_;
-    std::unordered_map<std::int64_t, int> site_;  // looked up only, never walked through
-    std::vector<int> first_in_;                   // the nodes of each triangle, as linked lists
-    std::vector<int> next_in_;
+    Crossings crossings_;
     WovenFit fit_;
     // Sites to try, oldest first: across a cell, straight on from a crossing with its three other yarns, from any crossing.
     std::array<std::vector<Site>, 3> open_;
 };
 
-void Loom::link(int n) {
-    int& head = first_in_[static_cast<std::size_t>(node(n).at.triangle)];
-    next_in_[static_cast<std::size_t>(n)] = head;
-    head = n;
-}
-
-void Loom::unlink(int n) {
-    int* at = &first_in_[static_cast<std::size_t>(node(n).at.triangle)];
-    while (*at != n) at = &next_in_[static_cast<std::size_t>(*at)];
-    *at = next_in_[static_cast<std::size_t>(n)];
-}
-
 void Loom::place(const Site& site, const SurfacePoint& at, bool tendon) {
-    const int n = static_cast<int>(nodes_.size());
-    nodes_.push_back({at, site.warp, site.weft, tendon});
-    next_in_.push_back(-1);
-    link(n);
-    site_.emplace(key(site), n);
+    crossings_.place(site, at, tendon);
     open_around(site);
     for (const Site& d : structural)
         if (!is_free(site + d))
@@ -126,30 +74,6 @@ void Loom::open_around(const Site& site) {
     for (const Site& d : diagonal) open_[0].push_back(site + d);
     for (const Site& d : structural)
         for (auto& list : open_) list.push_back(site + d);
-}
-
-Neighbourhood Loom::look(const SurfacePoint& at, const Site& site, double reach) const {
-    Neighbourhood around;
-    std::array<double, 9> hidden;
-    hidden.fill(barely_hidden);
-    for (const Sight& sight : surface_.look_around(at, reach * spacing_))
-        for (int n = first_in_[static_cast<std::size_t>(sight.triangle)]; n >= 0;
-             n = next_in_[static_cast<std::size_t>(n)]) {
-            const Site offset{node(n).warp - site.warp, node(n).weft - site.weft};
-            if (offset.warp == 0 && offset.weft == 0) continue;
-            const Vec2 point = sight.unfolded(node(n).at.local);
-            const Vec2 ray = point - at.local;
-            if (ray.squaredNorm() < crowded * crowded * spacing_ * spacing_) around.is_crowded = true;
-            if (!Neighbourhood::is_around(offset)) continue;
-            const std::size_t k = Neighbourhood::index(offset);
-            const double behind = sight.hidden_by(point);
-            const bool nearer = around.seen[k] && behind == hidden[k] && ray.norm() < around.ray[k].norm();
-            if (!(behind < hidden[k] || nearer) || ray.norm() > reach * spacing_) continue;
-            hidden[k] = behind;
-            around.seen[k] = true;
-            around.ray[k] = ray;
-        }
-    return around;
 }
 
 double Loom::energy(const Neighbourhood& around) const {
@@ -251,7 +175,7 @@ void Loom::lay_tendons(const SurfacePoint& centre, const Vec2& warp) {
     const std::array<Vec2, 4> directions = {warp, Vec2(-warp.y(), warp.x()), -warp, Vec2(warp.y(), -warp.x())};
     for (std::size_t k = 0; k < 4; ++k) {
         Walk walk{centre, directions[k]};
-        for (Site site = structural[k]; static_cast<int>(nodes_.size()) < max_nodes_ / 2; site = site + structural[k]) {
+        for (Site site = structural[k]; crossings_.count() < max_nodes_ / 2; site = site + structural[k]) {
             walk = surface_.walk(walk.end, walk.direction, spacing_);
             if (walk.hit_boundary && spacing_ - walk.walked > 1e-9 * spacing_) break;
             if (look(walk.end, site, crowded).is_crowded) break;  // a straight line may come back to where it was
@@ -260,12 +184,24 @@ void Loom::lay_tendons(const SurfacePoint& centre, const Vec2& warp) {
     }
 }
 
+void Loom::take_over(const std::vector<WovenNode>& start) {
+    for (const WovenNode& given : start) {
+        const Site site{given.warp, given.weft};
+        const bool first = crossings_.count() == 0;
+        if (!is_free(site) || crossings_.count() >= max_nodes_ / 2) continue;
+        const Neighbourhood around = look(given.at, site, woven_reach);
+        const bool tied =
+            std::any_of(structural.begin(), structural.end(), [&](const Site& d) { return around.sees(d); });
+        if (first || (tied && !around.is_crowded)) place(site, given.at, first);
+    }
+}
+
 void Loom::fill_quadrants() {
     for (const Site& quadrant : diagonal)
         for (int row = 1; !is_free({0, quadrant.weft * row}); ++row)
             for (int column = 1; !is_free({quadrant.warp * column, 0}); ++column) {
                 const Site site{quadrant.warp * column, quadrant.weft * row};
-                if (static_cast<int>(nodes_.size()) >= max_nodes_) return;
+                if (crossings_.count() >= max_nodes_) return;
                 if (is_free(site)) place_diagonally(site);
             }
 }
@@ -273,7 +209,7 @@ void Loom::fill_quadrants() {
 /// Boundary propagation: cells first, then straight on, each placed crossing opening new sites.
 void Loom::propagate() {
     std::array<std::size_t, 3> next = {};
-    while (static_cast<int>(nodes_.size()) < max_nodes_) {
+    while (crossings_.count() < max_nodes_) {
         std::size_t kind = 0;
         while (kind < 3 && next[kind] == open_[kind].size()) ++kind;
         if (kind == 3) break;
@@ -289,36 +225,31 @@ void Loom::propagate() {
 
 /// Tries every free site beside a crossing once more; whether any could be placed.
 bool Loom::refill() {
-    const std::size_t before = nodes_.size();
-    for (const WovenNode& n : nodes_)
+    const int before = crossings_.count();
+    for (const WovenNode& n : crossings_.nodes())
         if (n.placed) open_around({n.warp, n.weft});
     propagate();
-    return nodes_.size() > before;
+    return crossings_.count() > before;
 }
 
 /// Energy diffusion: each crossing in turn to rest between its neighbours; one that leaves the surface is dropped.
 void Loom::settle() {
-    const double negligible =
-        1e-20 * options_.warp_stiffness * spacing_ * spacing_ * static_cast<double>(nodes_.size());
+    const double negligible = 1e-20 * options_.warp_stiffness * spacing_ * spacing_ * crossings_.count();
     double previous = std::numeric_limits<double>::infinity();
     while (true) {
         fit_.energy = 0;
-        for (std::size_t n = 0; n < nodes_.size(); ++n) {
-            if (!nodes_[n].placed) continue;
-            const Site site{nodes_[n].warp, nodes_[n].weft};
-            const Neighbourhood around = look(nodes_[n].at, site, woven_reach);
+        for (int n = 0; n < crossings_.count(); ++n) {
+            if (!node(n).placed) continue;
+            const Neighbourhood around = look(node(n).at, {node(n).warp, node(n).weft}, woven_reach);
             fit_.energy += 0.5 * energy(around);
-            if (nodes_[n].tendon || fit_.iterations >= options_.max_iterations) continue;
+            if (node(n).tendon || fit_.iterations >= options_.max_iterations) continue;
             const Vec2 move = newton_step(around);
             if (move.norm() < 1e-12 * spacing_) continue;
-            const Walk walk = surface_.walk(nodes_[n].at, move, move.norm());
-            unlink(static_cast<int>(n));
-            nodes_[n].at = walk.end;
-            nodes_[n].placed = !walk.hit_boundary || move.norm() - walk.walked <= 1e-9 * spacing_;
-            if (nodes_[n].placed)
-                link(static_cast<int>(n));
+            const Walk walk = surface_.walk(node(n).at, move, move.norm());
+            if (!walk.hit_boundary || move.norm() - walk.walked <= 1e-9 * spacing_)
+                crossings_.move(n, walk.end);
             else
-                site_.erase(key(site));
+                crossings_.drop(n);
         }
         fit_.at_rest =
             std::abs(previous - fit_.energy) <= options_.energy_tolerance * fit_.energy || fit_.energy <= negligible;
@@ -330,7 +261,7 @@ void Loom::settle() {
 
 WovenFit Loom::cut_off() {
     fit_.spacing = spacing_;
-    fit_.nodes = std::move(nodes_);
+    fit_.nodes = crossings_.nodes();
     return std::move(fit_);
 }
 
@@ -342,6 +273,15 @@ WovenFit fit_woven_mesh(const UnfoldedSurface& surface, const SurfacePoint& cent
     loom.lay_tendons(centre, warp.normalized());
     loom.fill_quadrants();
     loom.propagate();
+    loom.settle();
+    if (loom.refill()) loom.settle();
+    return loom.cut_off();
+}
+
+WovenFit settle_woven_mesh(const UnfoldedSurface& surface, const std::vector<WovenNode>& start, double spacing,
+                           int max_nodes, const WovenOptions& options) {
+    Loom loom(surface, spacing, max_nodes, options);
+    loom.take_over(start);
     loom.settle();
     if (loom.refill()) loom.settle();
     return loom.cut_off();

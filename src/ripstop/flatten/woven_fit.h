@@ -31,6 +31,11 @@ struct WovenFit {
 WovenFit fit_woven_mesh(const UnfoldedSurface& surface, const SurfacePoint& centre, const Vec2& warp, double spacing,
                         int max_nodes, const WovenOptions& options);
 
+/// The same from crossings that lie on the surface already: of `start`, in its order, those that see a neighbour and crowd
+/// none are placed (the first in any case, and it stays where it is), then boundary propagation and energy diffusion.
+WovenFit settle_woven_mesh(const UnfoldedSurface& surface, const std::vector<WovenNode>& start, double spacing,
+                           int max_nodes, const WovenOptions& options);
+
 /// How far a crossing looks for others: springs stretched by more than half count as broken [spacings].
 inline constexpr double woven_reach = 2.2;
 

@@ -15,6 +15,9 @@ struct WovenOptions {
     int max_iterations = 100;        ///< sweeps over all nodes; >= 0
 };
 
+/// Throws InputError where an option is out of range.
+void require_valid(const WovenOptions& options);
+
 /// Fits a woven mesh to the tile and reads off where its yarns put the tile's vertices [WTY05, section 3 and 4]: the start
 /// for the methods that refine a flattening.
 ///
