@@ -7,6 +7,7 @@
 
 #include "support/flat_tiles.h"
 #include "support/outside.h"
+#include "support/seams.h"
 
 namespace ripstop {
 namespace {
@@ -61,6 +62,56 @@ TEST(ReportJson, SumsUpTheEnvelope) {
     EXPECT_TRUE(json["seams"].is_array());
 }
 
+TEST(ReportJson, TellsEachSeamInItsUnits) {
+    const CutPlan plan = testing::sewn_plan();
+    const Json json = report(plan);
+    ASSERT_EQ(json["seams"].size(), 3u);
+    const Json& seam = json["seams"][1];
+    EXPECT_EQ(seam["id"], "S2");
+    EXPECT_EQ(seam["tile_a"], "left");
+    EXPECT_EQ(seam["tile_b"], "high");
+    EXPECT_EQ(seam["chain_a"], 2);
+    EXPECT_EQ(seam["chain_b"], 4);
+    EXPECT_NEAR(seam["length_mm"], 1000, 1e-9);
+    EXPECT_NEAR(seam["flat_b_mm"], 1002, 1e-9);
+    EXPECT_NEAR(seam["mismatch_mm"], 2, 1e-9);
+    EXPECT_NEAR(seam["mismatch_pct"], 0.2, 1e-9);
+    EXPECT_NEAR(seam["drift_max_mm"], 2, 1e-9);
+    EXPECT_NEAR(seam["drift_max_at_mm"], 1000, 1e-9);
+    EXPECT_NEAR(seam["limit_mm"], 1, 1e-9);
+    EXPECT_EQ(seam["ok"], false);
+    ASSERT_EQ(seam["notches"].size(), 3u);
+    EXPECT_NEAR(seam["notches"][1]["at_mm"], 500, 1e-9);
+    EXPECT_NEAR(seam["notches"][1]["drift_mm"], 1, 1e-9);
+    EXPECT_EQ(json["seams"][0]["ok"], true);
+    EXPECT_EQ(json["envelope"]["seams"], 3);
+    EXPECT_EQ(json["envelope"]["failed_seams"], Json::array({"S2"}));
+    EXPECT_EQ(json["envelope"]["findings"][0]["code"], "seam");
+    EXPECT_EQ(json["envelope"]["manufacturable"], false);
+    EXPECT_EQ(json["envelope"]["failed"], Json::array()) << "no tile has failed";
+}
+
+TEST(ReportJson, TellsWhatEachChainIsSewnIn) {
+    CutPlan plan = testing::sewn_plan();
+    for (FlatTile& tile : plan.tiles) tile.accuracy.chains.resize(4, {1, 1});
+    const Json left = report(plan)["tiles"][0]["chains"];
+    EXPECT_EQ(left[1]["seam"], "S1");
+    EXPECT_EQ(left[1]["seams"], Json::array({"S1", "S2"})) << "from the bottom up, as the boundary runs";
+    EXPECT_TRUE(left[0]["seam"].is_null());
+    EXPECT_FALSE(left[0].contains("seams"));
+    const Json high = report(plan)["tiles"][2]["chains"];
+    EXPECT_EQ(high[0]["seam"], "S3");
+    EXPECT_EQ(high[3]["seam"], "S2");
+}
+
+TEST(ReportJson, TellsWhatWasWaived) {
+    CutPlan plan = testing::two_tile_plan();
+    EXPECT_FALSE(report(plan)["tiles"][1]["verdict"].contains("waived"));
+    std::swap(plan.tiles[1].verdict.findings, plan.tiles[1].verdict.waived);
+    EXPECT_EQ(report(plan)["tiles"][1]["verdict"]["waived"][0]["code"], "chain");
+    EXPECT_EQ(report(plan)["tiles"][1]["verdict"]["manufacturable"], true);
+}
+
 TEST(ReportJson, WritesNullForWhatIsNotFinite) {
     CutPlan plan = testing::two_tile_plan();
     plan.tiles[0].accuracy.energy = std::numeric_limits<double>::infinity();
@@ -109,7 +160,8 @@ TEST(ReportSchema, HoldsForWhatIsWrittenAndOnlyForThat) {
     plan.tiles[0].accuracy.energy = std::numeric_limits<double>::infinity();
     plan.tiles[0].flattening = {};
     const Json failed = report(plan);
-    EXPECT_EQ(schema_errors(python, {written, reproducible, failed, report(CutPlan{})}), "");
+    EXPECT_EQ(schema_errors(python, {written, reproducible, failed, report(CutPlan{}), report(testing::sewn_plan())}),
+              "");
     Json without = written, more = written, text = written;
     without["tiles"][1].erase("perimeter_error_pct");
     more["tiles"][1]["colour"] = "red";

@@ -165,6 +165,7 @@ Flattening flatten_seam_exact(const Tile& tile, const Fabric& fabric, const Seam
     result.summary = exact.summary;
     result.certificate = {exact.force_residual, exact.length_residual, exact.strict_minimum};
     result.seam_tension = exact.lambda;
+    result.edges_on_curve = true;
     align_with_grain(tile, result.positions);
     if (options.keep_area) result.note = price_of_area(tile, fabric, options, result.positions);
     return result;

@@ -10,6 +10,7 @@
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/measure/distortion.h"
 #include "ripstop/measure/overlap.h"
+#include "ripstop/measure/seam_walk.h"
 #include "ripstop/mesh/adjacency.h"
 
 namespace ripstop {
@@ -72,9 +73,9 @@ void measure_all_edges(const Tile& tile, const std::vector<Mat22>& targets, cons
     accuracy.edge_error_abs = difference / total;
 }
 
-void measure_boundary(const Tile& tile, const Points2& flat, Accuracy& accuracy) {
+void measure_boundary(const Tile& tile, const Points2& flat, bool edges_on_curve, Accuracy& accuracy) {
     const Eigen::VectorXd lengths = target_lengths(tile);
-    const Eigen::VectorXd flat_lengths = edge_lengths(flat, closed(tile.boundary));
+    const Eigen::VectorXd flat_lengths = boundary_on_cloth(tile, flat, edges_on_curve);
     const Eigen::VectorXd error = (flat_lengths.cwiseQuotient(lengths).array() - 1).abs();
     accuracy.perimeter = lengths.sum();
     accuracy.flat_perimeter = flat_lengths.sum();
@@ -103,12 +104,12 @@ void measure_boundary(const Tile& tile, const Points2& flat, Accuracy& accuracy)
 
 }  // namespace
 
-Accuracy measure_accuracy(const Tile& tile, const Points2& flat, const Fabric& fabric) {
+Accuracy measure_accuracy(const Tile& tile, const Points2& flat, const Fabric& fabric, bool edges_on_curve) {
     const std::vector<Mat22> targets = target_triangles(tile);
     Accuracy accuracy;
     measure_triangles(tile, targets, flat, accuracy);
     measure_all_edges(tile, targets, flat, accuracy);
-    measure_boundary(tile, flat, accuracy);
+    measure_boundary(tile, flat, edges_on_curve, accuracy);
     accuracy.energy = membrane_energy(targets, tile.mesh.triangles, flat, fabric);
     const auto overlaps = overlapping_triangles(tile.mesh.triangles, flat);
     accuracy.overlaps = static_cast<int>(overlaps.size());

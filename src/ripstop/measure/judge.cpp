@@ -91,7 +91,7 @@ void judge_lengths(const Tile& tile, const Accuracy& accuracy, const Tolerances&
                                         format_fixed(std::abs(chain.flat_length - chain.length) / millimetre, 1) +
                                         " mm) " + (chain.error() > 0 ? "longer" : "shorter") + " than drawn",
                                     middle_of(tile, tile.chains[i]), chain.error() / percent,
-                                    tolerances.length / percent});
+                                    tolerances.length / percent, static_cast<int>(i)});
     }
 }
 

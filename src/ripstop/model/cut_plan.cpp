@@ -5,7 +5,8 @@
 namespace ripstop {
 
 bool CutPlan::manufacturable() const {
-    return std::all_of(tiles.begin(), tiles.end(), [](const FlatTile& tile) { return tile.verdict.manufacturable(); });
+    return findings.empty() &&
+           std::all_of(tiles.begin(), tiles.end(), [](const FlatTile& tile) { return tile.verdict.manufacturable(); });
 }
 
 double CutPlan::area() const {

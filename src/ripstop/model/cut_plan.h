@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "ripstop/model/envelope.h"
 #include "ripstop/model/fabric.h"
 #include "ripstop/model/flattening.h"
+#include "ripstop/model/redesign.h"
+#include "ripstop/model/seam_walk.h"
 #include "ripstop/model/verdict.h"
 
 namespace ripstop {
@@ -20,7 +23,10 @@ struct FlatTile {
     Bounds bounds;  ///< known before the solve
     Accuracy accuracy;
     Verdict verdict;
-    double seconds = 0;  ///< of this tile's solve, wall clock
+    double seconds = 0;     ///< of this tile's solve, wall clock
+    int equal_to = -1;      ///< in `CutPlan::tiles`: an earlier tile that is cut alike; -1: the first of its kind
+    bool mirrored = false;  ///< its pattern is that one's turned over
+    std::optional<SplitProposal> proposal = {};  ///< for a tile that cannot be made
 };
 
 /// What `flatten` gives: every tile flattened and judged.
@@ -31,9 +37,13 @@ struct CutPlan {
     Fabric fabric;
     Tolerances tolerances;
     std::vector<FlatTile> tiles;
+    std::vector<Seam> seams = {};
+    std::vector<SeamWalk> walks = {};    ///< one a seam; none before they are walked
+    std::vector<Finding> findings = {};  ///< what is wrong between the tiles; values and limits in mm
+    std::vector<MergeProposal> merges = {};
 
-    bool manufacturable() const;
-    double area() const;  ///< of the tiles in space [m2]
+    bool manufacturable() const;  ///< every tile, and nothing wrong between them
+    double area() const;          ///< of the tiles in space [m2]
 };
 
 }  // namespace ripstop

@@ -22,8 +22,11 @@ struct Flattening {
     SolveSummary summary;
     std::optional<Certificate> certificate = {};
     Eigen::VectorXd seam_tension =
-        {};                 ///< of each boundary edge, boundary[i] to boundary[i + 1]: the force that holds it
-                            ///< at its length, negative where it is pushed [N]; empty where no edge is held
+        {};  ///< of each boundary edge, boundary[i] to boundary[i + 1]: the force that holds it
+             ///< at its length, negative where it is pushed [N]; empty where no edge is held
+    bool edges_on_curve =
+        false;              ///< the boundary edges were held at lengths on their seams' curves (`target_lengths`);
+                            ///< otherwise the method knew only the mesh, whose edges are chords of them
     std::string note = {};  ///< what the method has to say of this tile beside the figures; may be empty
 };
 

@@ -22,12 +22,14 @@ struct Finding {
     Vec3 at = Vec3::Zero();  ///< where on the surface [m]
     double value = 0;        ///< in the unit the code implies: %, degrees, a count
     double limit = 0;
+    int chain = -1;  ///< in `Tile::chains`, for what is said of a chain
 };
 
 /// Manufacturable if and only if there is no finding. Born unjudged, which is not manufacturable.
 struct Verdict {
     bool judged = false;
     std::vector<Finding> findings;
+    std::vector<Finding> waived = {};  ///< edges off their drawn length that pass because their mates agree with them
 
     bool manufacturable() const { return judged && findings.empty(); }
 };

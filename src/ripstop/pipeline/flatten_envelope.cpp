@@ -8,6 +8,8 @@
 #include "ripstop/flatten/method.h"
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/judge.h"
+#include "ripstop/measure/judge_seams.h"
+#include "ripstop/measure/seam_walk.h"
 
 namespace ripstop {
 namespace {
@@ -56,10 +58,14 @@ CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options
         result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         result.tile = tile;
         result.method = options.method;
-        result.accuracy = measure_accuracy(tile, result.flattening.positions, options.fabric);
+        result.accuracy =
+            measure_accuracy(tile, result.flattening.positions, options.fabric, result.flattening.edges_on_curve);
         result.verdict = judge(tile, result.bounds, result.flattening, result.accuracy, options.tolerances);
         counter.done(tile.name);
     });
+    plan.seams = envelope.seams;
+    plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);
+    judge_seams(plan);
     return plan;
 }
 

@@ -15,9 +15,9 @@ struct FlattenOptions {
     Progress progress = {};
 };
 
-/// The main job: flattens every tile by one method and judges it. Tiles are independent and worked on in parallel; the
-/// result does not depend on the number of threads. Throws InputError for an unknown method, or for `given` where a tile
-/// came without flat positions.
+/// The main job: flattens every tile by one method and judges it, then walks the seams and judges them. Tiles are
+/// independent and worked on in parallel; the result does not depend on the number of threads. Throws InputError for an
+/// unknown method, or for `given` where a tile came without flat positions.
 CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options);
 
 }  // namespace ripstop

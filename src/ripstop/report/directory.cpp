@@ -16,6 +16,8 @@
 #include "ripstop/report/output_file.h"
 #include "ripstop/report/picture.h"
 #include "ripstop/report/report_json.h"
+#include "ripstop/report/seam_picture.h"
+#include "ripstop/report/seam_tables.h"
 #include "ripstop/report/tables.h"
 
 namespace ripstop {
@@ -77,8 +79,10 @@ void write_all(const fs::path& dir, const CutPlan& plan, const std::vector<Patte
         fs::create_directory(dir / "pictures");
         for (std::size_t i = 0; i < plan.tiles.size(); ++i)
             write_file(dir / "pictures" / (stems[i] + ".svg"), tile_picture(plan.tiles[i], plan.tolerances));
+        if (!plan.walks.empty()) write_file(dir / "pictures" / "seams.svg", seam_picture(plan));
     }
     write_file(dir / "tiles.csv", tiles_csv(plan));
+    write_file(dir / "seams.csv", seams_csv(plan));
     write_file(dir / "report.json", report_json(plan, options.reproducible));
 }
 

@@ -12,10 +12,10 @@ namespace ripstop {
 struct DirectoryOptions {
     bool force = false;         ///< replace what stands in a directory that is not empty
     bool reproducible = false;  ///< leave `seconds` out of report.json: the same bytes on every run
-    bool pictures = true;       ///< pictures/NAME.svg, one a tile
+    bool pictures = true;       ///< pictures/NAME.svg, one a tile, and pictures/seams.svg
 };
 
-/// Writes the whole cut plan as `dir`: report.json, tiles.csv, flat/NAME.obj, cut/envelope.dxf and .svg with the pieces
+/// Writes the whole cut plan as `dir`: report.json, tiles.csv, seams.csv, flat/NAME.obj, cut/envelope.dxf and .svg with the pieces
 /// shifted by `shifts` (`lay_out`), cut/tiles/NAME.dxf and .svg with each piece at the origin, pictures/NAME.svg. NAME is
 /// the tile's `file` in report.json. Tiles without flat positions have no OBJ and, made by nobody, no piece.
 ///

@@ -52,7 +52,7 @@ std::vector<std::string> file_stems(const std::vector<std::string>& names) {
         return text;
     };
     std::vector<std::string> stems;
-    std::set<std::string> used;
+    std::set<std::string> used{"seams"};  // the picture of the seams
     for (const std::string& name : names) {
         std::string base = ascii_text(name).substr(0, 80);
         for (char& c : base) {

@@ -8,8 +8,8 @@
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/geometry/triangle.h"
-#include "ripstop/io/escape.h"
 #include "ripstop/report/colour_scale.h"
+#include "ripstop/report/drawing.h"
 #include "ripstop/report/figures.h"
 
 namespace ripstop {
@@ -22,10 +22,6 @@ constexpr double side = 96;    ///< left and right of the drawing, for the figur
 constexpr double border = 44;  ///< above and below it
 constexpr double inner_width = page_width - 2 * side;
 constexpr double tallest = 620;
-
-std::string number(double value) {
-    return format_fixed(value, 2);
-}
 
 /// From the cloth [m, y up] to the page [units, y down].
 struct View {
@@ -48,27 +44,6 @@ View fitted(const Points2& positions) {
     view.origin = Vec2(page_width / 2 - view.scale * middle.x(),
                        head_height + border + view.height / 2 + view.scale * middle.y());
     return view;
-}
-
-std::string pair(const Vec2& p) {
-    return number(p.x()) + " " + number(p.y());
-}
-
-struct Style {
-    double size = 14;
-    const char* anchor = "start";
-    const char* colour = "#1f2933";
-    bool bold = false;
-    bool halo = false;
-};
-
-std::string text(const Vec2& at, const std::string& content, const Style& style = {}) {
-    std::string result = "<text x=\"" + number(at.x()) + "\" y=\"" + number(at.y()) + "\" font-size=\"" +
-                         format_fixed(style.size, 0) + "\" fill=\"" + style.colour + "\" text-anchor=\"" +
-                         style.anchor + "\"";
-    if (style.bold) result += " font-weight=\"bold\"";
-    if (style.halo) result += " stroke=\"#ffffff\" stroke-width=\"4\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
-    return result + ">" + xml_text(content) + "</text>\n";
 }
 
 /// A signed figure in percent, with a true minus: a hyphen is easily missed.
@@ -126,13 +101,6 @@ std::vector<Vec2> on_page(const FlatTile& tile, const View& view, const std::vec
     return points;
 }
 
-std::string stroke(const std::vector<Vec2>& points, const std::string& colour, double width) {
-    std::string path;
-    for (const Vec2& p : points) path += (path.empty() ? "M" : " ") + pair(p);
-    return "<path fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + format_fixed(width, 1) +
-           "\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"" + path + "\"/>\n";
-}
-
 /// The place halfway along a line, and the direction away from the cloth there: to the right of the way, seen with y up.
 struct Halfway {
     Vec2 at = Vec2::Zero();
@@ -172,12 +140,12 @@ std::string chain_figure(const Halfway& place, double error, bool beyond, Writin
     const auto middle = [&] { return Vec2(place.at + away * place.outward + place.outward.cwiseProduct(half)); };
     while (away < 60 && !writing.is_free(middle(), half)) away += 8;
     writing.take(middle(), half);
-    const Style style{14, "middle", beyond ? "#b3121f" : "#1f2933", true, true};
+    const TextStyle style{14, "middle", beyond ? "#b3121f" : "#1f2933", true, true};
     std::string result;
     if (away > 12)
-        result = "<path stroke=\"#7b8794\" stroke-width=\"1\" d=\"M" + pair(place.at + 4 * place.outward) + "L" +
-                 pair(place.at + (away - 2) * place.outward) + "\"/>\n";
-    return result + text(middle() + Vec2(0, 5), figure, style);
+        result = "<path stroke=\"#7b8794\" stroke-width=\"1\" d=\"M" + svg_pair(place.at + 4 * place.outward) + "L" +
+                 svg_pair(place.at + (away - 2) * place.outward) + "\"/>\n";
+    return result + svg_text(middle() + Vec2(0, 5), figure, style);
 }
 
 /// The ease map: a stroke outward from each boundary edge, as long as its tension; blue where the seam is pulled, amber where
@@ -195,7 +163,7 @@ std::string tensions(const FlatTile& tile, const View& view) {
         const Vec2 along = (b - a).normalized(), middle = (a + b) / 2;
         const Vec2 outward(-along.y(), along.x());
         const Vec2 from = middle + 4 * outward, to = from + longest_tension * std::abs(tension[i]) / largest * outward;
-        (tension[i] > 0 ? pulled : pushed) += "M" + pair(from) + "L" + pair(to);
+        (tension[i] > 0 ? pulled : pushed) += "M" + svg_pair(from) + "L" + svg_pair(to);
     }
     const auto strokes = [](const std::string& path, const char* colour) {
         return path.empty() ? std::string()
@@ -215,10 +183,10 @@ std::string chains(const FlatTile& tile, const View& view, double limit) {
         if (points.size() < 2) continue;
         const double error = measured ? tile.accuracy.chains[i].error() : 0;
         const int colour = colour_class(error, limit);
-        casing += stroke(points, "#1f2933", 7);
-        lines += stroke(points, measured ? class_colour(colour) : "#9aa5b1", 4.4);
+        casing += svg_stroke(points, "#1f2933", 7);
+        lines += svg_stroke(points, measured ? class_colour(colour) : "#9aa5b1", 4.4);
         if (chains.size() > 1)
-            corners += "<circle cx=\"" + number(points.front().x()) + "\" cy=\"" + number(points.front().y()) +
+            corners += "<circle cx=\"" + svg_number(points.front().x()) + "\" cy=\"" + svg_number(points.front().y()) +
                        "\" r=\"4\" fill=\"#ffffff\" stroke=\"#1f2933\" stroke-width=\"1.5\"/>\n";
         if (measured) figures += chain_figure(halfway(points), error, colour == beyond_class, writing);
     }
@@ -234,7 +202,7 @@ std::string rings(const FlatTile& tile, const View& view) {
         (tile.tile.mesh.positions.rowwise() - finding.at.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
         const Vec2 p = view.at(tile.flattening.positions.row(nearest));
         for (const auto& [colour, width] : {std::pair{"#ffffff", 5}, std::pair{"#b3121f", 2}})
-            result += "<circle cx=\"" + number(p.x()) + "\" cy=\"" + number(p.y()) +
+            result += "<circle cx=\"" + svg_number(p.x()) + "\" cy=\"" + svg_number(p.y()) +
                       "\" r=\"11\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + std::to_string(width) +
                       "\"/>\n";
     }
@@ -261,59 +229,29 @@ std::string head(const FlatTile& tile) {
             ? ""
             : "tension of the seams (strokes; blue pulled, amber pushed): " + shown(tension.minCoeff(), 1) + " … " +
                   shown(tension.maxCoeff(), 1) + " N";
-    return text({28, 40}, tile.tile.name, {24, "start", "#1f2933", true}) +
-           text({page_width - 28, 40}, verdict, {17, "end", colour, true}) +
-           text({28, 68}, lengths, {14, "start", "#1f2933"}) + text({28, 90}, strains, {14, "start", "#52606d"}) +
-           (ease.empty() ? "" : text({28, 110}, ease, {12, "start", "#52606d"})) +
-           text({page_width - 28, 68}, tile.method, {14, "end", "#52606d"}) +
-           text({page_width - 28, 90}, std::to_string(tile.tile.mesh.triangle_count()) + " triangles",
-                {14, "end", "#52606d"});
-}
-
-std::string colour_bar(const Vec2& at, const std::string& title, double limit) {
-    constexpr double step = 6;
-    std::string result = text(at + Vec2(0, -8), title, {13, "start", "#1f2933"});
-    for (int c = 0; c < beyond_class; ++c)
-        result += "<rect x=\"" + number(at.x() + step * c) + "\" y=\"" + number(at.y()) +
-                  "\" width=\"6.5\" height=\"13\" fill=\"" + class_colour(c) + "\"/>\n";
-    const double end = at.x() + step * beyond_class;
-    result += "<rect x=\"" + number(end + 4) + "\" y=\"" + number(at.y()) + "\" width=\"30\" height=\"13\" fill=\"" +
-              class_colour(beyond_class) + "\"/>\n";
-    const auto value = [&](double share) { return format_shortest(clean(share * limit / percent)); };
-    const double y = at.y() + 29;
-    result += text({at.x(), y}, "0", {12, "middle", "#52606d"});
-    result += text({at.x() + step * beyond_class / 2, y}, value(0.5), {12, "middle", "#52606d"});
-    result += text({end, y}, value(1) + " %", {12, "middle", "#52606d"});
-    return result + text({end + 38, at.y() + 11}, "beyond", {12, "start", "#52606d"});
-}
-
-/// The longest of 1, 2, 5 times a power of ten that is no wider than a fifth of the page.
-std::string scale_bar(const Vec2& at, double scale) {
-    const double most = 0.2 * page_width / scale;
-    double length = std::pow(10, std::floor(std::log10(most)));
-    length *= most >= 5 * length ? 5 : most >= 2 * length ? 2 : 1;
-    const double right = at.x() + scale * length;
-    const std::string ends = "M" + pair(at + Vec2(0, -5)) + "v10M" + pair(at) + "H" + number(right) + "M" +
-                             pair(Vec2(right, at.y() - 5)) + "v10";
-    const std::string label =
-        length >= 1 ? format_shortest(clean(length)) + " m" : format_shortest(clean(length / millimetre)) + " mm";
-    return "<path fill=\"none\" stroke=\"#1f2933\" stroke-width=\"1.5\" d=\"" + ends + "\"/>\n" +
-           text({(at.x() + right) / 2, at.y() - 8}, label, {13, "middle", "#1f2933"});
+    return svg_text({28, 40}, tile.tile.name, {24, "start", "#1f2933", true}) +
+           svg_text({page_width - 28, 40}, verdict, {17, "end", colour, true}) +
+           svg_text({28, 68}, lengths, {14, "start", "#1f2933"}) +
+           svg_text({28, 90}, strains, {14, "start", "#52606d"}) +
+           (ease.empty() ? "" : svg_text({28, 110}, ease, {12, "start", "#52606d"})) +
+           svg_text({page_width - 28, 68}, tile.method, {14, "end", "#52606d"}) +
+           svg_text({page_width - 28, 90}, std::to_string(tile.tile.mesh.triangle_count()) + " triangles",
+                    {14, "end", "#52606d"});
 }
 
 std::string warp_arrow(const Vec2& at) {
     const Vec2 head = at + Vec2(70, 0);
-    return "<path fill=\"none\" stroke=\"#1f2933\" stroke-width=\"1.5\" d=\"M" + pair(at) + "H" + number(head.x()) +
-           "M" + pair(head + Vec2(-10, -4)) + "L" + pair(head) + "l-10 4\"/>\n" +
-           text(head + Vec2(8, 5), "warp", {13, "start", "#1f2933"});
+    return "<path fill=\"none\" stroke=\"#1f2933\" stroke-width=\"1.5\" d=\"M" + svg_pair(at) + "H" +
+           svg_number(head.x()) + "M" + svg_pair(head + Vec2(-10, -4)) + "L" + svg_pair(head) + "l-10 4\"/>\n" +
+           svg_text(head + Vec2(8, 5), "warp", {13, "start", "#1f2933"});
 }
 
 std::string foot(const View& view, double cloth_limit, double length_limit) {
     const double y = view.foot();
-    return "<path stroke=\"#cbd2d9\" stroke-width=\"1\" d=\"M28 " + number(y) + "H" + number(page_width - 28) +
-           "\"/>\n" + colour_bar({36, y + 42}, "seams: |length error| of a chain", length_limit) +
-           colour_bar({356, y + 42}, "cloth: |edge length error|, mean of a triangle", cloth_limit) +
-           warp_arrow({690, y + 34}) + scale_bar({690, y + 84}, view.scale);
+    return "<path stroke=\"#cbd2d9\" stroke-width=\"1\" d=\"M28 " + svg_number(y) + "H" + svg_number(page_width - 28) +
+           "\"/>\n" + colour_bar({36, y + 42}, "seams: |length error| of a chain", length_limit / percent, "%") +
+           colour_bar({356, y + 42}, "cloth: |edge length error|, mean of a triangle", cloth_limit / percent, "%") +
+           warp_arrow({690, y + 34}) + scale_bar({690, y + 84}, view.scale, 0.2 * page_width);
 }
 
 }  // namespace
@@ -321,9 +259,9 @@ std::string foot(const View& view, double cloth_limit, double length_limit) {
 std::string tile_picture(const FlatTile& tile, const Tolerances& tolerances, const PictureOptions& options) {
     const bool drawable = is_drawable(tile);
     const View view = drawable ? fitted(tile.flattening.positions) : View{1, Vec2::Zero(), 90};
-    const std::string size = format_fixed(page_width, 0) + "\" height=\"" + number(view.page_height());
+    const std::string size = format_fixed(page_width, 0) + "\" height=\"" + svg_number(view.page_height());
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" viewBox=\"0 0 " +
-                      format_fixed(page_width, 0) + " " + number(view.page_height()) +
+                      format_fixed(page_width, 0) + " " + svg_number(view.page_height()) +
                       "\" font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<rect width=\"" + size +
                       "\" fill=\"#ffffff\"/>\n" + head(tile);
     if (drawable) {
@@ -331,8 +269,8 @@ std::string tile_picture(const FlatTile& tile, const Tolerances& tolerances, con
         svg += cloth(tile, view, cloth_limit) + tensions(tile, view) + chains(tile, view, tolerances.length) +
                rings(tile, view) + foot(view, cloth_limit, tolerances.length);
     } else {
-        svg += text({page_width / 2, head_height + border + 45}, "no flat positions: " + tile.flattening.summary.text(),
-                    {17, "middle", "#b3121f"});
+        svg += svg_text({page_width / 2, head_height + border + 45},
+                        "no flat positions: " + tile.flattening.summary.text(), {17, "middle", "#b3121f"});
     }
     return svg + "</svg>\n";
 }

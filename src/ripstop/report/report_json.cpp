@@ -1,10 +1,12 @@
 #include "ripstop/report/report_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "ripstop/base/units.h"
 #include "ripstop/report/figures.h"
+#include "ripstop/report/seam_tables.h"
 #include "ripstop/version.h"
 
 namespace ripstop {
@@ -58,6 +60,16 @@ void add_tension(Json& chains, const FlatTile& tile) {
     }
 }
 
+/// What each chain is sewn in: the first seam along it, and all where there are several.
+void add_seams(Json& chains, const std::vector<std::vector<int>>& sewn, const CutPlan& plan) {
+    for (std::size_t c = 0; c < std::min(chains.size(), sewn.size()); ++c) {
+        Json ids = Json::array();
+        for (const int seam : sewn[c]) ids.push_back(plan.seams[static_cast<std::size_t>(seam)].id);
+        if (!ids.empty()) chains[c]["seam"] = ids.front();
+        if (ids.size() > 1) chains[c]["seams"] = ids;
+    }
+}
+
 Json chains_json(const FlatTile& tile) {
     Json chains = Json::array();
     for (const ChainAccuracy& chain : tile.accuracy.chains)
@@ -76,17 +88,62 @@ Json certificate_json(const Certificate& certificate) {
             {"strict_minimum", certificate.strict_minimum}};
 }
 
-Json verdict_json(const Verdict& verdict) {
-    Json findings = Json::array();
-    for (const Finding& finding : verdict.findings)
-        findings.push_back(
+Json findings_json(const std::vector<Finding>& findings) {
+    Json list = Json::array();
+    for (const Finding& finding : findings)
+        list.push_back(
             {{"code", finding.code},
              {"message", finding.message},
              {"at_mm",
               {in_millimetres(finding.at.x()), in_millimetres(finding.at.y()), in_millimetres(finding.at.z())}},
              {"value", figure(finding.value)},
              {"limit", figure(finding.limit)}});
-    return {{"manufacturable", verdict.manufacturable()}, {"findings", findings}};
+    return list;
+}
+
+Json verdict_json(const Verdict& verdict) {
+    Json json = {{"manufacturable", verdict.manufacturable()}, {"findings", findings_json(verdict.findings)}};
+    if (!verdict.waived.empty()) json["waived"] = findings_json(verdict.waived);
+    return json;
+}
+
+Json seam_json(const Seam& seam, const SeamWalk& walk, const CutPlan& plan) {
+    const auto tile = [&](const SeamSide& side) { return plan.tiles[static_cast<std::size_t>(side.tile)].tile.name; };
+    Json notches = Json::array();
+    for (const Notch& notch : walk.notches)
+        notches.push_back({{"at_mm", in_millimetres(notch.at)}, {"drift_mm", in_millimetres(notch.drift)}});
+    return {{"id", seam.id},
+            {"tile_a", tile(seam.a)},
+            {"chain_a", seam.a.chain + 1},
+            {"tile_b", tile(seam.b)},
+            {"chain_b", seam.b.chain + 1},
+            {"length_mm", in_millimetres(walk.length)},
+            {"flat_a_mm", in_millimetres(walk.flat_a)},
+            {"flat_b_mm", in_millimetres(walk.flat_b)},
+            {"mismatch_mm", in_millimetres(walk.mismatch())},
+            {"mismatch_pct", in_percent(walk.mismatch_ratio())},
+            {"drift_max_mm", in_millimetres(walk.drift_max)},
+            {"drift_max_at_mm", in_millimetres(walk.drift_max_at)},
+            {"limit_mm", in_millimetres(walk.limit)},
+            {"uncertainty_mm", in_millimetres(walk.uncertainty)},
+            {"gap_mm", in_millimetres(seam.gap)},
+            {"notches", notches},
+            {"ok", walk.ok}};
+}
+
+Json envelope_json(const CutPlan& plan) {
+    Json failed = Json::array(), failed_seams = Json::array();
+    for (const FlatTile& tile : plan.tiles)
+        if (!tile.verdict.manufacturable()) failed.push_back(tile.tile.name);
+    for (std::size_t i = 0; i < plan.walks.size(); ++i)
+        if (!plan.walks[i].ok) failed_seams.push_back(plan.seams[i].id);
+    return {{"tiles", plan.tiles.size()},
+            {"seams", plan.seams.size()},
+            {"area_m2", figure(plan.area())},
+            {"manufacturable", plan.manufacturable()},
+            {"failed", failed},
+            {"failed_seams", failed_seams},
+            {"findings", findings_json(plan.findings)}};
 }
 
 void add_accuracy(Json& json, const Accuracy& accuracy) {
@@ -109,7 +166,7 @@ void add_accuracy(Json& json, const Accuracy& accuracy) {
     json["overlaps"] = accuracy.overlaps;
 }
 
-Json tile_json(const FlatTile& tile, const std::string& stem, bool reproducible) {
+Json tile_json(const FlatTile& tile, const std::string& stem, const Json& chains, bool reproducible) {
     const SolveSummary& summary = tile.flattening.summary;
     const Vec3& warp = tile.tile.grain.direction;
     Json json = {
@@ -131,7 +188,7 @@ Json tile_json(const FlatTile& tile, const std::string& stem, bool reproducible)
                       {"disc_radius_mm", in_millimetres(tile.bounds.radius)}};
     if (tile.flattening.certificate) json["certificate"] = certificate_json(*tile.flattening.certificate);
     add_accuracy(json, tile.accuracy);
-    json["chains"] = chains_json(tile);
+    json["chains"] = chains;
     json["verdict"] = verdict_json(tile.verdict);
     return json;
 }
@@ -139,12 +196,15 @@ Json tile_json(const FlatTile& tile, const std::string& stem, bool reproducible)
 }  // namespace
 
 std::string report_json(const CutPlan& plan, bool reproducible) {
-    Json tiles = Json::array(), failed = Json::array();
+    Json tiles = Json::array(), seams = Json::array();
+    const auto sewn = seams_of_chains(plan);
     const std::vector<std::string> stems = file_stems(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
-        tiles.push_back(tile_json(plan.tiles[i], stems[i], reproducible));
-        if (!plan.tiles[i].verdict.manufacturable()) failed.push_back(plan.tiles[i].tile.name);
+        Json chains = chains_json(plan.tiles[i]);
+        add_seams(chains, sewn[i], plan);
+        tiles.push_back(tile_json(plan.tiles[i], stems[i], chains, reproducible));
     }
+    for (std::size_t i = 0; i < plan.walks.size(); ++i) seams.push_back(seam_json(plan.seams[i], plan.walks[i], plan));
     const Json report = {{"ripstop", version},
                          {"schema", report_schema},
                          {"input", {{"file", plan.input_file}, {"sha256", plan.input_sha256}, {"unit", plan.unit}}},
@@ -155,13 +215,8 @@ std::string report_json(const CutPlan& plan, bool reproducible) {
                            {"strain_pct", in_percent(plan.tolerances.strain)},
                            {"shear_deg", in_degrees(plan.tolerances.shear)}}},
                          {"tiles", tiles},
-                         {"seams", Json::array()},
-                         {"envelope",
-                          {{"tiles", plan.tiles.size()},
-                           {"seams", 0},
-                           {"area_m2", figure(plan.area())},
-                           {"manufacturable", plan.manufacturable()},
-                           {"failed", failed}}}};
+                         {"seams", seams},
+                         {"envelope", envelope_json(plan)}};
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

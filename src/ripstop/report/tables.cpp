@@ -7,23 +7,14 @@
 
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
+#include "ripstop/report/csv.h"
 #include "ripstop/report/figures.h"
+#include "ripstop/report/seam_tables.h"
 
 namespace ripstop {
 namespace {
 
 using Row = std::vector<std::string>;
-
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + "\"";
-}
-
-std::string figure(double value) {
-    return std::isfinite(value) ? format_shortest(clean(value)) : "";
-}
 
 constexpr std::array csv_columns{"name",
                                  "vertices",
@@ -59,31 +50,26 @@ Row csv_row(const FlatTile& tile) {
             std::to_string(tile.tile.mesh.triangle_count()),
             tile.method,
             tile.verdict.manufacturable() ? "true" : "false",
-            figure(a.area),
-            figure(a.flat_area),
-            figure(a.area_error / percent),
-            figure(a.area_error_abs / percent),
-            figure(a.perimeter / millimetre),
-            figure(a.perimeter_error / percent),
-            figure(a.edge_error_abs / percent),
-            figure(a.boundary_error_abs / percent),
-            figure(a.boundary_error_max / percent),
-            figure(worst_chain_error(a) / percent),
-            figure(a.warp_strain_min / percent),
-            figure(a.warp_strain_max / percent),
-            figure(a.weft_strain_min / percent),
-            figure(a.weft_strain_max / percent),
-            figure(a.shear_max / degree),
-            figure(a.energy),
+            csv_figure(a.area),
+            csv_figure(a.flat_area),
+            csv_figure(a.area_error / percent),
+            csv_figure(a.area_error_abs / percent),
+            csv_figure(a.perimeter / millimetre),
+            csv_figure(a.perimeter_error / percent),
+            csv_figure(a.edge_error_abs / percent),
+            csv_figure(a.boundary_error_abs / percent),
+            csv_figure(a.boundary_error_max / percent),
+            csv_figure(worst_chain_error(a) / percent),
+            csv_figure(a.warp_strain_min / percent),
+            csv_figure(a.warp_strain_max / percent),
+            csv_figure(a.weft_strain_min / percent),
+            csv_figure(a.weft_strain_max / percent),
+            csv_figure(a.shear_max / degree),
+            csv_figure(a.energy),
             std::to_string(a.flipped),
             std::to_string(a.overlaps),
             name(tile.flattening.summary.termination),
             findings.empty() ? "" : findings.front().message};
-}
-
-void add_csv_line(std::string& text, const Row& row) {
-    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + quoted(row[i]);
-    text += "\n";
 }
 
 const Row headings{"tile",   "triangles", "area %",    "perimeter %", "worst chain %",
@@ -181,7 +167,8 @@ std::string plan_summary(const CutPlan& plan) {
            " m2 of cloth\n" + "worst: " + area.text("area", percent, 3, " %", true) + ", " +
            perimeter.text("perimeter", percent, 3, " %", true) + ", " + chain.text("chain", percent, 3, " %", true) +
            ",\n       " + strain.text("strain", percent, 2, " %", true) + ", " +
-           shear.text("shear", degree, 2, " deg", false) + ", " + std::to_string(flipped) + " flipped\n";
+           shear.text("shear", degree, 2, " deg", false) + ", " + std::to_string(flipped) + " flipped\n" +
+           seams_summary(plan);
 }
 
 std::string tiles_table(const CutPlan& plan, int max_rows) {

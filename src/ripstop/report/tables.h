@@ -15,7 +15,7 @@ std::string tiles_csv(const CutPlan& plan);
 /// first `max_rows` failing ones have a row, and a line says how many are not shown. Ends with `plan_summary`.
 std::string tiles_table(const CutPlan& plan, int max_rows = 40);
 
-/// How many tiles can be made, the area, and the worst of each figure with the tile that has it.
+/// How many tiles can be made, the area, and the worst of each figure with the tile that has it; then `seams_summary`.
 std::string plan_summary(const CutPlan& plan);
 
 }  // namespace ripstop

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ripstop/model/cut_plan.h"
+
+/// Seams made by hand, for what comes after they are found.
+namespace ripstop::testing {
+
+/// The envelope of tiles with vertices at the same places along their common edges: a seam for each run of such edges within
+/// one chain of both. `S1`, `S2`, … in the order of the tiles; no uncertainty, no gap.
+Envelope sewn(std::vector<Tile> tiles);
+
+/// One side of a seam: edges `from` to `to` - 1 of the chain, whole, as long as drawn.
+SeamSide run_of_chain(const Envelope& envelope, int tile, int chain, int from, int to);
+
+/// The length of the parts together.
+double length(const SeamSide& side);
+
+/// The tile as it would be flattened by a method that did this with it: unjudged, and `on_curve` as `edges_on_curve`.
+FlatTile flattened(const Tile& tile, const Points2& positions, bool on_curve = false);
+
+/// The tiles of an envelope laid flat as they are: their x and y.
+std::vector<FlatTile> laid_flat(const Envelope& envelope);
+
+/// Three sheets sewn and walked: `left`, 1 m x 2 m, and at its right side `low` and `high`, 1 m x 1 m each. `high` is cut 2 mm
+/// too high, so of the seams S1 (left, low), S2 (left, high) and S3 (low, high) the second fails. Tiles without findings.
+CutPlan sewn_plan();
+
+}  // namespace ripstop::testing
