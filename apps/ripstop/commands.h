@@ -8,6 +8,7 @@ namespace ripstop::cli {
 enum ExitCode { manufacturable = 0, not_manufacturable = 1, usage = 2, unusable_input = 3, our_fault = 4 };
 
 void add_flatten(CLI::App& app);
+void add_compare(CLI::App& app);
 void add_methods(CLI::App& app);
 void add_design(CLI::App& app);
 
