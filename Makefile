@@ -1,5 +1,5 @@
 # `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
-.PHONY: setup build demo test bench bench-solve robustness accuracy install format check clean
+.PHONY: setup build demo test bench bench-solve robustness accuracy accuracy-check install format check clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
 
@@ -26,6 +26,9 @@ robustness: build
 
 accuracy: build
 	build/release/ripstop-accuracy $(METHODS)
+
+accuracy-check: build
+	build/release/ripstop-accuracy --check docs/accuracy.md
 
 install: build
 	cmake --install build/release
