@@ -1,5 +1,6 @@
 # `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
-.PHONY: setup build demo test bench bench-solve bench-seams robustness matched accuracy install format check clean
+.PHONY: setup build demo test bench bench-solve bench-seams robustness matched accuracy accuracy-check install format \
+	check clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
 
@@ -32,6 +33,9 @@ matched: build
 
 accuracy: build
 	build/release/ripstop-accuracy $(METHODS)
+
+accuracy-check: build
+	build/release/ripstop-accuracy --check docs/accuracy.md
 
 install: build
 	cmake --install build/release

@@ -1,11 +1,16 @@
-/// Prints the accuracy table of the README as Markdown: the tiles of the test zoo, the designed envelope and the real input
-/// in ../shared/data where it is, by the methods named on the command line (`seam-exact` and `paper` if none).
+/// Prints the accuracy table of docs/accuracy.md: the tiles of the test zoo, the designed envelope and the real input in
+/// ../shared/data where it is, by the methods named on the command line (all if none).
+///
+///     ripstop-accuracy --check FILE     the ratchet: ends with 1 if a figure is worse than in the table of FILE
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "ripstop/design/gores.h"
+#include "ripstop/flatten/method.h"
 #include "ripstop/io/fabric_json.h"
 #include "ripstop/measure/judge.h"
 #include "ripstop/pipeline/flatten_envelope.h"
@@ -52,8 +57,8 @@ std::vector<Row> zoo() {
     return rows;
 }
 
-/// The worst of every figure over the tiles of a row.
-void print(const Row& row, const std::string& method) {
+/// The worst of every figure over the tiles of a row, as a line of the table.
+std::string line_of(const Row& row, const std::string& method) {
     FlattenOptions options;
     options.method = method;
     options.fabric = fabric_named(row.fabric);
@@ -71,15 +76,68 @@ void print(const Row& row, const std::string& method) {
         flipped += tile.accuracy.flipped;
         passed += tile.verdict.manufacturable() ? 1 : 0;
     }
-    fmt::print("| {} | {} | {} | {:+.5f} | {:.4f} | {:+.5f} | {:.5f} | {:.5f} | {:.3f} | {:.2f} | {} | {} of {} |\n",
-               row.name, triangles, method, worst([](const Accuracy& a) { return a.area_error; }),
-               worst([](const Accuracy& a) { return a.area_error_abs; }),
-               worst([](const Accuracy& a) { return a.perimeter_error; }),
-               worst([](const Accuracy& a) { return a.boundary_error_max; }),
-               worst([](const Accuracy& a) { return a.edge_error_abs; }), worst([](const Accuracy& a) {
-                   return std::max({a.warp_strain_max, a.weft_strain_max, -a.warp_strain_min, -a.weft_strain_min});
-               }),
-               worst([](const Accuracy& a) { return a.shear_max; }) / 100 / degree, flipped, passed, plan.tiles.size());
+    return fmt::format(
+        "| {} | {} | {} | {:+.5f} | {:.4f} | {:+.5f} | {:.5f} | {:.5f} | {:.3f} | {:.2f} | {} | {} of {} |", row.name,
+        triangles, method, worst([](const Accuracy& a) { return a.area_error; }),
+        worst([](const Accuracy& a) { return a.area_error_abs; }),
+        worst([](const Accuracy& a) { return a.perimeter_error; }),
+        worst([](const Accuracy& a) { return a.boundary_error_max; }),
+        worst([](const Accuracy& a) { return a.edge_error_abs; }), worst([](const Accuracy& a) {
+            return std::max({a.warp_strain_max, a.weft_strain_max, -a.warp_strain_min, -a.weft_strain_min});
+        }),
+        worst([](const Accuracy& a) { return a.shear_max; }) / 100 / degree, flipped, passed, plan.tiles.size());
+}
+
+/// The cells of a line of the table; empty for any other line.
+std::vector<std::string> cells(const std::string& line) {
+    std::vector<std::string> result;
+    for (std::size_t at = line.find("| "); at != std::string::npos && at + 2 < line.size();) {
+        const std::size_t end = line.find(" |", at + 2);
+        if (end == std::string::npos) break;
+        result.push_back(line.substr(at + 2, end - at - 2));
+        at = end + 1;
+    }
+    return result;
+}
+
+/// Is a figure farther from 0 than it was, beyond what another processor's rounding does to it?
+bool is_worse(double now, double kept) {
+    return std::abs(now) > 1.02 * std::abs(kept) + 2e-4;
+}
+
+/// What became worse than in the kept line, or nothing.
+std::string worsening(const std::vector<std::string>& now, const std::vector<std::string>& kept) {
+    constexpr std::size_t first_figure = 3, flips = 10, made = 11;
+    static const char* const names[] = {"area",      "sum of abs(dA)", "perimeter", "boundary edge",
+                                        "all edges", "strain",         "shear"};
+    std::string text;
+    for (std::size_t i = first_figure; i < flips; ++i)
+        if (is_worse(std::stod(now[i]), std::stod(kept[i])))
+            text += fmt::format(" {} {} was {};", names[i - first_figure], now[i], kept[i]);
+    if (std::stoi(now[flips]) > std::stoi(kept[flips]))
+        text += fmt::format(" flips {} was {};", now[flips], kept[flips]);
+    if (std::stoi(now[made]) < std::stoi(kept[made])) text += fmt::format(" made {} was {};", now[made], kept[made]);
+    return text;
+}
+
+/// Holds every line of a kept table to what comes out today; true if nothing is worse. Lines of input that is not here are
+/// passed over.
+bool check(const std::vector<Row>& rows, const std::string& file) {
+    std::ifstream in(file);
+    int lines = 0, worse = 0;
+    for (std::string line; std::getline(in, line);) {
+        const std::vector<std::string> kept = cells(line);
+        if (kept.size() != 12) continue;
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name == kept[0]; });
+        if (row == rows.end()) continue;
+        ++lines;
+        const std::string text = worsening(cells(line_of(*row, kept[2])), kept);
+        if (text.empty()) continue;
+        ++worse;
+        fmt::print("worse: {}, {}:{}\n", kept[0], kept[2], text);
+    }
+    fmt::print("{}: {} lines checked, {} worse\n", file, lines, worse);
+    return lines > 0 && worse == 0;
 }
 
 }  // namespace
@@ -87,11 +145,14 @@ void print(const Row& row, const std::string& method) {
 
 int main(int argc, char** argv) {
     std::vector<std::string> methods(argv + 1, argv + argc);
-    if (methods.empty()) methods = {"seam-exact", "paper"};
+    const std::vector<ripstop::Row> rows = ripstop::zoo();
+    if (methods.size() == 2 && methods[0] == "--check") return ripstop::check(rows, methods[1]) ? 0 : 1;
+    if (methods.empty())
+        for (const ripstop::Method& method : ripstop::methods()) methods.emplace_back(method.name);
     fmt::print(
         "| tile, fabric | triangles | method | area % | sum of abs(dA) % | perimeter % | worst boundary edge % | sum "
-        "of abs(dL), all edges % | "
-        "strain % | shear deg | flips | made |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    for (const ripstop::Row& row : ripstop::zoo())
-        for (const std::string& method : methods) ripstop::print(row, method);
+        "of abs(dL), all edges % | strain % | shear deg | flips | made "
+        "|\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const ripstop::Row& row : rows)
+        for (const std::string& method : methods) fmt::print("{}\n", ripstop::line_of(row, method));
 }

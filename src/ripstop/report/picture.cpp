@@ -8,6 +8,7 @@
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/report/cloth_map.h"
 #include "ripstop/report/colour_scale.h"
 #include "ripstop/report/drawing.h"
 #include "ripstop/report/figures.h"
@@ -23,13 +24,9 @@ constexpr double border = 44;  ///< above and below it
 constexpr double inner_width = page_width - 2 * side;
 constexpr double tallest = 620;
 
-/// From the cloth [m, y up] to the page [units, y down].
-struct View {
-    double scale = 1;
-    Vec2 origin = Vec2::Zero();  ///< of the cloth, on the page
-    double height = tallest;     ///< of the drawing
+struct View : PageView {
+    double height = tallest;  ///< of the drawing
 
-    Vec2 at(const Vec2& p) const { return {origin.x() + scale * p.x(), origin.y() - scale * p.y()}; }
     double page_height() const { return head_height + height + 2 * border + foot_height; }
     double foot() const { return page_height() - foot_height; }
 };
@@ -50,49 +47,6 @@ View fitted(const Points2& positions) {
 std::string in_percent(double ratio, int decimals) {
     const std::string text = shown(ratio / percent, decimals, true);
     return text.front() == '-' && text.size() > 1 ? "−" + text.substr(1) : text;
-}
-
-/// Mean |L'/L - 1| over the edges of triangle t.
-double edge_error(const FlatTile& tile, int t) {
-    const TriangleMesh& mesh = tile.tile.mesh;
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) {
-        const int a = mesh.triangles(t, k), b = mesh.triangles(t, (k + 1) % 3);
-        const Points2& flat = tile.flattening.positions;
-        sum +=
-            std::abs((flat.row(b) - flat.row(a)).norm() / (mesh.positions.row(b) - mesh.positions.row(a)).norm() - 1);
-    }
-    return sum / 3;
-}
-
-std::string cloth(const FlatTile& tile, const View& view, double limit) {
-    std::array<std::string, colour_classes> paths;
-    std::string flipped;
-    // Many triangles are small ones: a tenth of a unit will do for them.
-    const int decimals = tile.tile.mesh.triangle_count() > 5000 ? 1 : 2;
-    const auto at = [&](const Vec2& p) {
-        const Vec2 q = view.at(p);
-        return format_fixed(q.x(), decimals) + " " + format_fixed(q.y(), decimals);
-    };
-    for (int t = 0; t < tile.tile.mesh.triangle_count(); ++t) {
-        std::array<Vec2, 3> corner;
-        for (int k = 0; k < 3; ++k)
-            corner[static_cast<std::size_t>(k)] = tile.flattening.positions.row(tile.tile.mesh.triangles(t, k));
-        const bool up = signed_area(corner[0], corner[1], corner[2]) > 0;
-        std::string& path = up ? paths[static_cast<std::size_t>(colour_class(edge_error(tile, t), limit))] : flipped;
-        path += "M" + at(corner[0]) + "L" + at(corner[1]) + " " + at(corner[2]) + "z";
-    }
-    // A hairline of its own colour closes the gaps that renderers leave between neighbours.
-    std::string result = "<g stroke-width=\"0.5\" stroke-linejoin=\"round\">\n";
-    for (int c = 0; c < colour_classes; ++c) {
-        const std::string& path = paths[static_cast<std::size_t>(c)];
-        if (path.empty()) continue;
-        const std::string colour = class_colour(c);
-        result += "<path fill=\"" + colour + "\" stroke=\"" + colour + "\" d=\"" + path + "\"/>\n";
-    }
-    if (!flipped.empty())
-        result += "<path fill=\"#000000\" stroke=\"#000000\" stroke-width=\"1.5\" d=\"" + flipped + "\"/>\n";
-    return result + "</g>\n";
 }
 
 std::vector<Vec2> on_page(const FlatTile& tile, const View& view, const std::vector<int>& vertices) {
@@ -258,7 +212,7 @@ std::string foot(const View& view, double cloth_limit, double length_limit) {
 
 std::string tile_picture(const FlatTile& tile, const Tolerances& tolerances, const PictureOptions& options) {
     const bool drawable = is_drawable(tile);
-    const View view = drawable ? fitted(tile.flattening.positions) : View{1, Vec2::Zero(), 90};
+    const View view = drawable ? fitted(tile.flattening.positions) : View{{}, 90};
     const std::string size = format_fixed(page_width, 0) + "\" height=\"" + svg_number(view.page_height());
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" viewBox=\"0 0 " +
                       format_fixed(page_width, 0) + " " + svg_number(view.page_height()) +
@@ -266,7 +220,7 @@ std::string tile_picture(const FlatTile& tile, const Tolerances& tolerances, con
                       "\" fill=\"#ffffff\"/>\n" + head(tile);
     if (drawable) {
         const double cloth_limit = options.cloth_limit > 0 ? options.cloth_limit : tolerances.strain;
-        svg += cloth(tile, view, cloth_limit) + tensions(tile, view) + chains(tile, view, tolerances.length) +
+        svg += cloth_map(tile, view, cloth_limit) + tensions(tile, view) + chains(tile, view, tolerances.length) +
                rings(tile, view) + foot(view, cloth_limit, tolerances.length);
     } else {
         svg += svg_text({page_width / 2, head_height + border + 45},

@@ -12,11 +12,12 @@
 #include "ripstop/report/csv.h"
 #include "ripstop/report/figures.h"
 #include "ripstop/report/seam_tables.h"
+#include "ripstop/report/text_table.h"
 
 namespace ripstop {
 namespace {
 
-using Row = std::vector<std::string>;
+using Row = TextRow;
 
 constexpr std::array csv_columns{"name",
                                  "vertices",
@@ -89,21 +90,6 @@ std::string range(double low, double high) {
     return shown(low / percent, 2, true) + " " + shown(high / percent, 2, true);
 }
 
-std::size_t width(const std::string& utf8) {
-    return static_cast<std::size_t>(
-        std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
-/// The first letters of a name that would push all figures off the screen.
-std::string shortened(const std::string& utf8) {
-    constexpr std::size_t longest = 32;
-    if (width(utf8) <= longest) return utf8;
-    std::string text;
-    for (std::size_t i = 0; width(text) < longest || (static_cast<unsigned char>(utf8[i]) & 0xC0) == 0x80; ++i)
-        text += utf8[i];
-    return text.substr(0, text.find_last_not_of(' ') + 1) + "…";
-}
-
 Row table_row(const FlatTile& tile) {
     const Accuracy& a = tile.accuracy;
     return {shortened(tile.tile.name),
@@ -116,23 +102,6 @@ Row table_row(const FlatTile& tile) {
             shown(a.shear_max / degree, 2),
             std::to_string(a.flipped),
             tile.verdict.manufacturable() ? "ok" : "no: " + failing_codes(tile.verdict)};
-}
-
-/// Words to the left, figures to the right.
-std::string aligned(const std::vector<Row>& rows) {
-    std::vector<std::size_t> widths(headings.size(), 0);
-    for (const Row& row : rows)
-        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
-    std::string text;
-    for (const Row& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string blanks(widths[i] - width(row[i]), ' ');
-            const bool is_last = i + 1 == row.size();
-            text += i == 0 ? row[i] + blanks : is_last ? row[i] : blanks + row[i];
-            text += is_last ? "\n" : "  ";
-        }
-    }
-    return text;
 }
 
 /// `360 tiles, 15 different, each cut 24 times`; empty where no two are alike.
@@ -216,7 +185,7 @@ std::string tiles_table(const CutPlan& plan, int max_rows) {
     for (const FlatTile& tile : plan.tiles)
         if (all || (!tile.verdict.manufacturable() && rows.size() <= limit)) rows.push_back(table_row(tile));
     const std::size_t hidden = plan.tiles.size() - (rows.size() - 1);
-    std::string text = rows.size() > 1 ? aligned(rows) : "";
+    std::string text = rows.size() > 1 ? aligned_table(rows, 1) : "";
     if (hidden > 0) {
         const auto failing = std::count_if(plan.tiles.begin(), plan.tiles.end(),
                                            [](const FlatTile& tile) { return !tile.verdict.manufacturable(); });

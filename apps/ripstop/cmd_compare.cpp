@@ -1,0 +1,96 @@
+/// ripstop compare: every method on the same tiles, side by side.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "commands.h"
+#include "options.h"
+#include "progress_bar.h"
+#include "ripstop/base/error.h"
+#include "ripstop/flatten/method.h"
+#include "ripstop/io/mesh_file.h"
+#include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/report/comparison.h"
+#include "ripstop/report/output_file.h"
+#include "tell.h"
+
+namespace ripstop::cli {
+namespace {
+
+constexpr std::size_t most_on_sheet = 24;  ///< tiles; more would make a picture nobody can open
+
+struct Arguments {
+    InputArguments input;
+    std::vector<std::string> methods;
+    std::filesystem::path sheet;
+    int jobs = 1;
+    bool json = false, force = false, quiet = false;
+};
+
+std::vector<std::string> methods_of(const Arguments& given) {
+    if (!given.methods.empty()) return given.methods;
+    std::vector<std::string> names;
+    for (const Method& method : methods()) names.emplace_back(method.name);
+    return names;
+}
+
+void require_free_sheet(const Arguments& given, std::size_t tiles) {
+    if (given.sheet.empty()) return;
+    if (std::filesystem::exists(given.sheet) && !given.force)
+        throw InputError(given.sheet.string() + ": exists; give another name or --force");
+    if (tiles > most_on_sheet)
+        throw InputError(given.input.file.string() + ": " + std::to_string(tiles) + " tiles do not fit on a sheet, " +
+                         std::to_string(most_on_sheet) + " do; choose some with --tile");
+}
+
+ExitCode run(const Arguments& given) {
+    const Input input = resolve(given.input);
+    const Envelope envelope = read_envelope(given.input.file, input.read);
+    warn_of_unused_names(input, envelope);
+    require_free_sheet(given, envelope.tiles.size());
+    std::vector<CutPlan> plans;
+    const std::vector<std::string> names = methods_of(given);
+    const Progress bar = progress_bar(given.quiet);
+    for (const std::string& method : names) {
+        const auto done = static_cast<double>(plans.size()), all = static_cast<double>(names.size());
+        FlattenOptions options{method, input.fabric, input.tolerances, given.jobs};
+        if (bar)
+            options.progress = [&](double fraction, const std::string& tile) {
+                bar((done + fraction) / all, method + ", " + tile);
+            };
+        CutPlan plan = flatten_envelope(envelope, options);
+        plan.input_file = given.input.file.filename().string();
+        plan.input_sha256 = sha256_of_file(given.input.file);
+        plan.unit = input.unit;
+        plans.push_back(std::move(plan));
+    }
+    if (!given.sheet.empty()) write_file(given.sheet, comparison_sheet(plans));
+    fmt::print("{}", given.json ? comparison_json(plans) : comparison_table(plans));
+    if (!given.sheet.empty() && !given.json) fmt::print("{}\n", given.sheet.string());
+    return manufacturable;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app) {
+    auto given = std::make_shared<Arguments>();
+    CLI::App* command = app.add_subcommand("compare", "Every method on the same tiles: one table, one sheet of shapes");
+    add_input_options(*command, given->input);
+    command->add_option("--method", given->methods, "Only these methods; may be given more than once")
+        ->check(known_method());
+    command->add_option("--sheet", given->sheet, "An SVG to write: all the flat shapes with their colour maps");
+    command->add_flag("--force", given->force, "Replace the sheet where it exists");
+    command->add_option("-j,--jobs", given->jobs, "Threads (0: one a core); more than one blurs the seconds")
+        ->check(CLI::Range(0, 1024));
+    command->add_flag("--json", given->json,
+                      "Machine output on stdout: what report.json says of a tile, a method each");
+    command->add_flag("--quiet", given->quiet, "No progress");
+    command->footer(
+        "Ends with 0 whatever the verdicts: it compares, `flatten` decides.\n"
+        "Example: ripstop compare envelope.obj --tile G01P07 --fabric nylon --sheet methods.svg");
+    command->callback([given] {
+        if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
+    });
+}
+
+}  // namespace ripstop::cli
