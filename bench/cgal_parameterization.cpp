@@ -1,4 +1,4 @@
-// The only source that includes CGAL (GPL-3): for comparison, in the benchmark alone.
+// The only source that includes CGAL (GPL-3): for comparison, in benchmarks and tests alone.
 #include "cgal_parameterization.h"
 
 #include <CGAL/Eigen_solver_traits.h>
@@ -35,12 +35,23 @@ CgalParameterization::~CgalParameterization() {
     delete data_;
 }
 
-bool CgalParameterization::lscm() {
-    return smp::parameterize(data_->mesh, smp::LSCM_parameterizer_3<Mesh>(), data_->border, data_->uv) == smp::OK;
+bool CgalParameterization::lscm(std::optional<std::array<int, 2>> pins) {
+    using Border = smp::Two_vertices_parameterizer_3<Mesh>;
+    const auto vertex = [](int v) { return Mesh::Vertex_index(static_cast<Mesh::size_type>(v)); };
+    const Border border = pins ? Border(vertex((*pins)[0]), vertex((*pins)[1])) : Border();
+    return smp::parameterize(data_->mesh, smp::LSCM_parameterizer_3<Mesh, Border>(border), data_->border, data_->uv) ==
+           smp::OK;
 }
 
 bool CgalParameterization::arap() {
     return smp::parameterize(data_->mesh, smp::ARAP_parameterizer_3<Mesh>(), data_->border, data_->uv) == smp::OK;
+}
+
+Points2 CgalParameterization::positions() const {
+    Points2 positions(static_cast<Eigen::Index>(data_->mesh.number_of_vertices()), 2);
+    for (const Mesh::Vertex_index v : data_->mesh.vertices())
+        positions.row(static_cast<Eigen::Index>(v)) << data_->uv[v].x(), data_->uv[v].y();
+    return positions;
 }
 
 }  // namespace ripstop

@@ -1,6 +1,7 @@
 /// ripstop compare: every method on the same tiles, side by side.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "commands.h"
@@ -27,16 +28,26 @@ struct Arguments {
     bool json = false, force = false, quiet = false;
 };
 
+/// The methods asked for, each once; all if none are.
 std::vector<std::string> methods_of(const Arguments& given) {
-    if (!given.methods.empty()) return given.methods;
     std::vector<std::string> names;
-    for (const Method& method : methods()) names.emplace_back(method.name);
+    for (const std::string& name : given.methods)
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (names.empty())
+        for (const Method& method : methods()) names.emplace_back(method.name);
     return names;
 }
 
+/// Throws InputError where the sheet could not be written in the end, or would take the place of what is read.
 void require_free_sheet(const Arguments& given, std::size_t tiles) {
     if (given.sheet.empty()) return;
-    if (std::filesystem::exists(given.sheet) && !given.force)
+    std::error_code unknown;
+    const std::filesystem::path folder = given.sheet.has_parent_path() ? given.sheet.parent_path() : ".";
+    if (!std::filesystem::is_directory(folder, unknown))
+        throw InputError(given.sheet.string() + ": there is no folder " + folder.string() + "; make it first");
+    if (std::filesystem::equivalent(given.sheet, given.input.file, unknown))
+        throw InputError(given.sheet.string() + ": is the input itself; give the sheet another name");
+    if (std::filesystem::exists(given.sheet, unknown) && !given.force)
         throw InputError(given.sheet.string() + ": exists; give another name or --force");
     if (tiles > most_on_sheet)
         throw InputError(given.input.file.string() + ": " + std::to_string(tiles) + " tiles do not fit on a sheet, " +
@@ -64,9 +75,10 @@ ExitCode run(const Arguments& given) {
         plan.unit = input.unit;
         plans.push_back(std::move(plan));
     }
-    if (!given.sheet.empty()) write_file(given.sheet, comparison_sheet(plans));
     fmt::print("{}", given.json ? comparison_json(plans) : comparison_table(plans));
-    if (!given.sheet.empty() && !given.json) fmt::print("{}\n", given.sheet.string());
+    if (given.sheet.empty()) return manufacturable;
+    write_file(given.sheet, comparison_sheet(plans));
+    if (!given.json) fmt::print("{}\n", given.sheet.string());
     return manufacturable;
 }
 

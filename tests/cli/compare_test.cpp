@@ -69,6 +69,19 @@ TEST(CompareCommand, KeepsASheetThatExistsUnlessForced) {
     EXPECT_THAT(workshop.read("sheet.svg"), StartsWith("<svg"));
 }
 
+TEST(CompareCommand, NeverWritesOverItsInputOrIntoAFolderThatIsNotThere) {
+    const Workshop workshop;
+    workshop.write_tiles("tile.obj", {testing::flat_tile()});
+    const std::string before = workshop.read("tile.obj");
+    const ProgramRun over = workshop.ripstop("compare tile.obj --unit m --method lscm --sheet ./tile.obj --force");
+    EXPECT_EQ(over.code, 3);
+    EXPECT_THAT(over.err, HasSubstr("is the input itself"));
+    EXPECT_EQ(workshop.read("tile.obj"), before);
+    const ProgramRun nowhere = workshop.ripstop("compare tile.obj --unit m --method lscm --sheet there/sheet.svg");
+    EXPECT_EQ(nowhere.code, 3);
+    EXPECT_THAT(nowhere.out, IsEmpty());
+}
+
 TEST(CompareCommand, RefusesAMethodNobodyKnowsAsUsage) {
     const Workshop workshop;
     workshop.write_tiles("tile.obj", {testing::flat_tile()});

@@ -146,6 +146,21 @@ std::string test_name(const ::testing::TestParamInfo<Method>& tested) {
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryMethod, ::testing::ValuesIn(methods().begin(), methods().end()), test_name);
 
+TEST(Methods, TheDefaultHoldsTheSeamsOfCurvedTilesWhichNoFreeOutlineDoesAndWithLessStrainThanThoseThatDo) {
+    const auto found = [](const Tile& tile, const char* method) {
+        return measure_accuracy(tile, method_named(method).flatten(tile, Fabric{}).positions, Fabric{});
+    };
+    for (const auto& shape : testing::curved_shapes()) {
+        SCOPED_TRACE(shape.name);
+        const Tile tile = make_tile(shape.name, shape.mesh);
+        const Accuracy ours = found(tile, methods().front().name);
+        EXPECT_LT(ours.boundary_error_max, 1e-8);
+        for (const char* const free : {"paper", "woven", "lscm", "arap", "dirichlet", "energy", "mccartney", "aono"})
+            EXPECT_GT(found(tile, free).boundary_error_max, 1e-4) << free;
+        for (const char* const held : {"bff", "wirewarping"}) EXPECT_GT(found(tile, held).energy, ours.energy) << held;
+    }
+}
+
 TEST(Methods, AnUnknownNameIsAnsweredWithTheList) {
     try {
         method_named("foo");

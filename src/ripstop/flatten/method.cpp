@@ -47,6 +47,10 @@ constexpr std::array table = {
            [](const Tile& tile, const Fabric& fabric) { return flatten_paper(tile, fabric, {.adaptive = true}); }},
     Method{"woven", "Wang, Tang, Yeung 2005: a woven mesh fitted to the surface, the paper's first step alone",
            [](const Tile& tile, const Fabric& fabric) { return flatten_woven(tile, fabric); }},
+    Method{"woven-1-1-1", "the same with springs that resist shear as much as stretch, its authors' isotropic weave",
+           [](const Tile& tile, const Fabric& fabric) {
+               return flatten_woven(tile, fabric, {.warp_stiffness = 1, .weft_stiffness = 1});
+           }},
     Method{"lscm", "Levy, Petitjean, Ray, Maillot 2002: least squares conformal map, angles true, lengths not",
            [](const Tile& tile, const Fabric&) { return flatten_lscm(tile); }},
     Method{"bff", "Sawhney, Crane 2018: boundary first, conformal with an isometric boundary; area is what gives",

@@ -21,7 +21,7 @@ constexpr double head = 64;       ///< of the sheet
 constexpr double tile_head = 40;  ///< above the shapes of a tile
 constexpr double cell_width = 300;
 constexpr double shape_height = 220;
-constexpr double cell_head = 66;  ///< name and figures above a shape
+constexpr double cell_head = 84;  ///< name, figures and verdict above a shape
 constexpr int across = 4;         ///< shapes in a row
 
 std::string in_percent(double ratio, int decimals, bool with_sign = true) {
@@ -70,8 +70,8 @@ std::string shape(const FlatTile& tile, const Vec2& corner, double scale, const 
     const Accuracy& a = tile.accuracy;
     const bool good = tile.verdict.manufacturable();
     std::string svg = svg_text(corner + Vec2(0, 18), tile.method, {16, "start", "#1f2933", true}) +
-                      svg_text(corner + Vec2(cell_width - 24, 18), good ? "manufacturable" : "not manufacturable",
-                               {12, "end", good ? "#18794e" : "#b3121f", true}) +
+                      svg_text(corner + Vec2(0, 72), good ? "manufacturable" : "not manufacturable",
+                               {12, "start", good ? "#18794e" : "#b3121f", true}) +
                       svg_text(corner + Vec2(0, 38),
                                "area " + in_percent(a.area_error, 3) + " %  ·  edges up to " +
                                    in_percent(a.boundary_error_max, 3, false) + " %",
