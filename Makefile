@@ -1,5 +1,5 @@
 # `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
-.PHONY: setup build demo test bench bench-solve bench-seams robustness matched accuracy accuracy-check install format \
+.PHONY: setup build demo test bench bench-solve bench-seams dress-seams robustness matched accuracy accuracy-check install format \
 	check clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
@@ -24,6 +24,9 @@ bench-solve: build
 
 bench-seams: build
 	build/release/ripstop-bench-seams
+
+dress-seams: build
+	build/release/ripstop-dress-seams
 
 robustness: build
 	build/release/ripstop-robustness

@@ -2,15 +2,18 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 
 #include "commands.h"
 #include "options.h"
 #include "progress_bar.h"
+#include "ripstop/assembly/check_envelope.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/sha256.h"
 #include "ripstop/io/mesh_file.h"
 #include "ripstop/pattern/pieces.h"
+#include "ripstop/pipeline/envelope_faults.h"
 #include "ripstop/pipeline/flatten_envelope.h"
 #include "ripstop/pipeline/propose_redesign.h"
 #include "ripstop/report/directory.h"
@@ -47,8 +50,22 @@ void propose(CutPlan& plan, const std::string& method, const Arguments& given) {
     if (method == "given") return;
     constexpr int all = std::numeric_limits<int>::max();
     if (given.propose == "auto") add_proposals(plan, method_named(method), given.jobs);
+    const auto silent = std::count_if(plan.tiles.begin(), plan.tiles.end(), [](const FlatTile& tile) {
+        return !tile.verdict.manufacturable() && tile.equal_to < 0 && !tile.proposal;
+    });
+    if (given.propose == "auto" && silent > 0 && !given.quiet)
+        tell(fmt::format("No proposal for {} of the failing tiles; --propose all tries every one\n", silent));
     if (given.propose == "all") add_proposals(plan, method_named(method), given.jobs, {all, all});
     if (given.propose_merges) plan.merges = propose_merges(plan, method_named(method), given.jobs);
+}
+
+/// What is wrong with the envelope itself: as `ripstop check` says.
+void take_faults(CutPlan& plan, const Envelope& envelope, const Input& input, bool quiet) {
+    const EnvelopeCheck check = check_envelope(envelope, {input.read.seam_tolerance}, input.read.metres_per_unit);
+    add_faults(plan, check);
+    for (const EnvelopeIssue& issue : check.issues)
+        if (!quiet && (issue.code == "unit" || issue.code == "missing_tile"))
+            tell(fmt::format("Warning: {}\n", issue.message));
 }
 
 ExitCode run(const Arguments& given) {
@@ -64,6 +81,7 @@ ExitCode run(const Arguments& given) {
     plan.input_file = given.input.file.filename().string();
     plan.input_sha256 = sha256_of_file(given.input.file);
     plan.unit = input.unit;
+    if (given.input.tiles.empty()) take_faults(plan, envelope, input, given.quiet);
     propose(plan, method, given);
 
     const std::vector<PatternPiece> pieces = make_pieces(plan);

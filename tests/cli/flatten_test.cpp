@@ -260,7 +260,9 @@ TEST(FlattenCommand, CutsTheChainsAtTheCornersOfTheProject) {
 
 TEST(FlattenCommand, WarnsOfNamesInTheProjectThatFitNoTile) {
     const Workshop workshop;
-    workshop.write_tiles("envelope.obj", {testing::flat_tile("a"), testing::flat_tile("b")});
+    NamedMesh beside = testing::flat_tile("b");
+    beside.mesh.positions.col(0).array() += 2;
+    workshop.write_tiles("envelope.obj", {testing::flat_tile("a"), beside});
     workshop.write("project.json", R"({"tiles": [{"name": "a", "warp": {"direction": [1, 0, 0]}},
         {"name": "typo", "warp": {"direction": [1, 0, 0]}}]})");
     const std::string warning = "project.json: no tile is called \"";

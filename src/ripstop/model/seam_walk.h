@@ -25,6 +25,8 @@ struct SeamWalk {
     double uncertainty = 0;      ///< by how much the meshes leave the seam's length open [m]
     bool ok = false;             ///< drift_max <= limit
 
+    /// Can the meshes tell whether the sides agree? A finer one makes it certain.
+    bool is_certain() const { return uncertainty <= limit; }
     double mismatch() const { return flat_b - flat_a; }  ///< positive where side b is longer [m]
     double mismatch_ratio() const { return mismatch() / length; }
 };

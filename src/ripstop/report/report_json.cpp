@@ -130,6 +130,7 @@ Json seam_json(const Seam& seam, const SeamWalk& walk, const CutPlan& plan) {
             {"uncertainty_mm", in_millimetres(walk.uncertainty)},
             {"gap_mm", in_millimetres(seam.gap)},
             {"notches", notches},
+            {"certain", walk.is_certain()},
             {"ok", walk.ok}};
 }
 

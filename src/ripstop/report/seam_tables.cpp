@@ -14,7 +14,8 @@ namespace {
 constexpr std::array csv_columns{"id",          "tile_a",         "chain_a",      "tile_b",
                                  "chain_b",     "length_mm",      "flat_a_mm",    "flat_b_mm",
                                  "mismatch_mm", "mismatch_pct",   "drift_max_mm", "drift_max_at_mm",
-                                 "limit_mm",    "uncertainty_mm", "gap_mm",       "ok"};
+                                 "limit_mm",    "uncertainty_mm", "gap_mm",       "certain",
+                                 "ok"};
 
 const std::string& tile_name(const CutPlan& plan, const SeamSide& side) {
     return plan.tiles[static_cast<std::size_t>(side.tile)].tile.name;
@@ -35,6 +36,30 @@ std::string in_mm(double length) {
     return shown(length / millimetre, 3, true) + " mm";
 }
 
+/// How many seams agree, and the worst of them; empty where there are none.
+std::string agreement(const CutPlan& plan) {
+    if (plan.walks.empty()) return {};
+    const auto good = std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return walk.ok; });
+    const std::size_t mismatch = worst_seam(plan, [](const SeamWalk& walk) { return walk.mismatch(); });
+    const std::size_t drift = worst_seam(plan, [](const SeamWalk& walk) { return walk.drift_max; });
+    const SeamWalk& worst = plan.walks[mismatch];
+    return std::to_string(good) + " of " + std::to_string(plan.walks.size()) +
+           (plan.walks.size() == 1 ? " seam agrees" : " seams agree") + "; worst: mismatch " + in_mm(worst.mismatch()) +
+           ", " + shown(worst.mismatch_ratio() / percent, 4, true) + " % (" + plan.seams[mismatch].id + "), drift " +
+           shown(plan.walks[drift].drift_max / millimetre, 3) + " mm (" + plan.seams[drift].id + ")\n";
+}
+
+/// Of how many seams the meshes leave more open than they may err.
+std::string uncertain(const CutPlan& plan) {
+    const auto count =
+        std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return !walk.is_certain(); });
+    if (count == 0) return {};
+    const std::size_t worst = worst_seam(plan, [](const SeamWalk& walk) { return walk.uncertainty; });
+    return std::to_string(count) + (count == 1 ? " of them is" : " of them are") +
+           " not certain: the meshes leave up to " + shown(plan.walks[worst].uncertainty / millimetre, 2) + " mm of " +
+           plan.seams[worst].id + " open, more than it may err; mesh its edges more finely\n";
+}
+
 }  // namespace
 
 std::string seams_csv(const CutPlan& plan) {
@@ -48,27 +73,18 @@ std::string seams_csv(const CutPlan& plan) {
                             std::to_string(seam.b.chain + 1), mm(walk.length), mm(walk.flat_a), mm(walk.flat_b),
                             mm(walk.mismatch()), csv_figure(walk.mismatch_ratio() / percent), mm(walk.drift_max),
                             mm(walk.drift_max_at), mm(walk.limit), mm(walk.uncertainty), mm(seam.gap),
-                            walk.ok ? "true" : "false"});
+                            walk.is_certain() ? "true" : "false", walk.ok ? "true" : "false"});
     }
     return text;
 }
 
 std::string seams_summary(const CutPlan& plan, int max_rows) {
-    if (plan.walks.empty()) return {};
-    const auto good = std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return walk.ok; });
-    const std::size_t mismatch = worst_seam(plan, [](const SeamWalk& walk) { return walk.mismatch(); });
-    const std::size_t drift = worst_seam(plan, [](const SeamWalk& walk) { return walk.drift_max; });
-    const SeamWalk& worst = plan.walks[mismatch];
-    std::string text = std::to_string(good) + " of " + std::to_string(plan.walks.size()) +
-                       (plan.walks.size() == 1 ? " seam agrees" : " seams agree") + "; worst: mismatch " +
-                       in_mm(worst.mismatch()) + ", " + shown(worst.mismatch_ratio() / percent, 4, true) + " % (" +
-                       plan.seams[mismatch].id + "), drift " + shown(plan.walks[drift].drift_max / millimetre, 3) +
-                       " mm (" + plan.seams[drift].id + ")\n";
+    std::string text = agreement(plan) + uncertain(plan);
     const std::size_t limit = static_cast<std::size_t>(std::max(0, max_rows));
     for (std::size_t i = 0; i < std::min(limit, plan.findings.size()); ++i)
         text += "  " + plan.findings[i].message + "\n";
     if (plan.findings.size() > limit)
-        text += "  and " + std::to_string(plan.findings.size() - limit) + " more; seams.csv has them all\n";
+        text += "  and " + std::to_string(plan.findings.size() - limit) + " more; report.json has them all\n";
     return text;
 }
 

@@ -190,8 +190,8 @@ std::string tiles_table(const CutPlan& plan, int max_rows) {
         const auto failing = std::count_if(plan.tiles.begin(), plan.tiles.end(),
                                            [](const FlatTile& tile) { return !tile.verdict.manufacturable(); });
         const std::size_t hidden_failing = static_cast<std::size_t>(failing) - (rows.size() - 1);
-        text += std::to_string(hidden) + " more tiles, " + std::to_string(hidden_failing) +
-                " of them failing; tiles.csv has them all\n";
+        text += std::to_string(hidden) + (rows.size() > 1 ? " more tiles, " : " tiles, ") +
+                std::to_string(hidden_failing) + " of them failing; tiles.csv has them all\n";
     }
     return text + plan_summary(plan);
 }

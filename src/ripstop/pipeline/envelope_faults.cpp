@@ -1,0 +1,24 @@
+#include "ripstop/pipeline/envelope_faults.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ripstop/base/units.h"
+
+namespace ripstop {
+
+bool may_be_meant(const EnvelopeIssue& issue) {
+    constexpr std::array<const char*, 4> meant{"unit", "missing_tile", "apart", "unsewn"};
+    return std::any_of(meant.begin(), meant.end(), [&](const char* code) { return issue.code == code; });
+}
+
+void add_faults(CutPlan& plan, const EnvelopeCheck& check) {
+    for (const EnvelopeIssue& issue : check.issues) {
+        if (may_be_meant(issue)) continue;
+        const bool is_ratio = issue.code == "scaled";
+        plan.findings.push_back({issue.code, issue.message, issue.at, is_ratio ? issue.value : issue.value / millimetre,
+                                 is_ratio ? 1 : check.seam_tolerance / millimetre});
+    }
+}
+
+}  // namespace ripstop
