@@ -94,6 +94,20 @@ TEST(ShiftedTile, IsNamedWithHowFar) {
         }
 }
 
+TEST(ShiftedTile, IsNamedHoweverFarItWentSideways) {
+    for (const std::vector<NamedMesh>& balloon : both_balloons()) {
+        const Vec3 place = middle_of(balloon[middle].mesh);
+        const Vec3 sideways = Vec3(-place.y(), place.x(), 0).normalized();
+        for (const double distance :
+             {0.001, 0.002, 0.005, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.8, 1.0, 1.3, 1.6, 2.0, 2.3, 2.6, 3.0}) {
+            std::vector<NamedMesh> shifted = balloon;
+            move(shifted[middle].mesh, distance * sideways);
+            const EnvelopeCheck result = check(shifted);
+            EXPECT_THAT(named(result), ::testing::ElementsAre("shifted " + balloon[middle].name)) << distance;
+        }
+    }
+}
+
 TEST(ShiftedTile, AtTheMouthIsNamedToo) {
     std::vector<NamedMesh> balloon = design_natural(small_balloon());
     move(balloon[6].mesh, Vec3(0.01, 0.01, 0.02));
@@ -129,6 +143,23 @@ TEST(MissingTile, IsNamedWithItsNeighbours) {
         EXPECT_THAT(issue.tiles, ::testing::Contains(above));
         EXPECT_THAT(issue.message, HasSubstr("a tile is missing at"));
     }
+}
+
+TEST(MissingTiles, AreNamedWhereverSeveralLieTogether) {
+    const std::vector<std::vector<std::size_t>> missing = {{middle, middle + 1},
+                                                           {middle, middle + 6},
+                                                           {middle, middle + 7},
+                                                           {middle, middle + 1, middle + 6},
+                                                           {18, 19, 20, 21, 22, 23}};
+    for (const std::vector<NamedMesh>& balloon : both_balloons())
+        for (const std::vector<std::size_t>& some : missing) {
+            std::vector<NamedMesh> holed = balloon;
+            for (std::size_t k = some.size(); k-- > 0;)
+                holed.erase(holed.begin() + static_cast<std::ptrdiff_t>(some[k]));
+            const EnvelopeCheck result = check(holed);
+            EXPECT_FALSE(result.sound()) << some.size() << " " << some[1];
+            for (const EnvelopeIssue& issue : result.issues) EXPECT_EQ(issue.code, "missing_tile") << issue.message;
+        }
 }
 
 TEST(MissingTile, AtTheMouthIsSuspectedFromTheCornersOfTheOpenEdge) {

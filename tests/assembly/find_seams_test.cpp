@@ -130,6 +130,19 @@ TEST(ConeCutOpen, IsSewnToItselfUpToTheApexWhetherThatIsACornerOrNot) {
         }
 }
 
+TEST(EdgesThatCross, AreNotSewnButReported) {
+    // within half a millimetre of each other over 50 mm about the crossing, 0.4 m from the tip of the wedge
+    const NamedMesh low = sheet("low", 0, -1, 2, 0, 5, 7);
+    for (const double start : {-0.01, 0.0}) {
+        NamedMesh high = sheet("high", 0, 0, 2, 1, 40, 4);
+        for (Eigen::Index v = 0; v < high.mesh.positions.rows(); ++v)
+            high.mesh.positions(v, 1) += start + (start < 0 ? 0.01 : 0.001) * high.mesh.positions(v, 0);
+        const FoundSeams found = seams_of({low, high});
+        EXPECT_TRUE(found.seams.empty()) << start;
+        EXPECT_EQ(found.near_misses.size(), 1u) << start;
+    }
+}
+
 TEST(TilesThatTouchAtACorner, AreNotSewn) {
     const FoundSeams found = seams_of({sheet("left", 0, 0, 1, 1, 5, 5), sheet("right", 1, 1, 2, 2, 7, 7)});
     EXPECT_TRUE(found.seams.empty());
@@ -285,6 +298,16 @@ TEST(Seams, DoNotDependOnTheOrderOrThePoseOfTheTiles) {
         // rounding of the moved coordinates
         EXPECT_NEAR(std::get<2>(other[i]), std::get<2>(expected[i]), 1e-9);
     }
+}
+
+TEST(SeamTolerance, MustBeSmallAgainstTheEdges) {
+    std::vector<NamedMesh> meshes = testing::meshed_apart({.gores = 8, .panels = 5}, 5);
+    for (NamedMesh& mesh : meshes) mesh.mesh.positions *= 0.001;
+    Envelope envelope = testing::tiles_of(meshes);
+    EXPECT_THROW(find_seams(envelope.tiles), InputError);
+    add_seams(envelope);
+    EXPECT_TRUE(envelope.seams.empty());
+    EXPECT_EQ(find_seams(envelope.tiles, {0.5e-6}).seams.size(), 8u * 5 + 8 * 4);
 }
 
 TEST(SeamTolerance, MustBeALength) {

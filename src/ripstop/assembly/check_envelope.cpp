@@ -179,33 +179,38 @@ std::vector<std::string> grains_of(const std::vector<Tile>& tiles) {
     return texts;
 }
 
-EnvelopeCheck figures(const Envelope& envelope, const FoundSeams& found, const SeamOptions& options) {
-    const std::vector<PlacedChain> chains = place_chains(envelope.tiles);
+EnvelopeCheck figures_of_tiles(const Envelope& envelope, const SeamOptions& options) {
     EnvelopeCheck check;
     check.tiles = static_cast<int>(envelope.tiles.size());
-    check.chains = static_cast<int>(chains.size());
-    check.seams = static_cast<int>(found.seams.size());
+    check.parts = check.tiles;  // until seams are known
     check.seam_tolerance = options.tolerance;
     check.size = size_of(envelope.tiles);
     check.grain_sources = grains_of(envelope.tiles);
     for (const Tile& tile : envelope.tiles) {
         check.area += surface_area(tile.mesh);
         check.triangles += tile.mesh.triangle_count();
+        check.chains += static_cast<int>(tile.chains.size());
         if (tile.chains.size() > 1 || tile.chains.front().vertices.front() != tile.boundary.front())
             check.corners += static_cast<int>(tile.chains.size());
     }
+    return check;
+}
+
+void add_figures_of_seams(const Envelope& envelope, const FoundSeams& found, EnvelopeCheck& check) {
+    const std::vector<PlacedChain> chains = place_chains(envelope.tiles);
+    check.seams = static_cast<int>(found.seams.size());
     for (const Seam& seam : found.seams) {
         check.self_seams += seam.a.tile == seam.b.tile;
         check.seam_length += seam.length;
         check.gap_max = std::max(check.gap_max, seam.gap);
         check.sampling.push_back(sampling_of(chains, seam));
     }
+    check.parts = 0;
     for (const int group : sewn_groups(check.tiles, found.seams)) check.parts = std::max(check.parts, group + 1);
     check.odd_corners = count_odd_corners(envelope.tiles, found.seams);
     check.t_junctions = count_t_junctions(envelope.tiles, found.seams);
-    check.loops = find_loops(envelope.tiles, chains, found.loose, options.tolerance);
+    check.loops = find_loops(envelope.tiles, chains, found.loose, check.seam_tolerance);
     for (const LooseLoop& loop : check.loops) check.loose_ends += loop.closed ? 0 : 2;
-    return check;
 }
 
 void add(std::vector<EnvelopeIssue>& issues, std::vector<EnvelopeIssue> more) {
@@ -232,10 +237,11 @@ EnvelopeIssue tolerance_issue(const FoundSeams& found, const SeamOptions& option
 }  // namespace
 
 EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& options, double metres_per_unit) {
-    const FoundSeams as_given = find_seams(envelope.tiles, options);
-    EnvelopeCheck check = figures(envelope, as_given, options);
-    add_notes(check);
+    EnvelopeCheck check = figures_of_tiles(envelope, options);
     if (names_unit(envelope.tiles, metres_per_unit, check)) return check;
+    const FoundSeams as_given = find_seams(envelope.tiles, options);
+    add_figures_of_seams(envelope, as_given, check);
+    add_notes(check);
 
     std::vector<Tile> tiles = envelope.tiles;
     add(check.issues, remove_doubled(tiles, options.tolerance));

@@ -148,28 +148,26 @@ std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const Found
 
 std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance) {
     if (found.seams.empty()) return {};
-    double shortest = outline_length(tiles.front()), longest = shortest;
-    for (const Tile& tile : tiles) {
-        shortest = std::min(shortest, outline_length(tile));
-        longest = std::max(longest, outline_length(tile));
-    }
+    std::vector<double> outlines;
+    for (const Tile& tile : tiles) outlines.push_back(outline_length(tile));
+    const auto longest = std::max_element(outlines.begin(), outlines.end());
     std::vector<EnvelopeIssue> issues;
     for (const LooseLoop& loop : find_loops(tiles, place_chains(tiles), found.loose, tolerance)) {
         if (!loop.closed || loop.outline || loop.openness < slit || loop.corners < 2) continue;
         const std::vector<std::string> around = each_once(names_of(tiles, loop.tiles));
-        const bool inside = loop.corners <= 8 && loop.length > 0.5 * shortest && loop.length < 1.5 * longest;
-        const bool at_an_edge = loop.corners <= 8 && static_cast<int>(around.size()) > 2 * loop.corners;
-        if (!inside && !at_an_edge) continue;
+        const bool at_an_edge = static_cast<int>(around.size()) > 2 * loop.corners;
+        const bool several = loop.corners > 4 || loop.length > 1.5 * *longest;
         EnvelopeIssue issue{"missing_tile", {}, around, loop.centre, 0};
-        if (inside)
-            issue.message = "a tile is missing at " + place_text(loop.centre) + ": the loose edges of " +
-                            names_text(around) + " go round a hole of " + std::to_string(loop.corners) +
-                            " corners and " + length_text(loop.length) +
-                            " of edge; add the tile, unless the opening is meant";
-        else
+        if (at_an_edge)
             issue.message = "a tile may be missing at the open edge round " + place_text(loop.centre) + ": it has " +
                             std::to_string(loop.corners) + " corners, where a mouth or crown has none; it runs along " +
                             names_text(around) + "; add the tile, unless the opening is meant";
+        else
+            issue.message = (several ? "one or more tiles are missing at " : "a tile is missing at ") +
+                            place_text(loop.centre) + ": the loose edges of " + names_text(around) +
+                            " go round a hole of " + std::to_string(loop.corners) + " corners and " +
+                            length_text(loop.length) + " of edge; add " + (several ? "them" : "the tile") +
+                            ", unless the opening is meant";
         issues.push_back(std::move(issue));
     }
     return issues;

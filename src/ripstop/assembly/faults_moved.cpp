@@ -13,6 +13,7 @@ namespace ripstop {
 namespace {
 
 constexpr int most_passes = 20;  // each mends every tile that misses its neighbours by itself
+constexpr int most_fitted = 40;  // tiles tried in the holes in a pass: with more loose ones a hole tells nothing
 constexpr double hole_openness = 0.01;
 
 /// What a pass knows of the envelope.
@@ -23,11 +24,13 @@ struct Picture {
     double tolerance;
 };
 
-/// Who a tile misses, chain by chain, and whether it is sewn to anything.
+/// Who a tile misses, chain by chain, and how much of it is loose.
 struct Standing {
     int tile = 0;
     std::set<int> missing_chains, missed_tiles;
-    bool sewn = false;
+    double loose = 0;  // edges
+
+    bool mostly_loose(const Tile& its) const { return loose > 0.5 * static_cast<double>(its.boundary.size()); }
 };
 
 std::vector<Standing> standings(const Picture& picture) {
@@ -42,11 +45,8 @@ std::vector<Standing> standings(const Picture& picture) {
         a.missed_tiles.insert(miss.tile_b);
         b.missed_tiles.insert(miss.tile_a);
     }
-    for (const Seam& seam : picture.found.seams) {
-        if (seam.a.tile == seam.b.tile) continue;
-        all[static_cast<std::size_t>(seam.a.tile)].sewn = true;
-        all[static_cast<std::size_t>(seam.b.tile)].sewn = true;
-    }
+    for (const LooseRun& run : picture.found.loose)
+        all[static_cast<std::size_t>(run.tile)].loose += run.end - run.start;
     std::stable_sort(all.begin(), all.end(), [](const Standing& p, const Standing& q) {
         return p.missing_chains.size() > q.missing_chains.size();
     });
@@ -65,6 +65,12 @@ std::optional<TileFit> lay_on(const Points3& points, const std::vector<TargetEdg
     const TileFit scaled = fit_to_edges(points, edges, start, true);
     const TileFit& best = moved.residual <= 2 * scaled.residual + 0.1 * tolerance ? moved : scaled;
     if (!(best.residual <= 2 * tolerance)) return {};
+    double furthest = 0;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        const Vec3 point = points.row(i);
+        furthest = std::max(furthest, (best.move(point) - point).norm());
+    }
+    if (!(furthest > tolerance / 2)) return {};  // it lies there already: the fault is a gap
     return best;
 }
 
@@ -105,10 +111,13 @@ struct Hole {
     std::vector<int> tiles;
 };
 
-std::vector<Hole> find_holes(const Picture& picture) {
+/// As they are without the edges of one tile.
+std::vector<Hole> find_holes(const Picture& picture, int without) {
+    std::vector<LooseRun> loose;
+    for (const LooseRun& run : picture.found.loose)
+        if (run.tile != without) loose.push_back(run);
     std::vector<std::vector<int>> runs;
-    const std::vector<LooseLoop> loops =
-        find_loops(picture.tiles, picture.chains, picture.found.loose, picture.tolerance, &runs);
+    const std::vector<LooseLoop> loops = find_loops(picture.tiles, picture.chains, loose, picture.tolerance, &runs);
     std::vector<Hole> holes;
     for (std::size_t l = 0; l < loops.size(); ++l) {
         if (!loops[l].closed || loops[l].outline || loops[l].openness < hole_openness || loops[l].corners == 0)
@@ -116,7 +125,7 @@ std::vector<Hole> find_holes(const Picture& picture) {
         Hole hole;
         std::vector<Vec3> outline;
         for (const int r : runs[l]) {
-            const LooseRun& run = picture.found.loose[static_cast<std::size_t>(r)];
+            const LooseRun& run = loose[static_cast<std::size_t>(r)];
             const BoundaryCurve curve(picture.chains, run.tile);
             outline.push_back(curve.point(run.start));
             for (double at = std::floor(run.start) + 1; at < run.end; ++at) outline.push_back(curve.point(at));
@@ -143,12 +152,11 @@ double length_round(const Points3& polygon) {
 }
 
 /// Into the hole whose outline it has, at whatever size; the best of them.
-std::optional<TileFit> fit_to_hole(const Picture& picture, const std::vector<Hole>& holes, int tile,
-                                   std::vector<int>& around) {
+std::optional<TileFit> fit_to_hole(const Picture& picture, int tile, std::vector<int>& around) {
+    const std::vector<Hole> holes = find_holes(picture, tile);
     const Points3 points = boundary_points(picture.tiles[static_cast<std::size_t>(tile)]);
     std::optional<TileFit> best;
     for (const Hole& hole : holes) {
-        if (std::find(hole.tiles.begin(), hole.tiles.end(), tile) != hole.tiles.end()) continue;
         const Similarity start = match_outlines(points, hole.outline);
         if (std::abs(start.scale * length_round(points) / length_round(hole.outline) - 1) > 0.05) continue;
         const std::optional<TileFit> fit = lay_on(points, hole.edges, start, picture.tolerance);
@@ -195,17 +203,18 @@ std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found
     for (int pass = 0; pass < most_passes; ++pass) {
         const std::vector<PlacedChain> chains = place_chains(tiles);
         const Picture picture{tiles, found, chains, options.tolerance};
-        const std::vector<Hole> holes = find_holes(picture);
         std::vector<std::pair<int, Similarity>> moves;
         std::set<int> settled;
+        int fitted_to_holes = 0;
         for (const Standing& standing : standings(picture)) {
             const int t = standing.tile;
             const bool misses = standing.missing_chains.size() >= 2 && standing.missed_tiles.size() >= 2;
-            if (settled.contains(t) || (!misses && standing.sewn)) continue;
+            const bool free = standing.mostly_loose(tiles[static_cast<std::size_t>(t)]);
+            if (settled.contains(t) || (!misses && !free)) continue;
             std::optional<TileFit> fit;
             std::vector<int> around(standing.missed_tiles.begin(), standing.missed_tiles.end());
-            if (misses) fit = fit_to_neighbours(picture, t);
-            if (!fit && !standing.sewn) fit = fit_to_hole(picture, holes, t, around);
+            if (free && fitted_to_holes++ < most_fitted) fit = fit_to_hole(picture, t, around);
+            if (!fit && misses) fit = fit_to_neighbours(picture, t);
             if (!fit) continue;
             std::vector<std::string> names;
             for (const int other : around) {

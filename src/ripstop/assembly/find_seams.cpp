@@ -14,6 +14,8 @@ namespace ripstop {
 namespace {
 
 constexpr double shortest_run = 4;      // tolerances: chains that meet at a corner touch for less
+constexpr double shortest_chain = 20;   // tolerances, in the middle of an envelope
+constexpr std::size_t few_chains = 40;  // so few are searched whatever their size
 constexpr double shortest_miss = 0.25;  // of the shorter chain
 
 /// What of the chains is sewn already.
@@ -22,6 +24,9 @@ class Claims {
     Claims(const std::vector<PlacedChain>& chains, double tolerance)
         : chains_(chains), tolerance_(tolerance), taken_(chains.size()) {}
 
+    void clear() {
+        for (auto& ranges : taken_) ranges.clear();
+    }
     void take(const Run& run) {
         take(run.a, run.start_a(), run.end_a());
         take(run.b, run.low_b, run.high_b);
@@ -133,6 +138,43 @@ std::vector<Run> take_longest_first(const std::vector<PlacedChain>& chains, std:
     return taken;
 }
 
+/// Leaves the runs that end as seams do, and their claims; returns the others.
+std::vector<Run> drop_crossings(const std::vector<PlacedChain>& chains, const std::vector<Touch>& touches,
+                                std::vector<Run>& runs, double tolerance, Claims& claims) {
+    const std::vector<bool> ends_well = find_well_ended(chains, touches, runs, tolerance);
+    std::vector<Run> kept, dropped;
+    for (std::size_t r = 0; r < runs.size(); ++r) (ends_well[r] ? kept : dropped).push_back(std::move(runs[r]));
+    runs = std::move(kept);
+    claims.clear();
+    for (const Run& run : runs) claims.take(run);
+    return dropped;
+}
+
+/// The runs that are seams.
+std::vector<Run> sew(const std::vector<PlacedChain>& chains, const std::vector<Touch>& touches, double tolerance,
+                     Claims& claims) {
+    const auto no_touch = [&](const Run& run) { return run.length > shortest_run * tolerance; };
+    std::vector<Run> runs = runs_where(
+        chains, touches, tolerance, [&](const Touch& t) { return !t.same_way && t.distance <= tolerance + t.slack; });
+    std::vector<Run> sewn = take_longest_first(chains, runs, tolerance, claims, no_touch);
+    const std::vector<Run> dropped = drop_crossings(chains, touches, sewn, tolerance, claims);
+    if (!dropped.empty()) {  // a seam may lie where one of them lay
+        const auto place = [](const Run& run) {
+            return std::tuple(run.a, run.b, run.start_a(), run.end_a(), run.low_b);
+        };
+        std::set<std::tuple<int, int, double, double, double>> gone;
+        for (const Run& run : dropped) gone.insert(place(run));
+        std::erase_if(runs, [&](const Run& run) { return gone.contains(place(run)); });
+        for (Run& run : take_longest_first(chains, std::move(runs), tolerance, claims, no_touch))
+            sewn.push_back(std::move(run));
+        drop_crossings(chains, touches, sewn, tolerance, claims);
+    }
+    std::sort(sewn.begin(), sewn.end(), [](const Run& p, const Run& q) {
+        return std::tuple(p.a, p.start_a(), p.b, p.low_b) < std::tuple(q.a, q.start_a(), q.b, q.low_b);
+    });
+    return sewn;
+}
+
 NearMiss near_miss(const std::vector<PlacedChain>& chains, const Run& run) {
     const PlacedChain& a = chains[static_cast<std::size_t>(run.a)];
     const PlacedChain& b = chains[static_cast<std::size_t>(run.b)];
@@ -155,29 +197,45 @@ std::string seam_id(std::size_t index, std::size_t count) {
 
 }  // namespace
 
+namespace {
+
+double median_length(const std::vector<PlacedChain>& chains) {
+    std::vector<double> lengths;
+    for (const PlacedChain& chain : chains) lengths.push_back(chain.curve.length());
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return lengths.empty() ? 0 : *middle;
+}
+
+/// Beyond this everything lies beside everything: no seam means anything, and the search would take minutes.
+bool are_too_short(const std::vector<PlacedChain>& chains, double tolerance) {
+    return chains.size() > few_chains && !(median_length(chains) > shortest_chain * tolerance);
+}
+
+}  // namespace
+
 FoundSeams find_seams(const std::vector<Tile>& tiles, const SeamOptions& options) {
     const double tolerance = options.tolerance;
     if (!(tolerance > 0) || !std::isfinite(tolerance))
         throw InputError("the seam tolerance is " + format_shortest(tolerance / millimetre) +
                          " mm; give a length above 0");
     const std::vector<PlacedChain> chains = place_chains(tiles);
+    if (are_too_short(chains, tolerance))
+        throw InputError(
+            "the edges of the tiles are short, half of them less than " +
+            format_fixed(median_length(chains) / millimetre, 3) + " mm, and mean nothing against a seam tolerance of " +
+            format_shortest(tolerance / millimetre) + " mm; check --unit, or give a smaller --seam-tolerance");
     const std::vector<Touch> touches = find_touches(chains, tolerance);
     const auto shorter = [&](const Run& run) {
         return std::min(chains[static_cast<std::size_t>(run.a)].curve.length(),
                         chains[static_cast<std::size_t>(run.b)].curve.length());
     };
-    const auto no_touch = [&](const Run& run) { return run.length > shortest_run * tolerance; };
-    const auto is_long = [&](const Run& run) { return no_touch(run) && run.length > shortest_miss * shorter(run); };
+    const auto is_long = [&](const Run& run) {
+        return run.length > shortest_run * tolerance && run.length > shortest_miss * shorter(run);
+    };
     Claims claims(chains, tolerance);
 
-    std::vector<Run> sewn =
-        take_longest_first(chains,
-                           runs_where(chains, touches, tolerance,
-                                      [&](const Touch& t) { return !t.same_way && t.distance <= tolerance + t.slack; }),
-                           tolerance, claims, no_touch);
-    std::sort(sewn.begin(), sewn.end(), [](const Run& p, const Run& q) {
-        return std::tuple(p.a, p.start_a(), p.b, p.low_b) < std::tuple(q.a, q.start_a(), q.b, q.low_b);
-    });
+    const std::vector<Run> sewn = sew(chains, touches, tolerance, claims);
     FoundSeams found;
     std::vector<RunOnSeam> places;
     for (const Run& run : sewn) {
@@ -206,6 +264,7 @@ FoundSeams find_seams(const std::vector<Tile>& tiles, const SeamOptions& options
 }
 
 void add_seams(Envelope& envelope, const SeamOptions& options) {
+    if (options.tolerance > 0 && are_too_short(place_chains(envelope.tiles), options.tolerance)) return;
     FoundSeams found = find_seams(envelope.tiles, options);
     envelope.seams = std::move(found.seams);
     for (std::size_t t = 0; t < envelope.tiles.size(); ++t)
