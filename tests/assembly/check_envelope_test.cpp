@@ -150,7 +150,7 @@ TEST(MissingTiles, AreNamedWhereverSeveralLieTogether) {
                                                            {middle, middle + 6},
                                                            {middle, middle + 7},
                                                            {middle, middle + 1, middle + 6},
-                                                           {18, 19, 20, 21, 22, 23}};
+                                                           {18, 19, 20, 21, 22, 23}};  // the last: a gore
     for (const std::vector<NamedMesh>& balloon : both_balloons())
         for (const std::vector<std::size_t>& some : missing) {
             std::vector<NamedMesh> holed = balloon;
@@ -174,6 +174,14 @@ TEST(FlippedTile, IsNamed) {
         const EnvelopeCheck result = check(balloon);
         EXPECT_THAT(named(result), ::testing::ElementsAre("turned_over " + balloon[middle].name));
         EXPECT_THAT(result.issues[0].message, HasSubstr("is inside out"));
+    }
+}
+
+TEST(FlippedTiles, AllOfThemAreAnEnvelopeInsideOut) {
+    for (std::vector<NamedMesh> balloon : both_balloons()) {
+        for (NamedMesh& tile : balloon) tile.mesh.triangles.col(0).swap(tile.mesh.triangles.col(1));
+        const EnvelopeCheck result = check(balloon);
+        EXPECT_THAT(named(result), ::testing::ElementsAre("inside_out -"));
     }
 }
 
@@ -223,6 +231,17 @@ TEST(GapOfAMillimetre, InOneEdgeIsNamedWithBothTiles) {
                 ::testing::UnorderedElementsAre(balloon[middle].name, balloon[middle + 1].name));
     EXPECT_NEAR(result.issues[0].value, 0.001, 1e-4);
     EXPECT_THAT(result.issues[0].message, HasSubstr("1.00 mm apart"));
+}
+
+TEST(OverlapOfAMillimetre, IsNotCalledAGap) {
+    const NamedMesh a{"a", testing::rectangle(2, 2, 3, 3), {}};
+    for (const double gap : {0.001, -0.001}) {
+        NamedMesh b{"b", testing::rectangle(2, 2, 3, 4), {}};
+        move(b.mesh, Vec3(2 + gap, 0, 0));
+        const EnvelopeCheck result = check({a, b});
+        ASSERT_FALSE(result.issues.empty());
+        EXPECT_THAT(result.issues[0].message, HasSubstr(gap > 0 ? "close the gap" : "trim the overlap"));
+    }
 }
 
 TEST(GapOfAMillimetre, AllRoundIsOneFault) {

@@ -250,6 +250,7 @@ EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& option
     std::vector<EnvelopeIssue> turned = turn_back(tiles, found);
     if (!turned.empty()) found = find_seams(tiles, options);
     add(check.issues, std::move(turned));
+    add(check.issues, name_inside_out(tiles, find_loops(tiles, place_chains(tiles), found.loose, options.tolerance)));
     if (found.near_misses.size() >= most_misses && found.near_misses.size() > found.seams.size()) {
         check.issues.push_back(tolerance_issue(found, options));
         return check;

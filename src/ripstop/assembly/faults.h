@@ -20,6 +20,9 @@ std::vector<EnvelopeIssue> turn_back(std::vector<Tile>& tiles, const FoundSeams&
 /// neighbours goes first. `found` are their seams, before and after.
 std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found, const SeamOptions& options);
 
+/// The whole envelope where it is nearly closed and its volume is negative.
+std::vector<EnvelopeIssue> name_inside_out(const std::vector<Tile>& tiles, const std::vector<LooseLoop>& loops);
+
 /// What is left then: gaps, holes, and groups of tiles that are sewn to nothing else.
 std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance);
 std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance);

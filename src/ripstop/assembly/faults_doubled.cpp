@@ -1,5 +1,7 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "ripstop/assembly/faults.h"
@@ -115,6 +117,31 @@ std::vector<EnvelopeIssue> remove_doubled(std::vector<Tile>& tiles, double toler
     }
     tiles = std::move(kept);
     return issues;
+}
+
+std::vector<EnvelopeIssue> name_inside_out(const std::vector<Tile>& tiles, const std::vector<LooseLoop>& loops) {
+    constexpr double nearly_closed = 0.1;  // of the skin: openings as large as circles of the loops' lengths
+    if (tiles.empty()) return {};
+    double area = 0, openings = 0, volume = 0;
+    for (const LooseLoop& loop : loops) openings += loop.length * loop.length / (4 * std::numbers::pi);
+    for (const Tile& tile : tiles) area += surface_area(tile.mesh);
+    if (openings > nearly_closed * area) return {};
+    Vec3 middle = Vec3::Zero();
+    for (const Tile& tile : tiles) middle += surface_area(tile.mesh) / area * centroid(tile.mesh);
+    for (const Tile& tile : tiles)
+        for (Eigen::Index f = 0; f < tile.mesh.triangles.rows(); ++f) {
+            const auto corner = [&](int c) {
+                return Vec3(Vec3(tile.mesh.positions.row(tile.mesh.triangles(f, c))) - middle);
+            };
+            volume += corner(0).dot(corner(1).cross(corner(2))) / 6;
+        }
+    constexpr double of_a_ball = 0.094;  // volume over area to the power 3/2
+    if (!(volume < -0.05 * of_a_ball * std::pow(area, 1.5))) return {};
+    return {{"inside_out",
+             "the whole envelope is inside out: the outside of the cloth would face in; flip all faces",
+             {},
+             middle,
+             0}};
 }
 
 std::vector<EnvelopeIssue> turn_back(std::vector<Tile>& tiles, const FoundSeams& found) {

@@ -175,7 +175,23 @@ std::vector<Run> sew(const std::vector<PlacedChain>& chains, const std::vector<T
     return sewn;
 }
 
-NearMiss near_miss(const std::vector<PlacedChain>& chains, const Run& run) {
+/// The direction out of a tile across its boundary edge, in the plane of the triangle there.
+Vec3 outward_at(const Tile& tile, const PlacedChain& placed, double at) {
+    const int edge = std::clamp(static_cast<int>(at) % placed.curve.edge_count(), 0, placed.curve.edge_count() - 1);
+    const int k = (placed.first_edge + edge) % placed.boundary_edges;
+    const int from = tile.boundary[static_cast<std::size_t>(k)];
+    const int to = tile.boundary[static_cast<std::size_t>((k + 1) % placed.boundary_edges)];
+    const Vec3 p = tile.mesh.positions.row(from), along = (Vec3(tile.mesh.positions.row(to)) - p).normalized();
+    for (Eigen::Index f = 0; f < tile.mesh.triangles.rows(); ++f)
+        for (int c = 0; c < 3; ++c) {
+            if (tile.mesh.triangles(f, c) != from || tile.mesh.triangles(f, (c + 1) % 3) != to) continue;
+            const Vec3 inward = Vec3(tile.mesh.positions.row(tile.mesh.triangles(f, (c + 2) % 3))) - p;
+            return -(inward - along * along.dot(inward)).normalized();
+        }
+    return Vec3::Zero();
+}
+
+NearMiss near_miss(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains, const Run& run) {
     const PlacedChain& a = chains[static_cast<std::size_t>(run.a)];
     const PlacedChain& b = chains[static_cast<std::size_t>(run.b)];
     const Touch& worst = *std::max_element(run.touches.begin(), run.touches.end(),
@@ -186,7 +202,9 @@ NearMiss near_miss(const std::vector<PlacedChain>& chains, const Run& run) {
             b.chain,
             run.length,
             run.gap,
-            (point_at(a.curve, worst.at_a) + point_at(b.curve, worst.at_b)) / 2};
+            (point_at(a.curve, worst.at_a) + point_at(b.curve, worst.at_b)) / 2,
+            (point_at(a.curve, worst.at_a) - point_at(b.curve, worst.at_b))
+                .dot(outward_at(tiles[static_cast<std::size_t>(a.tile)], a, worst.at_a))};
 }
 
 std::string seam_id(std::size_t index, std::size_t count) {
@@ -250,12 +268,12 @@ FoundSeams find_seams(const std::vector<Tile>& tiles, const SeamOptions& options
              return t.same_way && t.distance <= tolerance + t.slack &&
                     !(claims.covers(t.a, t.at_a) && claims.covers(t.b, t.at_b));
          }))
-        if (is_long(run)) found.same_way.push_back(near_miss(chains, run));
+        if (is_long(run)) found.same_way.push_back(near_miss(tiles, chains, run));
     for (const Run& run : take_longest_first(
              chains,
              runs_where(chains, touches, tolerance, [&](const Touch& t) { return !t.same_way && !claims.covers(t); }),
              tolerance, claims, is_long))
-        found.near_misses.push_back(near_miss(chains, run));
+        found.near_misses.push_back(near_miss(tiles, chains, run));
     std::sort(found.near_misses.begin(), found.near_misses.end(), [](const NearMiss& p, const NearMiss& q) {
         return std::tuple(p.tile_a, p.chain_a, p.tile_b, p.chain_b) <
                std::tuple(q.tile_a, q.chain_a, q.tile_b, q.chain_b);

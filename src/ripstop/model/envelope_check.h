@@ -10,7 +10,7 @@ namespace ripstop {
 /// One thing that is wrong with an envelope as it was given, named at the tile that is wrong.
 struct EnvelopeIssue {
     std::string code;     ///< stable, for machines: `unit`, `doubled`, `turned_over`, `scaled`, `shifted`, `gap`,
-                          ///< `missing_tile`, `apart`, `unsewn`
+                          ///< `missing_tile`, `apart`, `unsewn`, `inside_out`
     std::string message;  ///< one sentence for the designer, with what to do
     std::vector<std::string> tiles;  ///< by name
     Vec3 at = Vec3::Zero();          ///< where [m]

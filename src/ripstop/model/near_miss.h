@@ -11,6 +11,7 @@ struct NearMiss {
     double length = 0;          ///< of the run [m]
     double distance = 0;        ///< largest distance between the two [m]
     Vec3 place = Vec3::Zero();  ///< where that is [m]
+    double overlap = 0;         ///< there b lies this far inside a's edge, across it; negative: beyond it, a gap [m]
 };
 
 }  // namespace ripstop
