@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "ripstop/report/check_report.h"
 #include "support/envelopes.h"
 #include "support/shapes.h"
 
@@ -302,6 +303,20 @@ TEST(Tolerance, IsProposedWhereMostEdgesMiss) {
     const EnvelopeCheck result = check(balloon);
     ASSERT_EQ(result.issues.size(), 1u);
     EXPECT_THAT(result.issues[0].message, HasSubstr("give --seam-tolerance"));
+}
+
+TEST(CheckText, SaysOnceWhatManyTilesHaveInCommon) {
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    for (int k = 0; k < 12; ++k) {
+        balloon.push_back({"stray" + std::to_string(k), testing::rectangle(0.5, 0.5, 4, 2), {}});
+        move(balloon.back().mesh, Vec3(50, 0, 2 * k));
+    }
+    const EnvelopeCheck result = check(balloon);
+    EXPECT_EQ(result.issues.size(), 12u);
+    const std::string text = check_text(result, "balloon.obj", "m");
+    EXPECT_THAT(text, HasSubstr("tile stray0"));
+    EXPECT_THAT(text, HasSubstr("; and 11 more like this"));
+    EXPECT_THAT(text, ::testing::Not(HasSubstr("stray1 ")));
 }
 
 TEST(OddCorner, IsCountedWhereOnlyOneSideHasIt) {

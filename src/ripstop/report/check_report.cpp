@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "ripstop/base/units.h"
@@ -14,6 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t shown_loops = 8;
+constexpr int most_lines = 10;  // of one code: of more the first says what they are
 
 std::string plural(int count, const char* one, const char* many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
@@ -32,6 +34,24 @@ std::string loops_text(const EnvelopeCheck& check) {
     }
     if (check.loops.size() > shown_loops)
         text += fmt::format("\n               and {} more", check.loops.size() - shown_loops);
+    return text;
+}
+
+/// A line an issue; of a code that many have, the first and how many there are. The JSON has them all.
+std::string issues_text(const EnvelopeCheck& check) {
+    std::map<std::string, int> counts;
+    for (const EnvelopeIssue& issue : check.issues) ++counts[issue.code];
+    std::string text;
+    for (const EnvelopeIssue& issue : check.issues) {
+        int& count = counts[issue.code];
+        if (count == 0) continue;
+        text += fmt::format("WRONG          {}", issue.message);
+        if (count > most_lines) {
+            text += fmt::format("; and {} more like this", count - 1);
+            count = 0;
+        }
+        text += "\n";
+    }
     return text;
 }
 
@@ -73,7 +93,7 @@ std::string check_text(const EnvelopeCheck& check, const std::string& file, cons
     text += fmt::format("loose ends     {}\nodd corners    {}\nchord error    {}\n", check.loose_ends,
                         check.odd_corners, sampling_text(check));
     for (const std::string& note : check.notes) text += fmt::format("note           {}\n", note);
-    for (const EnvelopeIssue& issue : check.issues) text += fmt::format("WRONG          {}\n", issue.message);
+    text += issues_text(check);
     text += check.sound() ? "Sound: nothing is wrong with this envelope.\n"
                           : fmt::format("{} wrong with this envelope.\n",
                                         check.issues.size() == 1 ? "One thing is"
