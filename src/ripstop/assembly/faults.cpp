@@ -159,6 +159,8 @@ std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const Foun
     for (const LooseLoop& loop : find_loops(tiles, place_chains(tiles), found.loose, tolerance)) {
         if (!loop.closed || loop.outline || loop.openness < slit || loop.corners < 2) continue;
         const std::vector<std::string> around = each_once(names_of(tiles, loop.tiles));
+        const bool lobed = loop.corners > 8 && loop.corners >= static_cast<int>(loop.tiles.size());
+        if (lobed) continue;  // a mouth or crown of lobes: a corner from each tile to the next
         const bool at_an_edge = static_cast<int>(around.size()) > 2 * loop.corners;
         const bool several = loop.corners > 4 || loop.length > 1.5 * *longest;
         EnvelopeIssue issue{"missing_tile", {}, around, loop.centre, 0};
