@@ -257,6 +257,15 @@ TEST(GapOfAMillimetre, AllRoundIsOneFault) {
     }
 }
 
+TEST(GapOfAMillimetre, FromMouthToCrownIsNoMissingTile) {
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    const Vec3 apart = centroid(balloon[balloon.size() / 8].mesh).cwiseProduct(Vec3(1, 1, 0)).normalized();
+    for (std::size_t t = 0; t < balloon.size() / 2; ++t) move(balloon[t].mesh, 0.001 * apart);
+    const EnvelopeCheck result = check(balloon);
+    ASSERT_FALSE(result.issues.empty());
+    for (const EnvelopeIssue& issue : result.issues) EXPECT_NE(issue.code, "missing_tile") << issue.message;
+}
+
 TEST(TwoFaults, AreBothNamed) {
     std::vector<NamedMesh> balloon = design_natural(small_balloon());
     move(balloon[middle].mesh, Vec3(0.02, 0, 0.01));

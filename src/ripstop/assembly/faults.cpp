@@ -150,6 +150,18 @@ std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const Found
     return issues;
 }
 
+namespace {
+
+bool passes_a_miss(const LooseLoop& loop, const std::vector<NearMiss>& misses) {
+    const auto passes = [&](int tile) {
+        return std::find(loop.tiles.begin(), loop.tiles.end(), tile) != loop.tiles.end();
+    };
+    return std::any_of(misses.begin(), misses.end(),
+                       [&](const NearMiss& miss) { return passes(miss.tile_a) && passes(miss.tile_b); });
+}
+
+}  // namespace
+
 std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance) {
     if (found.seams.empty()) return {};
     std::vector<double> outlines;
@@ -158,6 +170,7 @@ std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const Foun
     std::vector<EnvelopeIssue> issues;
     for (const LooseLoop& loop : find_loops(tiles, place_chains(tiles), found.loose, tolerance)) {
         if (!loop.closed || loop.outline || loop.openness < slit || loop.corners < 2) continue;
+        if (passes_a_miss(loop, found.near_misses)) continue;  // its corners are where the gap begins
         const std::vector<std::string> around = each_once(names_of(tiles, loop.tiles));
         const bool lobed = loop.corners > 8 && loop.corners >= static_cast<int>(loop.tiles.size());
         if (lobed) continue;  // a mouth or crown of lobes: a corner from each tile to the next
