@@ -15,5 +15,5 @@ Open these:
   demo/cut-plan/cut/envelope.svg            every piece, true size
   demo/cut-plan/cut/envelope.dxf            the same for the cutter (R12, millimetres)
   demo/cut-plan/pictures/G01P08.svg         one piece in the colours of its error
-  demo/cut-plan/report.json, tiles.csv      every figure
+  demo/cut-plan/report.json, tiles.csv      every figure; seams.csv, pictures/seams.svg: how the edges fit
 END

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <limits>
 
 #include "commands.h"
@@ -49,12 +48,8 @@ void print_assumed_size(const Envelope& envelope) {
 void propose(CutPlan& plan, const std::string& method, const Arguments& given) {
     if (method == "given") return;
     constexpr int all = std::numeric_limits<int>::max();
-    if (given.propose == "auto") add_proposals(plan, method_named(method), given.jobs);
-    const auto silent = std::count_if(plan.tiles.begin(), plan.tiles.end(), [](const FlatTile& tile) {
-        return !tile.verdict.manufacturable() && tile.equal_to < 0 && !tile.proposal;
-    });
-    if (given.propose == "auto" && silent > 0 && !given.quiet)
-        tell(fmt::format("No proposal for {} of the failing tiles; --propose all tries every one\n", silent));
+    if (given.propose == "auto" && !add_proposals(plan, method_named(method), given.jobs) && !given.quiet)
+        tell("Too many tiles fail to propose seams for them unasked; --propose all tries every one\n");
     if (given.propose == "all") add_proposals(plan, method_named(method), given.jobs, {all, all});
     if (given.propose_merges) plan.merges = propose_merges(plan, method_named(method), given.jobs);
 }

@@ -12,6 +12,7 @@
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/bounds.h"
+#include "support/fabrics.h"
 #include "support/shapes.h"
 
 namespace ripstop {
@@ -19,13 +20,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// E = 1 kN/m both ways, as in the tables: nu and G / E vary.
-Fabric cloth(double nu, double shear_ratio) {
-    Fabric fabric;
-    fabric.poisson = nu;
-    fabric.shear_stiffness = shear_ratio * 1000;
-    return fabric;
-}
+using testing::cloth;
+
 const Fabric isotropic = cloth(0, 0.5);
 const Fabric isotropic_third = cloth(0.3, 1 / 2.6);
 

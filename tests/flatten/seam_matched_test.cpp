@@ -13,6 +13,7 @@
 #include "ripstop/flatten/seam_exact.h"
 #include "ripstop/flatten/seam_problem.h"
 #include "ripstop/measure/accuracy.h"
+#include "support/fabrics.h"
 #include "support/flat_errors.h"
 #include "support/sewn.h"
 #include "support/shapes.h"
@@ -23,12 +24,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Fabric cloth(double nu, double shear_ratio) {
-    Fabric fabric;
-    fabric.poisson = nu;
-    fabric.shear_stiffness = shear_ratio * 1000;
-    return fabric;
-}
+using testing::cloth;
+
 const Fabric isotropic = cloth(0.3, 1 / 2.6);
 const Fabric weak = cloth(0, 0.01);
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "ripstop/flatten/seam_newton.h"
+#include "support/fabrics.h"
 #include "support/finite_difference.h"
 #include "support/shapes.h"
 
@@ -14,17 +15,9 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-Fabric weak() {
-    Fabric fabric;
-    fabric.weft_stiffness = 700;
-    fabric.poisson = 0.2;
-    fabric.shear_stiffness = 20;
-    return fabric;
-}
-
 struct Case {
     Tile tile = make_tile("t", testing::spherical_square(0.5, 3), {.warp = Vec3(1, 0.3, 0)});
-    SeamProblem problem{tile, weak(), {.bending = 0.01, .keep_area = true}};
+    SeamProblem problem{tile, testing::uneven_cloth(20), {.bending = 0.01, .keep_area = true}};
     Vector u, lambda, mu;
 
     Case() {

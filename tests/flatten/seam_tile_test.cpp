@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "support/fabrics.h"
 #include "support/finite_difference.h"
 #include "support/sewn.h"
 
@@ -12,19 +13,11 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-Fabric weak() {
-    Fabric fabric;
-    fabric.weft_stiffness = 700;
-    fabric.poisson = 0.2;
-    fabric.shear_stiffness = 30;
-    return fabric;
-}
-
 /// A gore between two others, its seams somewhat longer than drawn.
 struct Case {
     Envelope envelope = testing::gores({0.6, 0.4}, 3, 4, 8);
     SeamStretch stretch = find_seam_stretch(envelope);
-    SeamTile tile{envelope.tiles[1], weak(), stretch.tiles[1], 3e-3};
+    SeamTile tile{envelope.tiles[1], testing::uneven_cloth(30), stretch.tiles[1], 3e-3};
     Vector h = Vector::NullaryExpr(static_cast<Eigen::Index>(stretch.tiles[1].intervals.size()), [](Eigen::Index i) {
         return 0.004 + 0.002 * std::sin(3.0 * static_cast<double>(i));
     });

@@ -77,11 +77,11 @@ TEST(AddProposals, IsForTheFirstOfEachKindThatFailsWhereFewDo) {
     Tile other = gore("sixth", std::numbers::pi / 3, 8);
     const std::vector<Tile> tiles{gore("first", quarter_turn, 8), good, gore("second", quarter_turn, 8), other};
     CutPlan plan = flat(tiles);
-    add_proposals(plan, seam_exact(), 0, {.kinds = 1});
-    add_proposals(plan, seam_exact(), 0, {.triangles = 500});
+    EXPECT_FALSE(add_proposals(plan, seam_exact(), 0, {.kinds = 1}));
+    EXPECT_FALSE(add_proposals(plan, seam_exact(), 0, {.triangles = 500}));
     for (const FlatTile& tile : plan.tiles) EXPECT_FALSE(tile.proposal) << "two kinds fail, which was too many";
     EXPECT_THAT(proposals_text(plan), IsEmpty());
-    add_proposals(plan, seam_exact(), 0);
+    EXPECT_TRUE(add_proposals(plan, seam_exact(), 0));
     EXPECT_TRUE(plan.tiles[0].proposal);
     EXPECT_FALSE(plan.tiles[1].proposal) << "it can be made";
     EXPECT_FALSE(plan.tiles[2].proposal) << "equal to the first";

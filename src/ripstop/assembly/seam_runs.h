@@ -58,8 +58,8 @@ std::vector<Run> join_touches(const std::vector<PlacedChain>& chains, std::vecto
 
 /// Which of the runs end as seams do, at both ends: where either chain ends, at the tip of a dart, where another of
 /// them begins, all round a loop, or at the last of vertices that coincide; or where the two chains come together again,
-/// at the next run on both no further off than the two are long, or at a corner of both no further off than twice its length. Edges
-/// that merely cross leave each other in mid-chain. `touches` as `find_touches` returns them.
+/// at the next run on both no further off than the two are long, or at a corner of both no further off than twice its
+/// length. Edges that merely cross leave each other in mid-chain. `touches` as `find_touches` returns them.
 std::vector<bool> find_well_ended(const std::vector<PlacedChain>& chains, const std::vector<Touch>& touches,
                                   const std::vector<Run>& runs, double tolerance);
 

@@ -6,11 +6,14 @@
 #include "ripstop/base/units.h"
 
 namespace ripstop {
+namespace {
 
 bool may_be_meant(const EnvelopeIssue& issue) {
     constexpr std::array<const char*, 4> meant{"unit", "missing_tile", "apart", "unsewn"};
     return std::any_of(meant.begin(), meant.end(), [&](const char* code) { return issue.code == code; });
 }
+
+}  // namespace
 
 void add_faults(CutPlan& plan, const EnvelopeCheck& check) {
     for (const EnvelopeIssue& issue : check.issues) {

@@ -10,7 +10,4 @@ namespace ripstop {
 /// these are no findings. Values in mm, for `scaled` the ratio; the limit is the seam tolerance, for `scaled` 1.
 void add_faults(CutPlan& plan, const EnvelopeCheck& check);
 
-/// May the issue be meant? Then it is worth a warning and no more.
-bool may_be_meant(const EnvelopeIssue& issue);
-
 }  // namespace ripstop

@@ -117,7 +117,7 @@ std::optional<SplitProposal> propose_split(const FlatTile& tile, const Method& m
     return best;
 }
 
-void add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits) {
+bool add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits) {
     std::vector<std::size_t> failing;
     long triangles = 0;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
@@ -125,11 +125,12 @@ void add_proposals(CutPlan& plan, const Method& method, int threads, const Propo
         failing.push_back(i);
         triangles += plan.tiles[i].tile.mesh.triangle_count();
     }
-    if (static_cast<long>(failing.size()) > limits.kinds || triangles > limits.triangles) return;
+    if (static_cast<long>(failing.size()) > limits.kinds || triangles > limits.triangles) return false;
     parallel_for(static_cast<int>(failing.size()), threads, [&](int k) {
         FlatTile& tile = plan.tiles[failing[static_cast<std::size_t>(k)]];
         tile.proposal = propose_split(tile, method, plan.fabric, plan.tolerances);
     });
+    return true;
 }
 
 std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& method, int threads) {

@@ -29,7 +29,8 @@ struct ProposeLimits {
     int triangles = 50000;  ///< of them together
 };
 
-/// Sets the proposals of the plan's failing tiles, the first of each kind; none where they are more than the limits.
-void add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits = {});
+/// Sets the proposals of the plan's failing tiles, the first of each kind. False where they are more than the limits and
+/// none was tried.
+bool add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits = {});
 
 }  // namespace ripstop
