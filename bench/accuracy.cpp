@@ -67,7 +67,7 @@ std::vector<Row> zoo() {
     const auto add = [&](const std::string& name, const std::filesystem::path& file, double metres_per_unit) {
         if (std::filesystem::exists(shared / file))
             rows.push_back(
-                {name, read_envelope(shared / file, {.metres_per_unit = metres_per_unit}), "isotropic", true});
+                {name, read_envelope(shared / file, {.unit = LengthUnit{"", metres_per_unit}}), "isotropic", true});
     };
     add("dress, draped, 14 panels", "dress/dress_knife_drape_3d.obj", 1);
     add("dress, planar design, 14 panels", "dress/dress_knife_design_stage_3d.obj", 1);

@@ -12,15 +12,15 @@ using namespace ripstop;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
     try {
-        const std::vector<NamedMesh> surfaces = read_obj(in, "fuzz.obj", 0.01);
+        const std::vector<NamedMesh> surfaces = read_obj(in, "fuzz.obj").surfaces;
         std::stringstream written;
-        for (const auto& [name, mesh, drawn] : surfaces)
+        for (const auto& [name, mesh, drawn, warp, attributes] : surfaces)
             if (name.empty() || mesh.triangle_count() == 0 || mesh.triangles.minCoeff() < 0 ||
                 mesh.triangles.maxCoeff() >= mesh.vertex_count() || !mesh.positions.allFinite() ||
                 (drawn && (drawn->rows() != mesh.vertex_count() || !drawn->allFinite())))
                 std::abort();
         write_obj(written, surfaces);
-        const std::vector<NamedMesh> again = read_obj(written, "written.obj", 1);
+        const std::vector<NamedMesh> again = read_obj(written, "written.obj").surfaces;
         if (again.size() != surfaces.size()) std::abort();
         for (std::size_t i = 0; i < again.size(); ++i)
             if (again[i].name != surfaces[i].name || again[i].mesh.positions != surfaces[i].mesh.positions ||

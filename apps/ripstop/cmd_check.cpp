@@ -16,15 +16,13 @@ struct Arguments {
 
 ExitCode run(const Arguments& given) {
     const Input input = resolve(given.input);
-    const Envelope envelope = read_envelope(given.input.file, input.read);
-    warn_of_unused_names(input, envelope);
-    const EnvelopeCheck check = check_envelope(envelope, {input.read.seam_tolerance}, input.read.metres_per_unit);
+    const auto [envelope, unit, unit_assumed, remarks] = read(given.input, input, given.quiet);
+    const EnvelopeCheck check = check_envelope(envelope, {input.read.seam_tolerance}, unit.metres);
     const std::string file = given.input.file.filename().string();
-    const std::string unit = input.unit + (input.unit_assumed ? " (assumed; --unit changes it)" : "");
     if (given.json)
-        fmt::print("{}", check_json(check, file, input.unit));
+        fmt::print("{}", check_json(check, file, unit.name));
     else if (!given.quiet)
-        fmt::print("{}", check_text(check, file, unit));
+        fmt::print("{}", check_text(check, file, unit.name + (unit_assumed ? " (assumed; --unit changes it)" : "")));
     return check.sound() ? manufacturable : not_manufacturable;
 }
 

@@ -56,8 +56,7 @@ void require_free_sheet(const Arguments& given, std::size_t tiles) {
 
 ExitCode run(const Arguments& given) {
     const Input input = resolve(given.input);
-    const Envelope envelope = read_envelope(given.input.file, input.read);
-    warn_of_unused_names(input, envelope);
+    const auto [envelope, unit, unit_assumed, remarks] = read(given.input, input, given.quiet);
     require_free_sheet(given, envelope.tiles.size());
     std::vector<CutPlan> plans;
     const std::vector<std::string> names = methods_of(given);
@@ -72,7 +71,8 @@ ExitCode run(const Arguments& given) {
         CutPlan plan = flatten_envelope(envelope, options);
         plan.input_file = given.input.file.filename().string();
         plan.input_sha256 = sha256_of_file(given.input.file);
-        plan.unit = input.unit;
+        plan.unit = unit.name;
+        plan.remarks = remarks;
         plans.push_back(std::move(plan));
     }
     fmt::print("{}", given.json ? comparison_json(plans) : comparison_table(plans));

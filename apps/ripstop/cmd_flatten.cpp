@@ -55,8 +55,8 @@ void propose(CutPlan& plan, const std::string& method, const Arguments& given) {
 }
 
 /// What is wrong with the envelope itself: as `ripstop check` says.
-void take_faults(CutPlan& plan, const Envelope& envelope, const Input& input, bool quiet) {
-    const EnvelopeCheck check = check_envelope(envelope, {input.read.seam_tolerance}, input.read.metres_per_unit);
+void take_faults(CutPlan& plan, const Envelope& envelope, double seam_tolerance, const LengthUnit& unit, bool quiet) {
+    const EnvelopeCheck check = check_envelope(envelope, {seam_tolerance}, unit.metres);
     add_faults(plan, check);
     for (const EnvelopeIssue& issue : check.issues)
         if (!quiet && (issue.code == "unit" || issue.code == "missing_tile"))
@@ -67,16 +67,16 @@ ExitCode run(const Arguments& given) {
     const std::string method = method_of(given.input);
     require_writable(given.directory, given.force);
     const Input input = resolve(given.input);
-    const Envelope envelope = read_envelope(given.input.file, input.read);
-    warn_of_unused_names(input, envelope);
-    if (input.unit_assumed && !given.quiet) print_assumed_size(envelope);
+    const auto [envelope, unit, unit_assumed, remarks] = read(given.input, input, given.quiet);
+    if (unit_assumed && !given.quiet) print_assumed_size(envelope);
 
     FlattenOptions options{method, input.fabric, input.tolerances, given.jobs, progress_bar(given.quiet)};
     CutPlan plan = flatten_envelope(envelope, options);
     plan.input_file = given.input.file.filename().string();
     plan.input_sha256 = sha256_of_file(given.input.file);
-    plan.unit = input.unit;
-    if (given.input.tiles.empty()) take_faults(plan, envelope, input, given.quiet);
+    plan.unit = unit.name;
+    plan.remarks = remarks;
+    if (given.input.tiles.empty()) take_faults(plan, envelope, input.read.seam_tolerance, unit, given.quiet);
     propose(plan, method, given);
 
     const std::vector<PatternPiece> pieces = make_pieces(plan);

@@ -15,6 +15,8 @@
 namespace ripstop::cli {
 namespace {
 
+constexpr std::size_t shown_remarks = 12;
+
 template <class LookUp>
 CLI::Validator known(LookUp look_up) {
     return CLI::Validator(
@@ -54,6 +56,15 @@ Fabric fabric_beside(const std::filesystem::path& project, const std::string& na
     return fabric_named(std::filesystem::is_regular_file(beside) ? beside.string() : name);
 }
 
+/// A warning for each name of the project that fits no tile; none where only some tiles were asked for.
+void warn_of_unused_names(const Input& input, const Envelope& envelope) {
+    if (!input.read.project || !input.read.only.empty()) return;
+    std::vector<std::string> names;
+    for (const Tile& tile : envelope.tiles) names.push_back(tile.name);
+    for (const std::string& name : unused_names(*input.read.project, names))
+        tell(fmt::format("ripstop: {}: no tile is called \"{}\"\n", input.read.project->file, name));
+}
+
 }  // namespace
 
 CLI::Validator known_method() {
@@ -73,7 +84,9 @@ CLI::Validator known_unit() {
 
 void add_input_options(CLI::App& command, InputArguments& given) {
     command.add_option("INPUT", given.file, "The envelope: Wavefront OBJ, one object or group a tile")->required();
-    command.add_option("--unit", given.unit, "Unit of the file: mm, cm, m, in, ft (else the project's, else metres)")
+    command
+        .add_option("--unit", given.unit,
+                    "Unit of the file: mm, cm, m, in, ft (else the project's, else the file's own, else metres)")
         ->check(known_unit());
     command.add_option("--project", given.project,
                        "JSON with what the file cannot say: unit, fabric, warp, corners, compensation, tolerances");
@@ -87,6 +100,10 @@ void add_input_options(CLI::App& command, InputArguments& given) {
                        "Edges to be sewn together lie within this length, as 0.5mm (else the project's, else 0.5mm)");
     // One name at a time, else `--tile G01 envelope.obj` would take the input for a second name.
     command.add_option("--tile", given.tiles, "Only the tiles of this name; * and ? stand for others; may be repeated")
+        ->allow_extra_args(false);
+    command
+        .add_option("--layer", given.layers,
+                    "Only what lies on the layers of this name (whole path, a::b); * and ? as above; may be repeated")
         ->allow_extra_args(false);
 }
 
@@ -109,16 +126,11 @@ Input resolve(const InputArguments& given) {
     Input input;
     if (!given.project.empty()) input.read.project = read_project_file(given.project);
     const auto& project = input.read.project;
-    if (!given.unit.empty()) {
-        input.unit = given.unit;
-    } else if (project && project->unit) {
-        input.unit = *project->unit;
-    } else {
-        input.unit_assumed = true;
-    }
-    input.read.metres_per_unit = metres_per_unit(input.unit);
+    const std::string unit = !given.unit.empty() ? given.unit : project ? project->unit.value_or("") : "";
+    if (!unit.empty()) input.read.unit = LengthUnit{unit, metres_per_unit(unit)};
     input.read.grain_turn = given.grain * degree;
     input.read.only = given.tiles;
+    input.read.layers = given.layers;
     if (project && project->seam_tolerance) input.read.seam_tolerance = *project->seam_tolerance;
     if (!given.seam_tolerance.empty())
         input.read.seam_tolerance = parse_length(given.seam_tolerance, "--seam-tolerance");
@@ -133,12 +145,17 @@ Input resolve(const InputArguments& given) {
     return input;
 }
 
-void warn_of_unused_names(const Input& input, const Envelope& envelope) {
-    if (!input.read.project || !input.read.only.empty()) return;
-    std::vector<std::string> names;
-    for (const Tile& tile : envelope.tiles) names.push_back(tile.name);
-    for (const std::string& name : unused_names(*input.read.project, names))
-        tell(fmt::format("ripstop: {}: no tile is called \"{}\"\n", input.read.project->file, name));
+EnvelopeInput read(const InputArguments& given, const Input& input, bool quiet) {
+    EnvelopeInput read = read_input(given.file, input.read);
+    for (std::size_t i = 0; !quiet && i < read.remarks.size(); ++i) {
+        if (i == shown_remarks) {
+            tell(fmt::format("Note: and {} more; report.json has them all\n", read.remarks.size() - i));
+            break;
+        }
+        tell(fmt::format("Note: {}\n", read.remarks[i]));
+    }
+    warn_of_unused_names(input, read.envelope);
+    return read;
 }
 
 }  // namespace ripstop::cli

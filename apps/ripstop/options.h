@@ -23,12 +23,11 @@ struct InputArguments {
     double grain = 0;            ///< [degrees]
     std::string seam_tolerance;  ///< a length with its unit; empty: the project's, else half a millimetre
     std::vector<std::string> tiles;
+    std::vector<std::string> layers;
 };
 
 /// What the arguments and the project file say together; the command line goes before the project.
 struct Input {
-    std::string unit = "m";
-    bool unit_assumed = false;
     ReadOptions read;
     Fabric fabric;
     Tolerances tolerances;
@@ -43,8 +42,9 @@ std::string method_of(const InputArguments& given);
 /// Throws InputError.
 Input resolve(const InputArguments& given);
 
-/// A warning for each name of the project that fits no tile, on stderr; none where only some tiles were asked for.
-void warn_of_unused_names(const Input& input, const Envelope& envelope);
+/// Reads the input file. Its remarks go to stderr, and a warning for each name of the project that fits no tile, which is
+/// none where only some tiles were asked for. Throws InputError.
+EnvelopeInput read(const InputArguments& given, const Input& input, bool quiet);
 
 /// `CLI::Validator` texts for names that the library looks up: the message of the look-up, exit code 2.
 CLI::Validator known_method();

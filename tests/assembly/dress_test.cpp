@@ -97,7 +97,7 @@ Score score(const Stitches& stitches, const FoundSeams& found) {
 TEST(Dress, HasItsStitchedSeamsFoundAndNoneInvented) {
     RIPSTOP_REQUIRE_SHARED(file, "dress/dress_knife_drape_3d.obj");
     RIPSTOP_REQUIRE_SHARED(stitch_file, "dress/dress_knife_seams.json");
-    const Envelope envelope = testing::tiles_of(read_meshes(file, 1));
+    const Envelope envelope = testing::tiles_of(read_model(file).surfaces);
     std::ifstream in(stitch_file);
     const Stitches stitches = stitches_of(Json::parse(in), envelope);
     ASSERT_EQ(stitches.lines.size(), 94u);
@@ -121,7 +121,7 @@ TEST(Dress, HasItsStitchedSeamsFoundAndNoneInvented) {
 
 TEST(Dress, LaidOutFlatHasNoSeams) {
     RIPSTOP_REQUIRE_SHARED(file, "dress/dress_knife_drape_flat_reference.obj");
-    EXPECT_TRUE(find_seams(testing::tiles_of(read_meshes(file, 1)).tiles).seams.empty());
+    EXPECT_TRUE(find_seams(testing::tiles_of(read_model(file).surfaces).tiles).seams.empty());
 }
 
 }  // namespace

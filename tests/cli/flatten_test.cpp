@@ -41,7 +41,7 @@ std::vector<std::string> tile_names(const Json& report) {
 /// Width along the warp and height along the weft of a flat piece [m].
 Vec2 flat_size(const Workshop& workshop, const std::string& file) {
     std::ifstream in(workshop.path(file), std::ios::binary);
-    const Points2 flat = read_obj(in, file, 1).at(0).drawn.value();
+    const Points2 flat = read_obj(in, file).surfaces.at(0).drawn.value();
     return (flat.colwise().maxCoeff() - flat.colwise().minCoeff()).transpose();
 }
 

@@ -1,4 +1,6 @@
+
 #include "ripstop/design/gores.h"
+#include "ripstop/model/tile.h"
 
 #include <gmock/gmock.h>
 

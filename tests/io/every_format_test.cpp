@@ -35,7 +35,7 @@ class EveryFormat : public ::testing::TestWithParam<MeshFormat> {
     }
     static std::vector<NamedMesh> read(const std::string& bytes, double metres_per_unit = 1) {
         std::istringstream in(bytes);
-        return GetParam().read(in, "tiles" + std::string(GetParam().extension), metres_per_unit);
+        return in_metres(GetParam().read(in, "tiles" + std::string(GetParam().extension)), metres_per_unit).surfaces;
     }
 };
 
@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(, EveryFormat, ::testing::ValuesIn(mesh_formats().begin
 
 std::string refusal(const std::filesystem::path& path) {
     try {
-        read_meshes(path, 1);
+        read_model(path);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -182,7 +182,7 @@ TEST(MeshFile, ReadsAndHashesAFileOfAnyCase) {
     std::ofstream(path) << "abc";
     EXPECT_EQ(sha256_of_file(path), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    EXPECT_EQ(read_meshes(path, 1).at(0).name, "ripstop_tile");
+    EXPECT_EQ(read_model(path).surfaces.at(0).name, "ripstop_tile");
 }
 
 std::vector<std::filesystem::path> shared_files(const std::string& folder) {
@@ -199,7 +199,7 @@ TEST(FilesOfOthers, NastyOnesAreAMeshOrASentenceThatNamesThem) {
     const auto files = shared_files("nasty");
     if (files.empty()) GTEST_SKIP() << "no files in " << RIPSTOP_SHARED_DATA << "/nasty";
     for (const auto& file : files) try {
-            expect_sound(read_meshes(file, 1));
+            expect_sound(read_model(file).surfaces);
         } catch (const InputError& error) {
             EXPECT_THAT(error.what(), ::testing::StartsWith(file.string() + ":"));
         }
@@ -209,13 +209,13 @@ TEST(FilesOfOthers, SoundOnesAreReadInFull) {
     for (const char* folder : {"uv_fixtures", "dress", "skirt"}) {
         const auto files = shared_files(folder);
         if (files.empty()) GTEST_SKIP() << "no files in " << RIPSTOP_SHARED_DATA << "/" << folder;
-        for (const auto& file : files) EXPECT_NO_THROW(expect_sound(read_meshes(file, 1))) << file;
+        for (const auto& file : files) EXPECT_NO_THROW(expect_sound(read_model(file).surfaces)) << file;
     }
-    const auto dress = read_meshes(RIPSTOP_SHARED_DATA "/dress/dress_knife_drape_3d.obj", 1);
+    const auto dress = read_model(RIPSTOP_SHARED_DATA "/dress/dress_knife_drape_3d.obj").surfaces;
     ASSERT_EQ(dress.size(), 14U);
     EXPECT_EQ(dress[0].name, "panel_00");
     EXPECT_TRUE(dress[0].drawn);
-    const auto skirt = read_meshes(RIPSTOP_SHARED_DATA "/skirt/skirt__skirt_3D_0.obj", 0.01);
+    const auto skirt = read_model(RIPSTOP_SHARED_DATA "/skirt/skirt__skirt_3D_0.obj").surfaces;
     EXPECT_EQ(skirt.at(0).mesh.vertex_count(), 817) << "welding would sew the darts shut";
     EXPECT_EQ(skirt.at(0).mesh.triangle_count(), 1472);
 }

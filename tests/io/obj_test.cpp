@@ -15,7 +15,7 @@ using ::testing::StartsWith;
 
 std::vector<NamedMesh> read(const std::string& text, double metres_per_unit = 1) {
     std::istringstream in(text);
-    return read_obj(in, "folder/hull.obj", metres_per_unit);
+    return in_metres(read_obj(in, "folder/hull.obj"), metres_per_unit).surfaces;
 }
 
 std::string refusal(const std::string& text) {

@@ -28,7 +28,7 @@ struct Fixture {
 
 Fixture read(const std::filesystem::path& file) {
     std::ifstream in(file);
-    const NamedMesh surface = read_obj(in, file.filename().string(), 1).front();
+    const NamedMesh surface = read_obj(in, file.filename().string()).surfaces.front();
     if (!surface.drawn) throw std::runtime_error("no vt");
     return {measure_distortion(surface.mesh, *surface.drawn),
             overlapping_triangles(surface.mesh.triangles, *surface.drawn).size()};

@@ -76,7 +76,7 @@ TEST(Paper, FreeGoreIsAsMuchTooLongAsGeometryDemands) {
 }
 
 CutPlan plan_of(const std::filesystem::path& file, const std::string& method, double metres_per_unit = 1) {
-    const Envelope envelope = read_envelope(file, {.metres_per_unit = metres_per_unit});
+    const Envelope envelope = read_envelope(file, {.unit = LengthUnit{"", metres_per_unit}});
     FlattenOptions options;
     options.method = method;
     return flatten_envelope(envelope, options);

@@ -136,7 +136,7 @@ TEST(RealInput, DressAndSkirtHaveExactSeamsAndNoFlip) {
     RIPSTOP_REQUIRE_SHARED(dress, "dress/dress_knife_drape_3d.obj");
     RIPSTOP_REQUIRE_SHARED(skirt, "skirt/skirt__skirt_3D_0.obj");
     for (const CutPlan& plan : {flatten(read_envelope(dress, {}), "isotropic"),
-                                flatten(read_envelope(skirt, {.metres_per_unit = 0.01}), "isotropic")})
+                                flatten(read_envelope(skirt, {.unit = LengthUnit{"cm", 0.01}}), "isotropic")})
         for (const FlatTile& tile : plan.tiles) {
             SCOPED_TRACE(tile.tile.name);
             EXPECT_LT(tile.accuracy.boundary_error_max, 1e-8);

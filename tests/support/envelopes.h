@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ripstop/design/gores.h"
+#include "ripstop/model/cad_model.h"
 #include "ripstop/model/envelope.h"
 
 /// Envelopes whose seams are known.

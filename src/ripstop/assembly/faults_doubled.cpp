@@ -33,10 +33,12 @@ bool are_one(const Tile& a, const Tile& b, double tolerance) {
 /// The same tile the other way up; corners stay where they are.
 Tile turned_over(const Tile& tile) {
     TileOptions options;
-    options.warp = tile.grain.direction;
+    if (tile.grain.field.rows() == 0) options.warp = tile.grain.direction;
+    options.warp_field = tile.grain.field;
     options.warp_source = tile.grain.source;
     options.drawn = tile.drawn;
     options.compensation = tile.compensation;
+    options.attributes = tile.attributes;
     const bool has_corners = tile.chains.size() > 1;
     for (const Chain& chain : tile.chains)
         if (has_corners) options.corners.push_back(tile.mesh.positions.row(chain.vertices.front()));

@@ -9,6 +9,11 @@ inline constexpr double millimetre = 1e-3;  ///< [m]
 inline constexpr double percent = 1e-2;
 inline constexpr double degree = 0.017453292519943295;  ///< [rad]
 
+struct LengthUnit {
+    std::string name = "m";
+    double metres = 1;  ///< in one unit
+};
+
 /// Metres in one `unit`: mm, cm, m, in or ft. Throws InputError naming the known ones.
 double metres_per_unit(std::string_view unit);
 

@@ -4,7 +4,7 @@
 
 #include "ripstop/base/units.h"
 #include "ripstop/design/natural_shape.h"
-#include "ripstop/model/envelope.h"
+#include "ripstop/model/cad_model.h"
 
 namespace ripstop {
 

@@ -33,7 +33,7 @@ std::span<const MeshFormat> mesh_formats() {
     return formats;
 }
 
-std::vector<NamedMesh> read_meshes(const std::filesystem::path& path, double metres_per_unit) {
+CadModel read_model(const std::filesystem::path& path) {
     require_no_folder(path);
     std::string extension = path.extension().string();
     for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -41,7 +41,7 @@ std::vector<NamedMesh> read_meshes(const std::filesystem::path& path, double met
     for (const MeshFormat& format : formats) {
         if (extension == format.extension) {
             std::ifstream in = open_file(path);
-            return format.read(in, path.string(), metres_per_unit);
+            return format.read(in, path.string());
         }
         known += (known.empty() ? "" : ", ") + std::string(format.extension) + " (" + format.description + ")";
     }

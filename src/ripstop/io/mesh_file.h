@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/model/envelope.h"
+#include "ripstop/model/cad_model.h"
 
 namespace ripstop {
 
@@ -15,16 +15,16 @@ namespace ripstop {
 struct MeshFormat {
     const char* extension;  ///< with its dot, in lower case
     const char* description;
-    /// Surfaces in metres; `name` begins every message, and its stem names surfaces without a name of their own.
-    std::vector<NamedMesh> (*read)(std::istream& in, const std::string& name, double metres_per_unit);
-    void (*write)(std::ostream& out, const std::vector<NamedMesh>& meshes);  ///< in metres; null: read only
+    /// In the file's own numbers; `name` begins every message, and its stem names surfaces without a name of their own.
+    CadModel (*read)(std::istream& in, const std::string& name);
+    void (*write)(std::ostream& out, const std::vector<NamedMesh>& meshes);  ///< null: read only
 };
 
 std::span<const MeshFormat> mesh_formats();
 
-/// The surfaces of a file, in the format its extension names (upper or lower case). Throws InputError where the extension is
-/// none of the table's, the file cannot be read, or its format's reader refuses what is in it.
-std::vector<NamedMesh> read_meshes(const std::filesystem::path& path, double metres_per_unit);
+/// What a file holds, in its own numbers, by the format its extension names (upper or lower case). Throws InputError where
+/// the extension is none of the table's, the file cannot be read, or its format's reader refuses what is in it.
+CadModel read_model(const std::filesystem::path& path);
 
 /// `sha256` of a file's bytes. Throws InputError where it cannot be read.
 std::string sha256_of_file(const std::filesystem::path& path);

@@ -89,7 +89,7 @@ class SurfaceMaker {
                 used.push_back(file_.corners[c].vertex);
             }
         std::sort(used.begin(), used.end());
-        NamedMesh surface{name, {}, {}};
+        NamedMesh surface{name, {}};
         surface.mesh.positions.resize(static_cast<Eigen::Index>(used.size()), 3);
         for (std::size_t i = 0; i < used.size(); ++i) {
             local_[static_cast<std::size_t>(used[i])] = static_cast<int>(i);
@@ -128,17 +128,17 @@ class SurfaceMaker {
 
 }  // namespace
 
-std::vector<NamedMesh> read_obj(std::istream& in, const std::string& name, double metres_per_unit) {
-    ObjFile file = parse_obj(read_text(in, name), name, metres_per_unit);
+CadModel read_obj(std::istream& in, const std::string& name) {
+    ObjFile file = parse_obj(read_text(in, name), name);
     const TriangleList list = triangulated(file);
     if (!file.named) name_parts(file, list);
     std::vector<std::vector<std::size_t>> corners(file.surfaces.size());
     for (std::size_t c = 0; c < list.corners.size(); ++c)
         corners[static_cast<std::size_t>(file.faces[list.faces[c / 3]].surface)].push_back(list.corners[c]);
-    std::vector<NamedMesh> surfaces;
+    CadModel model;
     SurfaceMaker maker(file);
-    for (std::size_t s = 0; s < corners.size(); ++s) surfaces.push_back(maker.make(file.surfaces[s], corners[s]));
-    return surfaces;
+    for (std::size_t s = 0; s < corners.size(); ++s) model.surfaces.push_back(maker.make(file.surfaces[s], corners[s]));
+    return model;
 }
 
 void write_obj(std::ostream& out, const std::vector<NamedMesh>& meshes) {

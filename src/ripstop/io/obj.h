@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/model/envelope.h"
+#include "ripstop/model/cad_model.h"
 
 namespace ripstop {
 
-/// The surfaces of a Wavefront OBJ, in metres: `v`, `vt`, `f`, `o` and `g` records; everything else is skipped.
+/// The surfaces of a Wavefront OBJ: `v`, `vt`, `f`, `o` and `g` records; everything else is skipped.
 ///
 /// Surfaces. The faces under one name are one surface, in the order of their first faces; a name that comes back goes on with
 /// its surface, and a name without faces is none. An `o` starts an object without group, a `g` a group in the object; the
@@ -19,14 +19,14 @@ namespace ripstop {
 /// Vertices. A surface has the vertices its faces use, in the file's order, and nothing is welded: vertices in one place may
 /// be the two sides of a closed dart. Polygons are fanned (`fan_corner`): from the first corner where convex. Indices count
 /// from 1, or from the end where negative; a face may come before its vertices. Weights and colours behind x y z are
-/// skipped. `drawn` is filled from `vt`, scaled like the vertices, where every corner has one and each vertex has one alone.
+/// skipped. `drawn` is filled from `vt` where every corner has one and each vertex has one alone.
 ///
 /// Throws InputError `NAME:LINE: what was found, what was expected, what to do` for anything but finite coordinates below
 /// 1e12, indices that hold and faces of three or more different corners, and where there is no face at all. Linear in the
 /// file's size in time and memory.
-std::vector<NamedMesh> read_obj(std::istream& in, const std::string& name, double metres_per_unit);
+CadModel read_obj(std::istream& in, const std::string& name);
 
-/// Each mesh as an object, in metres: `o`, `v`, `vt` where `drawn`, `f` with 1-based indices over the whole file. Numbers are
+/// Each mesh as an object: `o`, `v`, `vt` where `drawn`, `f` with 1-based indices over the whole file. Numbers are
 /// the shortest that read back as they were, so that reading gives equal meshes where every vertex is used.
 void write_obj(std::ostream& out, const std::vector<NamedMesh>& meshes);
 

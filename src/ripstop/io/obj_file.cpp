@@ -29,10 +29,7 @@ std::string stem_of(const std::string& name) {
 /// Reads the records of the file, line by line.
 class Parser {
   public:
-    Parser(std::string_view text, const std::string& name, double metres_per_unit)
-        : lines_(text), scale_(metres_per_unit) {
-        file_.name = name;
-    }
+    Parser(std::string_view text, const std::string& name) : lines_(text) { file_.name = name; }
 
     ObjFile parse() {
         while (lines_.next()) read_line();
@@ -74,7 +71,7 @@ class Parser {
         if (std::abs(*value) > largest_coordinate)
             file_.refuse(lines_.number(), "the coordinate " + shown(word) +
                                               " is too far out, expected at most 1e12; check the unit and the model");
-        return *value * scale_;
+        return *value;
     }
 
     void read_face(std::string_view rest) {
@@ -177,7 +174,6 @@ class Parser {
     }
 
     Lines lines_;
-    double scale_;
     ObjFile file_;
     std::string object_;
     std::string group_;
@@ -191,8 +187,8 @@ void ObjFile::refuse(long line, const std::string& what) const {
     throw InputError(name + ":" + std::to_string(line) + ": " + what);
 }
 
-ObjFile parse_obj(std::string_view text, const std::string& name, double metres_per_unit) {
-    return Parser(text, name, metres_per_unit).parse();
+ObjFile parse_obj(std::string_view text, const std::string& name) {
+    return Parser(text, name).parse();
 }
 
 }  // namespace ripstop

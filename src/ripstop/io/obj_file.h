@@ -21,7 +21,7 @@ struct ObjFace {
     long line;
 };
 
-/// What an OBJ file says, before any surface is made of it. Lengths [m].
+/// What an OBJ file says, before any surface is made of it. Lengths in its own unit.
 struct ObjFile {
     std::string name;
     std::vector<Vec3> vertices;
@@ -37,6 +37,6 @@ struct ObjFile {
 
 /// The records of an OBJ file, as `read_obj` describes them; every index holds and no face has a vertex twice. Throws
 /// InputError.
-ObjFile parse_obj(std::string_view text, const std::string& name, double metres_per_unit);
+ObjFile parse_obj(std::string_view text, const std::string& name);
 
 }  // namespace ripstop

@@ -218,7 +218,9 @@ Likeness likeness_at(const Tile& one, const Tile& other, const Pose& pose, doubl
     const Vec3 warp = pose.motion.linear() * one.grain.direction;
     found.grain_reversed = warp.dot(other.grain.direction) < 0;
     const double skew = (warp - (found.grain_reversed ? -1 : 1) * other.grain.direction).norm();
-    alike = skew * bounding_diagonal(one.mesh) <= tolerance;
+    // Warps given triangle by triangle are not compared: such tiles are each of their own kind.
+    const bool plain = one.grain.field.rows() == 0 && other.grain.field.rows() == 0;
+    alike = plain && skew * bounding_diagonal(one.mesh) <= tolerance;
     if (!alike) return found;
     const Eigen::Matrix3Xd moved = pose.motion * one.mesh.positions.transpose();
     const Eigen::Matrix3Xd there = other.mesh.positions.transpose();

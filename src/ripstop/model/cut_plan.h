@@ -33,7 +33,8 @@ struct FlatTile {
 struct CutPlan {
     std::string input_file;
     std::string input_sha256;
-    std::string unit = "m";  ///< of the input file
+    std::string unit = "m";                 ///< of the input file
+    std::vector<std::string> remarks = {};  ///< what of the input was left out or taken otherwise than it stands
     Fabric fabric;
     Tolerances tolerances;
     std::vector<FlatTile> tiles;

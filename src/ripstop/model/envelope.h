@@ -14,11 +14,4 @@ struct Envelope {
     std::vector<Seam> seams = {};
 };
 
-/// A named surface before it is known to be a tile: what a file or a generator gives.
-struct NamedMesh {
-    std::string name;
-    TriangleMesh mesh;
-    std::optional<Points2> drawn;  ///< flat positions from the file's texture coordinates, where each vertex has one
-};
-
 }  // namespace ripstop

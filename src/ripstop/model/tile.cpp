@@ -53,6 +53,32 @@ std::vector<Chain> cut_into_chains(const std::vector<int>& boundary, const std::
     return chains;
 }
 
+/// The field with its mean over the area as the direction of the whole.
+Grain grain_of_field(const std::string& name, const TriangleMesh& mesh, const TileOptions& options) {
+    Grain grain{Vec3::Zero(), options.warp_source, options.warp_field};
+    if (grain.field.rows() != mesh.triangle_count())
+        throw InputError("tile " + name + ": " + std::to_string(grain.field.rows()) + " warps for " +
+                         std::to_string(mesh.triangle_count()) + " triangles, expected one each");
+    double area = 0;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        const double length = grain.field.row(t).norm();
+        if (!(length > 0) || !std::isfinite(length))
+            throw InputError("tile " + name + ": the warp of triangle " + std::to_string(t + 1) +
+                             " has no direction; give a vector other than zero");
+        grain.field.row(t) /= length;
+        const double share = triangle_area(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+        grain.direction += share * grain.field.row(t).transpose();
+        area += share;
+    }
+    const double agreement = grain.direction.norm() / area;
+    if (!(agreement > 0.3))  // 1: all one way; below, no direction stands for the whole
+        throw InputError("tile " + name +
+                         ": the warps of its triangles point every way, expected one way along the cloth; "
+                         "turn them to the same side or leave them out");
+    grain.direction.normalize();
+    return grain;
+}
+
 Grain make_grain(const std::string& name, const TriangleMesh& mesh, const TileOptions& options) {
     const Vec3 normal = area_vector(mesh).normalized();
     if (options.warp) {
@@ -66,6 +92,7 @@ Grain make_grain(const std::string& name, const TriangleMesh& mesh, const TileOp
                              "along the cloth");
         return {direction, options.warp_source};
     }
+    if (options.warp_field.rows() > 0) return grain_of_field(name, mesh, options);
     const Vec3 axis = longest_axis(mesh);
     if (options.grain_turn == 0) return {axis, "longest axis"};
     const Eigen::AngleAxisd turn(options.grain_turn, normal);
@@ -138,7 +165,8 @@ Eigen::Matrix2Xd warp_in_triangles(const Tile& tile) {
         const Vec3 a = tile.mesh.corner(t, 0);
         const Vec3 e1 = (tile.mesh.corner(t, 1) - a).normalized();
         const Vec3 normal = e1.cross(tile.mesh.corner(t, 2) - a).normalized();
-        Vec2 along(tile.grain.direction.dot(e1), tile.grain.direction.dot(normal.cross(e1)));
+        const Vec3 yarn = tile.grain.field.rows() > 0 ? Vec3(tile.grain.field.row(t)) : tile.grain.direction;
+        Vec2 along(yarn.dot(e1), yarn.dot(normal.cross(e1)));
         const double length = along.norm();
         warp.col(t) = length > 1e-6 ? Vec2(along / length) : Vec2(Vec2::Zero());
     }
@@ -201,6 +229,7 @@ Tile make_tile(std::string name, TriangleMesh mesh, const TileOptions& options) 
     tile.grain = make_grain(name, mesh, options);
     tile.drawn = options.drawn;
     tile.compensation = options.compensation;
+    tile.attributes = options.attributes;
     tile.name = std::move(name);
     tile.mesh = std::move(mesh);
     return tile;

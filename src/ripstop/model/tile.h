@@ -6,6 +6,7 @@
 
 #include "ripstop/base/units.h"
 #include "ripstop/mesh/triangle_mesh.h"
+#include "ripstop/model/cad_model.h"
 
 namespace ripstop {
 
@@ -22,6 +23,7 @@ struct Chain {
 struct Grain {
     Vec3 direction = Vec3::UnitX();  ///< unit length
     std::string source;
+    Points3 field = {};  ///< #F x 3: of each triangle its own, of unit length; empty: `direction` for all
 };
 
 /// How much longer than drawn the cloth is to be cut, as ratios: 0.005 is half a per cent longer. What shrinks in use is cut
@@ -43,16 +45,19 @@ struct Tile {
     std::optional<Points2> drawn;  ///< #V x 2: flat positions that came with the input [m]
     Compensation compensation;
     Eigen::VectorXd curve_lengths;  ///< of each boundary edge on the curve its seam follows [m]; empty: the edge's own
+    Attributes attributes = {};     ///< what the file says of it
 };
 
 struct TileOptions {
     double corner_angle = 30 * degree;  ///< a boundary vertex that turns by more is a corner [rad]
     std::vector<Vec3> corners = {};     ///< if any: these instead, each the boundary vertex nearest to the point
     std::optional<Vec3> warp = {};      ///< if none: the longest axis
-    std::string warp_source = "given";  ///< where `warp` comes from, in words
+    Points3 warp_field = {};            ///< #F x 3: of each triangle its own; used where no `warp` is given; else empty
+    std::string warp_source = "given";  ///< where the warp comes from, in words
     double grain_turn = 0;              ///< turns the longest axis, counter-clockwise seen from outside [rad]
     std::optional<Points2> drawn = {};
     Compensation compensation = {};
+    Attributes attributes = {};
 };
 
 /// The tile of a mesh. Corners are where the boundary turns by more than `corner_angle` on the surface: pi less the sum of

@@ -70,6 +70,7 @@ Tile make_half_tile(const Tile& whole, const MeshHalf& half, const std::string& 
     options.warp = whole.grain.direction;
     options.warp_source = whole.grain.source;
     options.compensation = whole.compensation;
+    options.attributes = whole.attributes;
     options.compensation.chains.clear();
     Tile tile = make_tile(name, half.mesh, options);
     const WholeBoundary boundary(whole);

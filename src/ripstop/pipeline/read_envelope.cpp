@@ -6,6 +6,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/base/glob.h"
 #include "ripstop/io/mesh_file.h"
+#include "ripstop/pipeline/grain_lines.h"
 
 namespace ripstop {
 namespace {
@@ -19,15 +20,14 @@ bool wanted(const std::string& name, const std::vector<std::string>& only) {
 }
 
 /// Every name that was asked for must be there: a mistyped one would silently leave out a part of the job.
-void require_wanted(const std::vector<NamedMesh>& surfaces, const std::vector<std::string>& only) {
+void require_wanted(const std::vector<std::string>& names, const std::vector<std::string>& only, const char* what) {
     for (const std::string& glob : only) {
-        const auto fits = [&glob](const NamedMesh& surface) { return glob_match(glob, surface.name); };
-        if (std::any_of(surfaces.begin(), surfaces.end(), fits)) continue;
-        std::string names;
-        for (std::size_t i = 0; i < std::min(surfaces.size(), shown_names); ++i)
-            names += (i ? ", " : "") + surfaces[i].name;
-        throw InputError("no tile is called \"" + glob + "\"; the input has " + names +
-                         (surfaces.size() > shown_names ? ", …" : ""));
+        const auto fits = [&glob](const std::string& name) { return glob_match(glob, name); };
+        if (std::any_of(names.begin(), names.end(), fits)) continue;
+        std::string shown;
+        for (std::size_t i = 0; i < std::min(names.size(), shown_names); ++i) shown += (i ? ", " : "") + names[i];
+        throw InputError("no " + std::string(what) + " is called \"" + glob + "\"; the input has " +
+                         (names.empty() ? "none" : shown) + (names.size() > shown_names ? ", …" : ""));
     }
 }
 
@@ -39,19 +39,46 @@ void require_wanted(const std::vector<NamedMesh>& surfaces, const std::vector<st
     throw InputError(text);
 }
 
+/// Keeps what lies on the layers asked for. An object whose layer is not known lies on none.
+void keep_layers(CadModel& model, const std::vector<std::string>& layers) {
+    if (layers.empty()) return;
+    require_wanted(model.layers, layers, "layer");
+    const auto elsewhere = [&layers](const auto& object) {
+        const auto layer = object.attributes.find("layer");
+        return layer == object.attributes.end() || !wanted(layer->second, layers);
+    };
+    std::erase_if(model.surfaces, elsewhere);
+    std::erase_if(model.unread, elsewhere);
+    // Grain lines have layers of their own, and lie where they lie.
+    std::erase_if(model.curves, [&](const NamedCurve& curve) { return elsewhere(curve) && !is_grain_line(curve); });
+}
+
+void require_surfaces(const CadModel& model, const std::string& file) {
+    if (!model.surfaces.empty()) return;
+    std::string text = file + ": no surface that could be read, expected the tiles as meshes or surfaces";
+    for (std::size_t i = 0; i < std::min(model.unread.size(), shown_faults); ++i)
+        text += "\n" + model.unread[i].type + " " + model.unread[i].name + ": " + model.unread[i].reason;
+    throw InputError(text);
+}
+
 }  // namespace
 
 Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& options) {
-    require_wanted(surfaces, options.only);
+    std::vector<std::string> names;
+    for (const NamedMesh& surface : surfaces) names.push_back(surface.name);
+    require_wanted(names, options.only, "tile");
     Envelope envelope;
     std::vector<std::string> faults;
     for (NamedMesh& surface : surfaces) {
         if (!wanted(surface.name, options.only)) continue;
-        TileOptions tile;
-        if (options.project) tile = tile_options(*options.project, surface.name, options.metres_per_unit);
-        tile.grain_turn = options.grain_turn;
-        tile.drawn = std::move(surface.drawn);
         try {
+            TileOptions tile;
+            if (options.project)
+                tile = tile_options(*options.project, surface.name, options.unit.value_or(LengthUnit{}).metres);
+            if (!tile.warp) take_warp(surface, tile);
+            tile.grain_turn = options.grain_turn;
+            tile.drawn = std::move(surface.drawn);
+            tile.attributes = std::move(surface.attributes);
             envelope.tiles.push_back(make_tile(surface.name, std::move(surface.mesh), tile));
         } catch (const InputError& error) {
             faults.emplace_back(error.what());
@@ -62,8 +89,29 @@ Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& optio
     return envelope;
 }
 
+EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& options) {
+    CadModel model = read_model(file);
+    EnvelopeInput input;
+    input.unit_assumed = !options.unit && !model.unit;
+    input.unit = options.unit ? *options.unit : model.unit.value_or(LengthUnit{});
+    input.remarks = std::move(model.remarks);
+    if (options.unit && model.unit && options.unit->metres != model.unit->metres)
+        input.remarks.push_back("the file says its unit is " + model.unit->name + ", taken as " + options.unit->name +
+                                " as asked");
+    keep_layers(model, options.layers);
+    require_surfaces(model, file.string());
+    for (const UnreadObject& object : model.unread)
+        input.remarks.push_back(object.type + " " + object.name + " left out: " + object.reason);
+    model = in_metres(std::move(model), input.unit.metres);
+    for (std::string& remark : lay_grain_lines(model)) input.remarks.push_back(std::move(remark));
+    ReadOptions in_this_unit = options;
+    in_this_unit.unit = input.unit;
+    input.envelope = make_envelope(std::move(model.surfaces), in_this_unit);
+    return input;
+}
+
 Envelope read_envelope(const std::filesystem::path& file, const ReadOptions& options) {
-    return make_envelope(read_meshes(file, options.metres_per_unit), options);
+    return read_input(file, options).envelope;
 }
 
 }  // namespace ripstop

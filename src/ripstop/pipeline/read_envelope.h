@@ -7,23 +7,42 @@
 
 #include "ripstop/base/units.h"
 #include "ripstop/io/project_json.h"
+#include "ripstop/model/cad_model.h"
 #include "ripstop/model/envelope.h"
 
 namespace ripstop {
 
 struct ReadOptions {
-    double metres_per_unit = 1;          ///< of the file
-    std::vector<std::string> only = {};  ///< globs of tile names to keep; all where empty
-    double grain_turn = 0;               ///< where no warp is given: the longest axis turned by this [rad]
+    std::optional<LengthUnit> unit = {};   ///< of the file's numbers, whatever the file says; else its own, else metres
+    std::vector<std::string> only = {};    ///< globs of tile names to keep; all where empty
+    std::vector<std::string> layers = {};  ///< globs of the layers whose objects are read; all where empty
+    double grain_turn = 0;                 ///< where no warp is given: the longest axis turned by this [rad]
     std::optional<Project> project = {};
     double seam_tolerance = 0.5 * millimetre;  ///< edges to be sewn together lie within this [m]
 };
 
-/// Reads a mesh file, makes every surface in it a tile and finds the seams between those kept (`find_seams`). Throws InputError for a file that cannot be read, and for
-/// surfaces that are no tiles: one sentence each, all of them at once; and for a glob in `only` that fits no surface.
+/// An envelope with what its file said of it.
+struct EnvelopeInput {
+    Envelope envelope;
+    LengthUnit unit;                        ///< of the file's numbers
+    bool unit_assumed = false;              ///< neither given nor said by the file
+    std::vector<std::string> remarks = {};  ///< what was left out or taken otherwise than it stands, one sentence each
+};
+
+/// Reads a file (`read_model`), makes every surface in it a tile and finds the seams between those kept (`find_seams`).
+///
+/// The warp of a tile is, in this order: the project's; the line on a layer called GRAIN or WARP that lies on the tile; the
+/// file's own for the surface, in its triangles or as the attribute `warp` (x, y, z); the longest axis. Objects that give no
+/// surface become remarks.
+///
+/// Throws InputError for a file that cannot be read or holds no surface, and for surfaces that are no tiles: one sentence
+/// each, all of them at once; and for a glob in `only` or `layers` that fits nothing.
+EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& options);
+
+/// The envelope alone.
 Envelope read_envelope(const std::filesystem::path& file, const ReadOptions& options);
 
-/// The same from surfaces at hand.
+/// The same from surfaces at hand, in metres.
 Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& options);
 
 }  // namespace ripstop

@@ -261,18 +261,20 @@ std::string report_json(const CutPlan& plan, bool reproducible) {
         add_quantity(tiles.back(), plan, i, cut[i]);
     }
     for (std::size_t i = 0; i < plan.walks.size(); ++i) seams.push_back(seam_json(plan.seams[i], plan.walks[i], plan));
-    const Json report = {{"ripstop", version},
-                         {"schema", report_schema},
-                         {"input", {{"file", plan.input_file}, {"sha256", plan.input_sha256}, {"unit", plan.unit}}},
-                         {"fabric", fabric_json(plan.fabric)},
-                         {"tolerances",
-                          {{"area_pct", in_percent(plan.tolerances.area)},
-                           {"length_pct", in_percent(plan.tolerances.length)},
-                           {"strain_pct", in_percent(plan.tolerances.strain)},
-                           {"shear_deg", in_degrees(plan.tolerances.shear)}}},
-                         {"tiles", tiles},
-                         {"seams", seams},
-                         {"envelope", envelope_json(plan)}};
+    const Json report = {
+        {"ripstop", version},
+        {"schema", report_schema},
+        {"input",
+         {{"file", plan.input_file}, {"sha256", plan.input_sha256}, {"unit", plan.unit}, {"remarks", plan.remarks}}},
+        {"fabric", fabric_json(plan.fabric)},
+        {"tolerances",
+         {{"area_pct", in_percent(plan.tolerances.area)},
+          {"length_pct", in_percent(plan.tolerances.length)},
+          {"strain_pct", in_percent(plan.tolerances.strain)},
+          {"shear_deg", in_degrees(plan.tolerances.shear)}}},
+        {"tiles", tiles},
+        {"seams", seams},
+        {"envelope", envelope_json(plan)}};
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
