@@ -15,4 +15,14 @@ double CutPlan::area() const {
     return sum;
 }
 
+std::vector<Quantity> quantities(const CutPlan& plan) {
+    std::vector<Quantity> counts(plan.tiles.size());
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        const FlatTile& tile = plan.tiles[i];
+        Quantity& count = counts[tile.equal_to < 0 ? i : static_cast<std::size_t>(tile.equal_to)];
+        ++(tile.mirrored ? count.mirrored : count.same);
+    }
+    return counts;
+}
+
 }  // namespace ripstop

@@ -47,4 +47,11 @@ struct CutPlan {
     double area() const;          ///< of the tiles in space [m2]
 };
 
+/// How many pieces are cut by each tile's pattern (`equal_to`), and how many by the pattern turned over. None by one that is
+/// equal to an earlier tile.
+struct Quantity {
+    int same = 0, mirrored = 0;
+};
+std::vector<Quantity> quantities(const CutPlan& plan);
+
 }  // namespace ripstop

@@ -16,15 +16,75 @@ struct Label {
     double turn = 0;       ///< [rad], counter-clockwise
 };
 
+/// Whom a piece is sewn to along a part of an edge.
+struct Mate {
+    std::string seam;   ///< its id
+    std::string piece;  ///< the name of the other piece
+    double length = 0;  ///< of the part, on the cloth [m]
+};
+
+/// An edge of a piece: the run of its sew line from one corner to the next, counter-clockwise. Corners are points of the sew
+/// line; an outline without corners is one edge that ends where it starts.
+struct PieceEdge {
+    int first = 0;               ///< in `PatternPiece::sew_line`: where it starts; it ends where the next edge starts
+    double length = 0;           ///< of the edge as flattened, before any point of it was left out [m]
+    double allowance = 0;        ///< cloth beyond the sew line [m]
+    std::string seam_type = {};  ///< how it is sewn or finished: `flat-felled`, `hem`, …
+    std::vector<Mate> mates = {};  ///< in the order of the edge; none where it is free
+};
+
+/// A match mark on an edge: the same place of the seam on both pieces. It is cut or drawn from the cut line inwards.
+struct PieceNotch {
+    int edge = 0;                   ///< in `PatternPiece::edges`
+    std::string seam;               ///< id
+    double along = 0;               ///< the seam's curve from its start, so equal on both mates [m]
+    Vec2 on_sew = Vec2::Zero();     ///< on the sew line
+    Vec2 outward = Vec2::UnitX();   ///< unit normal of the sew line there, away from the piece
+    double reach = 0;               ///< from the sew line to the cut line along `outward` [m]
+    double depth = 0;               ///< of the cut, less than the reach [m]
+    int count = 1;                  ///< 2: a double notch, `twin_distance` apart along the edge
+    static constexpr double twin_distance = 0.008;  ///< [m]
+
+    Vec2 on_cut() const { return on_sew + reach * outward; }
+    Vec2 along_edge() const { return {-outward.y(), outward.x()}; }
+    /// The slits, from the cut line inwards; one or two.
+    std::vector<std::pair<Vec2, Vec2>> slits() const {
+        std::vector<std::pair<Vec2, Vec2>> cuts;
+        for (int i = 0; i < count; ++i) {
+            const Vec2 at = on_cut() + twin_distance * (i - (count - 1) / 2.0) * along_edge();
+            cuts.emplace_back(at, at - depth * outward);
+        }
+        return cuts;
+    }
+};
+
+/// A line that is drawn on the piece and not cut: a load tape, artwork, a fold.
+struct DrawnLine {
+    std::string name;
+    Points2 points;  ///< at least 2 x 2; a closed one ends where it starts
+};
+
 /// What is drawn for the cutter: the flat piece in metres, +x the warp, outside face up.
 struct PatternPiece {
     std::string name;
-    Points2 sew_line;    ///< closed, counter-clockwise, the first point not repeated
-    Points2 grain_line;  ///< 2 x 2: tail and head of the grain arrow, inside the piece
-    std::vector<Label> labels;
+    Points2 sew_line;  ///< closed, counter-clockwise, the first point not repeated: the edges' points, corners exact
+    std::vector<PieceEdge> edges = {};  ///< they cover the sew line once, in its order; none on a piece that is not sewn
+    Points2 cut_line = {};              ///< closed, counter-clockwise: what is cut; the sew line where nothing is allowed
+    std::vector<PieceNotch> notches = {};
+    Points2 grain_line = {};  ///< 2 x 2: tail and head of the grain arrow, inside the piece
+    std::vector<DrawnLine> lines = {};
+    std::vector<Label> labels = {};
+    int quantity = 1;           ///< how many are cut by this pattern
+    int quantity_mirrored = 0;  ///< and by the pattern turned over
+    std::string gore = {}, row = {}, fabric = {}, colour = {}, revision = {};
 
-    Vec2 lower() const { return sew_line.colwise().minCoeff(); }
-    Vec2 upper() const { return sew_line.colwise().maxCoeff(); }
+    /// Of what is cut.
+    const Points2& outline() const { return cut_line.rows() > 0 ? cut_line : sew_line; }
+    Vec2 lower() const { return outline().colwise().minCoeff(); }
+    Vec2 upper() const { return outline().colwise().maxCoeff(); }
+
+    /// The sew line of an edge, both ends included (#P x 2).
+    Points2 edge_line(std::size_t edge) const;
 };
 
 /// Length along the shaft of the arrow head of a grain line `length` long, and half its width [m].

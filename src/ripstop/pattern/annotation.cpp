@@ -16,7 +16,8 @@ constexpr double upright = std::numbers::pi / 2;
 struct Writing {
     std::vector<std::string> lines;
     static double scale(std::size_t line) { return line == 0 ? 1 : 0.6; }
-    static double drop(std::size_t line) { return line == 0 ? 0 : 1.3; }  ///< of the middle of the line
+    /// Of the middle of the line below that of the first.
+    static double drop(std::size_t line) { return line == 0 ? 0 : 1.3 + 0.9 * static_cast<double>(line - 1); }
 
     double width() const {
         double widest = 0;
@@ -135,13 +136,20 @@ Arrow longest_arrow(const Points2& outline, const std::array<double, 2>& part, d
 
 }  // namespace
 
-LabelPlace place_label(const Points2& outline, const Circle& room, const std::string& name, double largest) {
+LabelPlace place_label(const Points2& outline, const Circle& room, const std::string& name,
+                       const std::vector<std::string>& notes, double largest) {
     const std::vector<Vec2> middles = places(outline, room.centre);
-    const Writing with_warp{{name, "WARP"}}, alone{{name}};
+    Writing with_all{{name}}, with_first{{name}};
+    const Writing alone{{name}};
+    with_all.lines.insert(with_all.lines.end(), notes.begin(), notes.end());
+    if (!notes.empty()) with_first.lines.push_back(notes.front());
     const struct {
         const Writing& writing;
         double least;
-    } attempts[] = {{with_warp, smallest_readable}, {alone, smallest_readable}, {alone, smallest}};
+    } attempts[] = {{with_all, smallest_readable / Writing::scale(1)},
+                    {with_first, smallest_readable},
+                    {alone, smallest_readable},
+                    {alone, smallest}};
     for (const auto& attempt : attempts) {
         const Fit fit = best_fit(outline, middles, attempt.writing, attempt.least, std::max(largest, attempt.least));
         if (fit.height > 0) return attempt.writing.at(fit.middle, fit.height, fit.turn);

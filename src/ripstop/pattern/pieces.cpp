@@ -1,23 +1,17 @@
 #include "ripstop/pattern/pieces.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
-#include "ripstop/base/error.h"
+#include "ripstop/base/parallel.h"
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/pattern/annotation.h"
+#include "ripstop/pattern/edge_labels.h"
+#include "ripstop/pattern/outline.h"
 
 namespace ripstop {
 namespace {
-
-Points2 sew_line(const FlatTile& tile) {
-    const std::vector<int>& loop = tile.tile.boundary;
-    Points2 outline(static_cast<Eigen::Index>(loop.size()), 2);
-    for (std::size_t i = 0; i < loop.size(); ++i)
-        outline.row(static_cast<Eigen::Index>(i)) = tile.flattening.positions.row(loop[i]);
-    if (signed_area(outline) < 0) outline = outline.colwise().reverse().eval();
-    return outline;
-}
 
 /// Across the pole, within the circle and six tenths of the width: where nothing better is to be had.
 Points2 grain_line_at_pole(const Points2& outline, const Circle& room) {
@@ -30,6 +24,82 @@ Points2 grain_line_at_pole(const Points2& outline, const Circle& room) {
     return line;
 }
 
+/// Digits after a letter in a name such as G03P07: the gore's (`letter` 0) or the row's (1); empty for other names.
+std::string number_in_name(const std::string& name, int letter) {
+    std::string found[2];
+    std::size_t at = 0;
+    for (std::string& digits : found) {
+        if (at >= name.size() || !std::isalpha(static_cast<unsigned char>(name[at]))) return "";
+        for (++at; at < name.size() && std::isdigit(static_cast<unsigned char>(name[at])); ++at) digits += name[at];
+        if (digits.empty()) return "";
+    }
+    return at == name.size() ? found[letter] : "";
+}
+
+void name_piece(PatternPiece& piece, const CutPlan& plan, const Tile& tile, const PieceOptions& options) {
+    const auto attribute = [&tile](std::initializer_list<const char*> keys) {
+        for (const char* key : keys)
+            if (const auto found = tile.attributes.find(key); found != tile.attributes.end()) return found->second;
+        return std::string();
+    };
+    piece.name = tile.name;
+    piece.gore = attribute({"gore"});
+    piece.row = attribute({"row", "panel"});
+    if (piece.gore.empty()) piece.gore = number_in_name(tile.name, 0);
+    if (piece.row.empty()) piece.row = number_in_name(tile.name, 1);
+    piece.colour = attribute({"colour", "color", "material"});
+    piece.fabric = plan.fabric_of(tile).name;
+    piece.revision = options.revision;
+}
+
+/// What stands below the name: what is needed at the table first.
+std::vector<std::string> notes_of(const PatternPiece& piece) {
+    std::vector<std::string> notes{"WARP"};
+    if (piece.quantity > 1 || piece.quantity_mirrored > 0)
+        notes.push_back("cut " + std::to_string(piece.quantity) +
+                        (piece.quantity_mirrored > 0 ? " + " + std::to_string(piece.quantity_mirrored) + " mirrored"
+                                                     : std::string()));
+    if (!piece.gore.empty() && !piece.row.empty()) notes.push_back("gore " + piece.gore + " row " + piece.row);
+    if (!piece.revision.empty()) notes.push_back("rev " + piece.revision);
+    return notes;
+}
+
+Points2 cut_line(const PatternPiece& piece, CornerRule corners) {
+    std::vector<AllowedEdge> edges;
+    double widest = 0;
+    for (std::size_t e = 0; e < piece.edges.size(); ++e) {
+        const bool is_hem = piece.edges[e].mates.empty();
+        edges.push_back({piece.edge_line(e), piece.edges[e].allowance, is_hem ? CornerRule::fold : corners});
+        widest = std::max(widest, piece.edges[e].allowance);
+    }
+    return widest > 0 ? make_cut_line(edges) : piece.sew_line;
+}
+
+/// Label, grain arrow and the neighbours' names.
+void write_on(PatternPiece& piece) {
+    // The radius is at least area over perimeter, so this is a tenth of it or better; the floor is for outlines without
+    // inside, which failed flattenings have.
+    const Vec2 size = piece.sew_line.colwise().maxCoeff() - piece.sew_line.colwise().minCoeff();
+    const double precision =
+        std::max(1e-4 * size.maxCoeff(), 0.1 * signed_area(piece.sew_line) / perimeter(piece.sew_line));
+    const Circle room = largest_circle_inside(piece.sew_line, precision);
+    // Two fifths of the circle's radius leave room for the arrow above or below; less if that was not enough.
+    double largest = std::clamp(0.4 * room.radius, 0.003, 0.040);
+    Box label_box;
+    for (int attempt = 0; attempt < 3; ++attempt, largest /= 2) {
+        LabelPlace label = place_label(piece.sew_line, room, piece.name, notes_of(piece), largest);
+        piece.labels = std::move(label.labels);
+        label_box = label.box;
+        piece.grain_line = place_grain_line(piece.sew_line, room, label.box);
+        if (piece.grain_line.rows() == 2 && piece.grain_line(1, 0) - piece.grain_line(0, 0) >= 0.5 * room.radius) break;
+    }
+    if (piece.grain_line.rows() != 2) piece.grain_line = grain_line_at_pole(piece.sew_line, room);
+    const Vec2 tail = piece.grain_line.row(0), head = piece.grain_line.row(1);
+    const double length = (head - tail).norm();
+    const Box arrow{(tail + head) / 2, {length / 2, arrow_half_width(length)}, 0};
+    for (Label& label : place_edge_labels(piece, {label_box, arrow})) piece.labels.push_back(std::move(label));
+}
+
 }  // namespace
 
 bool has_flat_positions(const FlatTile& tile) {
@@ -37,35 +107,27 @@ bool has_flat_positions(const FlatTile& tile) {
     return positions.rows() == tile.tile.mesh.vertex_count() && positions.rows() > 0 && positions.allFinite();
 }
 
-PatternPiece make_piece(const FlatTile& tile) {
-    if (!has_flat_positions(tile))
-        throw InputError("tile " + tile.tile.name + ": has no flat positions (" + tile.flattening.summary.text() +
-                         "), so there is no piece to draw; flatten it first");
-    PatternPiece piece;
-    piece.name = tile.tile.name;
-    piece.sew_line = sew_line(tile);
-    // The radius is at least area over perimeter, so this is a tenth of it or better; the floor is for outlines without
-    // inside, which failed flattenings have.
-    const double precision = std::max(1e-4 * (piece.upper() - piece.lower()).maxCoeff(),
-                                      0.1 * signed_area(piece.sew_line) / perimeter(piece.sew_line));
-    const Circle room = largest_circle_inside(piece.sew_line, precision);
-    // Two fifths of the circle's radius leave room for the arrow above or below; less if that was not enough.
-    double largest = std::clamp(0.4 * room.radius, 0.003, 0.040);
-    for (int attempt = 0; attempt < 3; ++attempt, largest /= 2) {
-        const LabelPlace label = place_label(piece.sew_line, room, piece.name, largest);
-        piece.labels = label.labels;
-        piece.grain_line = place_grain_line(piece.sew_line, room, label.box);
-        if (piece.grain_line.rows() == 2 && piece.grain_line(1, 0) - piece.grain_line(0, 0) >= 0.5 * room.radius)
-            return piece;
-    }
-    if (piece.grain_line.rows() != 2) piece.grain_line = grain_line_at_pole(piece.sew_line, room);
-    return piece;
-}
-
-std::vector<PatternPiece> make_pieces(const CutPlan& plan) {
+std::vector<PatternPiece> make_pieces(const CutPlan& plan, const PieceOptions& options, int threads) {
+    const std::vector<PieceOutline> outlines = make_outlines(plan, options.chord_error);
+    const std::vector<std::vector<PieceNotch>> notches = make_notches(plan, outlines, options.notches);
+    const std::vector<Quantity> quantity = quantities(plan);
+    std::vector<PatternPiece> all(plan.tiles.size());
+    parallel_for(static_cast<int>(plan.tiles.size()), threads, [&](int t) {
+        const auto i = static_cast<std::size_t>(t);
+        if (!has_flat_positions(plan.tiles[i])) return;
+        PatternPiece& piece = all[i];
+        name_piece(piece, plan, plan.tiles[i].tile, options);
+        piece.quantity = quantity[i].same;
+        piece.quantity_mirrored = quantity[i].mirrored;
+        piece.sew_line = outlines[i].sew_line;
+        piece.edges = outlines[i].edges;
+        piece.cut_line = cut_line(piece, options.corners);
+        piece.notches = notches[i];
+        write_on(piece);
+    });
     std::vector<PatternPiece> pieces;
-    for (const FlatTile& tile : plan.tiles)
-        if (has_flat_positions(tile)) pieces.push_back(make_piece(tile));
+    for (PatternPiece& piece : all)
+        if (piece.sew_line.rows() > 0) pieces.push_back(std::move(piece));
     return pieces;
 }
 

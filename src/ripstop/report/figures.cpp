@@ -40,16 +40,6 @@ std::string failing_codes(const Verdict& verdict) {
     return text;
 }
 
-std::vector<Quantity> quantities(const CutPlan& plan) {
-    std::vector<Quantity> counts(plan.tiles.size());
-    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
-        const FlatTile& tile = plan.tiles[i];
-        Quantity& count = counts[tile.equal_to < 0 ? i : static_cast<std::size_t>(tile.equal_to)];
-        ++(tile.mirrored ? count.mirrored : count.same);
-    }
-    return counts;
-}
-
 bool is_drawable(const FlatTile& tile) {
     const Points2& positions = tile.flattening.positions;
     return positions.rows() == tile.tile.mesh.vertex_count() && positions.rows() > 0 && positions.allFinite();

@@ -18,13 +18,6 @@ double worst_chain_error(const Accuracy& accuracy);
 /// the tile can be made.
 std::string failing_codes(const Verdict& verdict);
 
-/// How many pieces are cut by each tile's pattern (`equal_to`), and how many by the pattern turned over. None by one that is
-/// equal to an earlier tile.
-struct Quantity {
-    int same = 0, mirrored = 0;
-};
-std::vector<Quantity> quantities(const CutPlan& plan);
-
 /// Has each vertex a finite place on the cloth? Only then is there something to draw.
 bool is_drawable(const FlatTile& tile);
 

@@ -1,0 +1,155 @@
+#include "ripstop/pattern/outline.h"
+
+#include <algorithm>
+#include <map>
+
+#include "ripstop/geometry/polygon.h"
+#include "ripstop/geometry/simplify.h"
+#include "ripstop/model/allowance.h"
+#include "ripstop/pattern/pieces.h"
+
+namespace ripstop {
+namespace {
+
+constexpr double same_allowance = 1e-6;  // [m]
+
+/// What seams take of each boundary edge of a tile.
+struct SewnPart {
+    const Seam* seam = nullptr;
+    int mate = 0;  ///< tile
+    double flat_length = 0;
+};
+using SewnParts = std::vector<std::vector<SewnPart>>;
+
+std::size_t boundary_size(const FlatTile& tile) {
+    return tile.tile.boundary.size();
+}
+
+double flat_edge(const FlatTile& tile, std::size_t edge) {
+    const std::vector<int>& loop = tile.tile.boundary;
+    return (tile.flattening.positions.row(loop[(edge + 1) % loop.size()]) -
+            tile.flattening.positions.row(loop[edge]))
+        .norm();
+}
+
+std::vector<SewnParts> sewn_parts(const CutPlan& plan) {
+    std::vector<SewnParts> parts;
+    for (const FlatTile& tile : plan.tiles) parts.emplace_back(boundary_size(tile));
+    for (const Seam& seam : plan.seams)
+        for (const auto& [side, other] : {std::pair(&seam.a, &seam.b), std::pair(&seam.b, &seam.a)}) {
+            const FlatTile& tile = plan.tiles[static_cast<std::size_t>(side->tile)];
+            if (!has_flat_positions(tile)) continue;
+            const Eigen::VectorXd drawn = drawn_lengths(tile.tile);
+            for (const SeamPart& part : side->parts) {
+                const auto edge = static_cast<std::size_t>(part.edge);
+                parts[static_cast<std::size_t>(side->tile)][edge].push_back(
+                    {&seam, other->tile, flat_edge(tile, edge) * part.length / drawn[part.edge]});
+            }
+        }
+    return parts;
+}
+
+/// Which boundary edges start a piece's edge: at a corner, and where the allowance changes.
+std::vector<std::size_t> starts(const Tile& tile, const Eigen::VectorXd& allowances) {
+    const std::size_t count = tile.boundary.size();
+    std::vector<bool> corner(static_cast<std::size_t>(tile.mesh.vertex_count()), false);
+    if (tile.chains.size() > 1)
+        for (const Chain& chain : tile.chains) corner[static_cast<std::size_t>(chain.vertices.front())] = true;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto here = static_cast<Eigen::Index>(i), before = static_cast<Eigen::Index>((i + count - 1) % count);
+        if (corner[static_cast<std::size_t>(tile.boundary[i])] ||
+            std::abs(allowances[here] - allowances[before]) > same_allowance)
+            found.push_back(i);
+    }
+    if (found.empty()) found.push_back(0);
+    return found;
+}
+
+/// The mates of an edge, with their seams.
+class Mates {
+  public:
+    void add(const SewnPart& part, const CutPlan& plan) {
+        auto at = std::find(seams_.begin(), seams_.end(), part.seam);
+        if (at == seams_.end()) {
+            at = seams_.insert(at, part.seam);
+            list.push_back({part.seam->id, plan.tiles[static_cast<std::size_t>(part.mate)].tile.name, 0});
+        }
+        list[static_cast<std::size_t>(at - seams_.begin())].length += part.flat_length;
+    }
+
+    /// How most of the edge is sewn; its finish where it is in no seam.
+    std::string type(const Chain& chain) const {
+        const auto longest = std::max_element(
+            list.begin(), list.end(), [](const Mate& a, const Mate& b) { return a.length < b.length; });
+        if (longest == list.end()) return chain.finish.name;
+        return seams_[static_cast<std::size_t>(longest - list.begin())]->type.name;
+    }
+
+    std::vector<Mate> list;
+
+  private:
+    std::vector<const Seam*> seams_;
+};
+
+/// The chain each boundary vertex starts an edge of.
+std::map<int, std::size_t> chains_from(const Tile& tile) {
+    std::map<int, std::size_t> chain_of;
+    for (std::size_t c = 0; c < tile.chains.size(); ++c)
+        for (int i = 0; i < tile.chains[c].edge_count(); ++i)
+            chain_of[tile.chains[c].vertices[static_cast<std::size_t>(i)]] = c;
+    return chain_of;
+}
+
+PieceOutline make_outline(const CutPlan& plan, const FlatTile& flat, const SewnParts& parts,
+                          const Eigen::VectorXd& allowances, double chord_error) {
+    const Tile& tile = flat.tile;
+    const std::size_t count = tile.boundary.size();
+    const std::vector<std::size_t> first = starts(tile, allowances);
+    const std::map<int, std::size_t> chain_of = chains_from(tile);
+    PieceOutline outline;
+    outline.edge_of.resize(count);
+    std::vector<Vec2> points;
+    for (std::size_t e = 0; e < first.size(); ++e) {
+        const std::size_t steps = e + 1 < first.size() ? first[e + 1] - first[e] : first[0] + count - first[e];
+        PieceEdge edge;
+        edge.first = static_cast<int>(points.size());
+        edge.allowance = allowances[static_cast<Eigen::Index>(first[e])];
+        Mates mates;
+        Points2 line(static_cast<Eigen::Index>(steps + 1), 2);
+        for (std::size_t i = 0; i <= steps; ++i) {
+            const std::size_t at = (first[e] + i) % count;
+            line.row(static_cast<Eigen::Index>(i)) = flat.flattening.positions.row(tile.boundary[at]);
+            if (i == steps) break;
+            outline.edge_of[at] = static_cast<int>(e);
+            edge.length += flat_edge(flat, at);
+            for (const SewnPart& part : parts[at]) mates.add(part, plan);
+        }
+        edge.seam_type = mates.type(tile.chains[chain_of.at(tile.boundary[first[e]])]);
+        edge.mates = std::move(mates.list);
+        line = simplified(line, chord_error);
+        for (Eigen::Index i = 0; i + 1 < line.rows(); ++i) points.emplace_back(line.row(i));
+        outline.edges.push_back(std::move(edge));
+    }
+    outline.sew_line.resize(static_cast<Eigen::Index>(points.size()), 2);
+    for (std::size_t i = 0; i < points.size(); ++i) outline.sew_line.row(static_cast<Eigen::Index>(i)) = points[i];
+    if (signed_area(outline.sew_line) < 0) {  // a failed flattening: there is something to look at, nothing to sew
+        outline.sew_line = outline.sew_line.colwise().reverse().eval();
+        outline.edges.clear();
+    }
+    return outline;
+}
+
+}  // namespace
+
+std::vector<PieceOutline> make_outlines(const CutPlan& plan, double chord_error) {
+    const std::vector<SewnParts> parts = sewn_parts(plan);
+    const std::vector<Eigen::VectorXd> allowances = edge_allowances(plan);
+    std::vector<PieceOutline> outlines(plan.tiles.size());
+    for (std::size_t t = 0; t < plan.tiles.size(); ++t)
+        if (has_flat_positions(plan.tiles[t]))
+            outlines[t] = make_outline(plan, plan.tiles[t], parts[t], allowances[t], chord_error);
+    return outlines;
+}
+
+}  // namespace ripstop
