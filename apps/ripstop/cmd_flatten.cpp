@@ -15,6 +15,7 @@
 #include "ripstop/pipeline/envelope_faults.h"
 #include "ripstop/pipeline/flatten_envelope.h"
 #include "ripstop/pipeline/propose_redesign.h"
+#include "ripstop/report/cut_files.h"
 #include "ripstop/report/directory.h"
 #include "ripstop/report/proposals.h"
 #include "ripstop/report/report_json.h"
@@ -31,6 +32,7 @@ struct Arguments {
     bool force = false, json = false, quiet = false, reproducible = false;
     std::string propose = "auto";
     bool propose_merges = false;
+    std::string revision;
 };
 
 /// Where no unit was given, the size tells whether metres were the right guess.
@@ -79,8 +81,10 @@ ExitCode run(const Arguments& given) {
     if (given.input.tiles.empty()) take_faults(plan, envelope, input.read.seam_tolerance, unit, given.quiet);
     propose(plan, method, given);
 
-    const std::vector<PatternPiece> pieces = make_pieces(plan);
-    write_directory(given.directory, plan, pieces, lay_out(pieces, 0.1), {given.force, given.reproducible, true});
+    PieceOptions piece_options;
+    piece_options.revision = given.revision.empty() ? plan.input_sha256.substr(0, 8) : given.revision;
+    const PieceSet pieces = make_piece_set(plan, make_pieces(plan, piece_options, given.jobs), piece_options.revision);
+    write_directory(given.directory, plan, pieces, {given.force, given.reproducible, true});
     if (given.json)
         fmt::print("{}", report_json(plan, given.reproducible));
     else if (!given.quiet)
@@ -109,6 +113,8 @@ void add_flatten(CLI::App& app) {
     command->add_flag(
         "--propose-merges", given->propose_merges,
         "Try every two neighbours as one tile and list those that could be made; flattens once more a seam");
+    command->add_option("--revision", given.revision,
+                        "Written on every piece (else the first letters of the input's hash)");
     command->footer("Example: ripstop flatten envelope.obj --unit mm --fabric nylon -o cut-plan");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);

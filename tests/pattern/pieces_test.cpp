@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ripstop/base/error.h"
 #include "ripstop/geometry/polygon.h"
 #include "support/flat_tiles.h"
 
@@ -31,6 +30,13 @@ Points2 banana(double width, double half) {
         result.row(2 * n - 1 - i) << std::sin(-angle), std::cos(angle) - 1;
     }
     return result.colwise().reverse();
+}
+
+/// The piece of a tile alone, whose edges are all hems.
+PatternPiece make_piece(const FlatTile& tile) {
+    CutPlan plan;
+    plan.tiles.push_back(tile);
+    return make_pieces(plan).at(0);
 }
 
 PatternPiece piece_of(const std::string& name, const Points2& outline) {
@@ -59,13 +65,44 @@ double width_at(const Points2& outline, double y, double x) {
     return 0;
 }
 
-TEST(PatternPiece, HasEveryBoundaryVertexOnItsSewLineCounterClockwise) {
-    const FlatTile tile = testing::flat_cylinder("G01P01");
+TEST(PatternPiece, HasItsBoundaryWithinTheChordErrorOfItsSewLineCounterClockwise) {
+    const FlatTile tile = testing::sinusoidal_gore("G01P01");
     const PatternPiece piece = make_piece(tile);
     EXPECT_EQ(piece.name, "G01P01");
-    ASSERT_EQ(piece.sew_line.rows(), 2 * (12 + 8));
-    EXPECT_NEAR(signed_area(piece.sew_line), tile.accuracy.area, 1e-12);
-    EXPECT_NEAR(perimeter(piece.sew_line), tile.accuracy.perimeter, 1e-12);
+    const auto count = static_cast<Eigen::Index>(tile.tile.boundary.size());
+    EXPECT_LE(piece.sew_line.rows(), count);
+    for (const int v : tile.tile.boundary)
+        EXPECT_LE(distance_to_outline(piece.sew_line, tile.flattening.positions.row(v)), PieceOptions{}.chord_error);
+    EXPECT_GT(signed_area(piece.sew_line), 0);
+    double length = 0;
+    for (const PieceEdge& edge : piece.edges) length += edge.length;
+    EXPECT_NEAR(length, edge_lengths(tile.flattening.positions, closed(tile.tile.boundary)).sum(), 1e-12)
+        << "an edge's length is that of all its vertices";
+}
+
+TEST(PatternPiece, KeepsItsCornersExact) {
+    const FlatTile tile = testing::flat_cylinder("G01P01");
+    const PatternPiece piece = make_piece(tile);
+    ASSERT_EQ(piece.edges.size(), tile.tile.chains.size());
+    EXPECT_EQ(piece.sew_line.rows(), 4) << "its edges are straight on the cloth";
+    for (std::size_t e = 0; e < piece.edges.size(); ++e) {
+        const Points2 line = piece.edge_line(e);
+        const auto is_corner = [&](const Vec2& at) {
+            return std::any_of(tile.tile.chains.begin(), tile.tile.chains.end(), [&](const Chain& chain) {
+                return Vec2(tile.flattening.positions.row(chain.vertices.front())) == at;
+            });
+        };
+        EXPECT_TRUE(is_corner(line.row(0)) && is_corner(line.row(line.rows() - 1)));
+    }
+}
+
+TEST(PatternPiece, IsCutBeyondItsSewLineByWhatItsHemsTake) {
+    const PatternPiece piece = piece_of("G01P01", polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
+    const double hem = default_hem().allowance;
+    ASSERT_GT(hem, 0);
+    EXPECT_NEAR(signed_area(piece.cut_line), (1 + 2 * hem) * (1 + 2 * hem), 1e-6);
+    EXPECT_NEAR(distance_to_outline(piece.cut_line, Vec2(0.5, 0)), hem, 1e-6);
+    EXPECT_EQ(piece.edges[0].seam_type, default_hem().name);
 }
 
 TEST(PatternPiece, RunsCounterClockwiseAndStaysUnmirroredWhereTheFlatteningIsTurnedOver) {
@@ -145,52 +182,13 @@ TEST(PatternPiece, OfAnOutlineWithoutInsideStillEnds) {
     }
 }
 
-TEST(PatternPiece, IsRefusedForATileThatWasNotFlattened) {
+TEST(PatternPiece, IsMadeOnlyOfATileThatWasFlattened) {
     CutPlan plan = testing::two_tile_plan();
     plan.tiles[0].flattening = {};
     EXPECT_FALSE(has_flat_positions(plan.tiles[0]));
-    try {
-        make_piece(plan.tiles[0]);
-        FAIL() << "accepted";
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), ::testing::HasSubstr("tile G01 P01: has no flat positions"));
-    }
     EXPECT_EQ(make_pieces(plan).size(), 1u);
     plan.tiles[1].flattening.positions(3, 1) = std::nan("");
     EXPECT_TRUE(make_pieces(plan).empty());
-}
-
-TEST(LayOut, KeepsPiecesApartInOrderAndAsTheyAreTurned) {
-    std::vector<PatternPiece> pieces;
-    for (int i = 0; i < 30; ++i) {
-        const double width = 0.2 + 0.13 * (i % 7), height = 0.1 + 0.07 * (i % 5);
-        PatternPiece piece;
-        piece.sew_line = polygon({{5, -3}, {5 + width, -3}, {5 + width, -3 + height}, {5, -3 + height}});
-        pieces.push_back(piece);
-    }
-    pieces[4].sew_line.resize(0, 2);
-    const double gap = 0.02;
-    const std::vector<Vec2> shifts = lay_out(pieces, gap);
-    ASSERT_EQ(shifts.size(), pieces.size());
-    Vec2 lowest = Vec2::Constant(1e9), highest = Vec2::Constant(-1e9);
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (i == 4) continue;
-        const Vec2 lower = pieces[i].lower() + shifts[i], upper = pieces[i].upper() + shifts[i];
-        lowest = lowest.cwiseMin(lower);
-        highest = highest.cwiseMax(upper);
-        for (std::size_t j = 0; j < i; ++j) {
-            if (j == 4) continue;
-            const Vec2 other_lower = pieces[j].lower() + shifts[j], other_upper = pieces[j].upper() + shifts[j];
-            const double apart = std::max((lower - other_upper).maxCoeff(), (other_lower - upper).maxCoeff());
-            EXPECT_GE(apart, gap - 1e-12) << i << " and " << j;
-        }
-    }
-    EXPECT_NEAR(lowest.norm(), 0, 1e-12);
-    EXPECT_LT((highest - lowest).maxCoeff(), 2 * (highest - lowest).minCoeff()) << "about square";
-}
-
-TEST(LayOut, OfNothingIsNothing) {
-    EXPECT_TRUE(lay_out({}, 0.02).empty());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/io/flat_obj.h"
 #include "ripstop/pattern/pieces.h"
+#include "ripstop/report/cut_files.h"
 #include "ripstop/report/figures.h"
 #include "ripstop/report/output_file.h"
 #include "support/flat_tiles.h"
@@ -24,8 +25,7 @@ using ::testing::HasSubstr;
 
 void write(const std::string& dir, const DirectoryOptions& options = {},
            const CutPlan& plan = testing::two_tile_plan()) {
-    const std::vector<PatternPiece> pieces = make_pieces(plan);
-    write_directory(dir, plan, pieces, lay_out(pieces, 0.02), options);
+    write_directory(dir, plan, make_piece_set(plan, make_pieces(plan), "A"), options);
 }
 
 std::string refusal(const std::string& dir, const DirectoryOptions& options = {}) {
@@ -60,8 +60,8 @@ TEST(PlanDirectory, HoldsWhatTheContractNames) {
         EXPECT_FALSE(text.empty()) << name;
         written.push_back(name);
     }
-    EXPECT_THAT(written, ElementsAre("cut/envelope.dxf", "cut/envelope.svg", "cut/tiles/Bily__dracek_.dxf",
-                                     "cut/tiles/Bily__dracek_.svg", "cut/tiles/G01_P01.dxf", "cut/tiles/G01_P01.svg",
+    EXPECT_THAT(written, ElementsAre("cut/envelope.dxf", "cut/envelope.svg",
+                                     "cut/pieces.json", "cut/tiles/Bily__dracek_.dxf", "cut/tiles/Bily__dracek_.svg", "cut/tiles/G01_P01.dxf", "cut/tiles/G01_P01.svg",
                                      "flat/Bily__dracek_.obj", "flat/G01_P01.obj", "pictures/Bily__dracek_.svg",
                                      "pictures/G01_P01.svg", "report.json", "seams.csv", "tiles.csv"));
     EXPECT_THAT(names(scratch.path()), ElementsAre("plan"));
@@ -126,11 +126,11 @@ TEST(PlanDirectory, LeavesNothingHalfWrittenWhereItFails) {
     const testing::ScratchDirectory scratch;
     fs::create_directories(scratch.path("plan"));
     testing::write_text(scratch.path("plan/report.json"), "old");
-    CutPlan plan = testing::two_tile_plan();
-    const std::vector<PatternPiece> pieces = make_pieces(plan);
-    plan.tiles.pop_back();
-    // The second piece has lost its tile, which is found out with half of the files written.
-    EXPECT_THROW(write_directory(scratch.path("plan"), plan, pieces, {}, {true, false, false}), InputError);
+    const CutPlan plan = testing::two_tile_plan();
+    PieceSet pieces = make_piece_set(plan, make_pieces(plan), "A");
+    // The second piece's files have no folder to be in, which is found out with half of them written.
+    pieces.pieces[1].file = "nowhere/piece";
+    EXPECT_THROW(write_directory(scratch.path("plan"), plan, pieces, {true, false, false}), InputError);
     EXPECT_THAT(names(scratch.path()), ElementsAre("plan"));
     EXPECT_EQ(testing::content(scratch.path("plan/report.json")), "old");
 }

@@ -12,4 +12,10 @@ Points2 PatternPiece::edge_line(std::size_t edge) const {
     return line;
 }
 
+const Fabric& PieceSet::fabric(const std::string& name) const {
+    const auto found =
+        std::find_if(fabrics.begin(), fabrics.end(), [&name](const Fabric& fabric) { return fabric.name == name; });
+    return found != fabrics.end() ? *found : fabrics.front();
+}
+
 }  // namespace ripstop

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "ripstop/geometry/types.h"
+#include "ripstop/model/fabric.h"
+#include "ripstop/model/seam_type.h"
 
 namespace ripstop {
 
@@ -77,6 +79,7 @@ struct PatternPiece {
     int quantity = 1;           ///< how many are cut by this pattern
     int quantity_mirrored = 0;  ///< and by the pattern turned over
     std::string gore = {}, row = {}, fabric = {}, colour = {}, revision = {};
+    std::string file = {};  ///< stem of its files
 
     /// Of what is cut.
     const Points2& outline() const { return cut_line.rows() > 0 ? cut_line : sew_line; }
@@ -85,6 +88,17 @@ struct PatternPiece {
 
     /// The sew line of an edge, both ends included (#P x 2).
     Points2 edge_line(std::size_t edge) const;
+};
+
+/// All the pieces of an envelope, with what cutting and sewing them needs: what `export`, `nest` and the order work from.
+struct PieceSet {
+    std::string input;     ///< the file the envelope came from
+    std::string revision;  ///< of the patterns
+    std::vector<PatternPiece> pieces;
+    std::vector<Fabric> fabrics;       ///< every fabric a piece names
+    std::vector<SeamType> seam_types;  ///< every type an edge names
+
+    const Fabric& fabric(const std::string& name) const;  ///< a fabric of that name; the first where there is none
 };
 
 /// Length along the shaft of the arrow head of a grain line `length` long, and half its width [m].

@@ -35,6 +35,12 @@ struct Compensation {
     bool any() const { return warp != 0 || weft != 0 || !chains.empty(); }
 };
 
+/// A line of the drawing that lies on a tile: a load tape, artwork, a mark.
+struct SurfaceLine {
+    std::string name;
+    Points3 points;  ///< at least 2 x 3; on the surface, or as near to it as it was drawn [m]
+};
+
 /// A curved patch between seams: an oriented disk with its corners, chains and warp.
 struct Tile {
     std::string name;
@@ -46,6 +52,7 @@ struct Tile {
     Compensation compensation;
     Eigen::VectorXd curve_lengths;  ///< of each boundary edge on the curve its seam follows [m]; empty: the edge's own
     Attributes attributes = {};     ///< what the file says of it
+    std::vector<SurfaceLine> lines = {};
 };
 
 struct TileOptions {

@@ -7,6 +7,7 @@
 #include "ripstop/base/parallel.h"
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/pattern/annotation.h"
+#include "ripstop/pattern/drawn_lines.h"
 #include "ripstop/pattern/edge_labels.h"
 #include "ripstop/pattern/outline.h"
 
@@ -123,41 +124,13 @@ std::vector<PatternPiece> make_pieces(const CutPlan& plan, const PieceOptions& o
         piece.edges = outlines[i].edges;
         piece.cut_line = cut_line(piece, options.corners);
         piece.notches = notches[i];
+        piece.lines = draw_lines(plan.tiles[i], options.chord_error);
         write_on(piece);
     });
     std::vector<PatternPiece> pieces;
     for (PatternPiece& piece : all)
         if (piece.sew_line.rows() > 0) pieces.push_back(std::move(piece));
     return pieces;
-}
-
-std::vector<Vec2> lay_out(const std::vector<PatternPiece>& pieces, double gap) {
-    double total = 0, widest = 0;
-    for (const PatternPiece& piece : pieces) {
-        if (piece.sew_line.rows() == 0) continue;
-        const Vec2 size = piece.upper() - piece.lower();
-        total += (size.x() + gap) * (size.y() + gap);
-        widest = std::max(widest, size.x());
-    }
-    // Rows do not fill up: a tenth more than the square root comes out about square.
-    const double sheet_width = std::max(widest, 1.1 * std::sqrt(total));
-    std::vector<Vec2> shifts(pieces.size(), Vec2::Zero());
-    double x = 0, top = 0, row_height = 0;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (pieces[i].sew_line.rows() == 0) continue;
-        const Vec2 lower = pieces[i].lower(), upper = pieces[i].upper();
-        if (x > 0 && x + (upper - lower).x() > sheet_width) {
-            top -= row_height + gap;
-            x = row_height = 0;
-        }
-        shifts[i] = Vec2(x - lower.x(), top - upper.y());
-        x += (upper - lower).x() + gap;
-        row_height = std::max(row_height, (upper - lower).y());
-    }
-    const double bottom = top - row_height;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (pieces[i].sew_line.rows() > 0) shifts[i].y() -= bottom;
-    return shifts;
 }
 
 }  // namespace ripstop

@@ -35,9 +35,4 @@ bool has_flat_positions(const FlatTile& tile);
 /// Cost: some thousand looks at each outline, O(#boundary) each, on `threads` threads (0: one a core).
 std::vector<PatternPiece> make_pieces(const CutPlan& plan, const PieceOptions& options = {}, int threads = 0);
 
-/// Shifts that put the pieces side by side on one sheet, as they are turned, in their order, in rows from top to bottom.
-/// Bounding boxes are `gap` [m] apart; the sheet is about square and its lower left corner the origin. For looking at and
-/// for cutters that nest by themselves, not a marker. A piece without sew line gets no shift.
-std::vector<Vec2> lay_out(const std::vector<PatternPiece>& pieces, double gap);
-
 }  // namespace ripstop

@@ -1,13 +1,11 @@
 #include "ripstop/pipeline/grain_lines.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
-#include <memory>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
-#include "ripstop/mesh/geodesic.h"
+#include "ripstop/mesh/surface_finder.h"
 
 namespace ripstop {
 namespace {
@@ -43,29 +41,16 @@ double length_of(const NamedCurve& curve) {
     return length;
 }
 
-/// A surface that is asked for distances only where its box is near.
-class Target {
-  public:
-    explicit Target(const TriangleMesh& mesh) : mesh_(mesh) {
-        for (int v = 0; v < mesh.vertex_count(); ++v) box_.extend(Vec3(mesh.positions.row(v)));
+/// The greatest distance of the points to a surface; unreachable where one is beyond `reach`.
+double distance(SurfaceFinder& surface, const std::vector<Vec3>& points, double reach) {
+    double furthest = 0;
+    for (const Vec3& point : points) {
+        const auto found = surface.nearest(point, reach);
+        if (!found) return unreachable;
+        furthest = std::max(furthest, found->distance);
     }
-
-    /// The greatest distance of the points; unreachable where it is surely beyond `reach`.
-    double distance(const std::vector<Vec3>& points, double reach) {
-        for (const Vec3& point : points)
-            if (box_.exteriorDistance(point) > reach) return unreachable;
-        if (!surface_) surface_ = std::make_unique<UnfoldedSurface>(mesh_);
-        double furthest = 0;
-        for (const Vec3& point : points)
-            furthest = std::max(furthest, (surface_->position(surface_->nearest(point)) - point).norm());
-        return furthest;
-    }
-
-  private:
-    const TriangleMesh& mesh_;
-    Eigen::AlignedBox3d box_;
-    std::unique_ptr<UnfoldedSurface> surface_;
-};
+    return furthest;
+}
 
 /// Its points and the middles between them.
 std::vector<Vec3> places_on(const NamedCurve& curve) {
@@ -113,7 +98,7 @@ bool is_grain_line(const NamedCurve& curve) {
 
 std::vector<std::string> lay_grain_lines(CadModel& model) {
     std::vector<std::string> remarks;
-    std::vector<Target> targets;
+    std::vector<SurfaceFinder> targets;
     for (const NamedMesh& surface : model.surfaces) targets.emplace_back(surface.mesh);
     std::vector<bool> has_line(targets.size(), false);
     for (const NamedCurve& curve : model.curves) {
@@ -130,7 +115,7 @@ std::vector<std::string> lay_grain_lines(CadModel& model) {
         std::size_t best = 0;
         double least = unreachable;
         for (std::size_t i = 0; i < targets.size(); ++i)
-            if (const double away = targets[i].distance(places, std::min(reach, least)); away < least) {
+            if (const double away = distance(targets[i], places, std::min(reach, least)); away < least) {
                 best = i;
                 least = away;
             }

@@ -1,0 +1,238 @@
+#include "ripstop/io/pieces_json.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "ripstop/base/error.h"
+#include "ripstop/io/fabric_json.h"
+#include "ripstop/io/json_text.h"
+#include "ripstop/io/text.h"
+
+namespace ripstop {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using nlohmann::json;
+
+constexpr double largest = 1e3;  // [m]
+
+Json points_json(const Points2& points) {
+    Json list = Json::array();
+    for (Eigen::Index i = 0; i < points.rows(); ++i) list.push_back({points(i, 0), points(i, 1)});
+    return list;
+}
+
+Json edge_json(const PieceEdge& edge) {
+    Json mates = Json::array();
+    for (const Mate& mate : edge.mates)
+        mates.push_back({{"seam", mate.seam}, {"piece", mate.piece}, {"length_m", mate.length}});
+    return {{"first", edge.first},
+            {"length_m", edge.length},
+            {"allowance_m", edge.allowance},
+            {"type", edge.seam_type},
+            {"mates", mates}};
+}
+
+Json notch_json(const PieceNotch& notch) {
+    return {{"edge", notch.edge},
+            {"seam", notch.seam},
+            {"along_m", notch.along},
+            {"on_sew_m", {notch.on_sew.x(), notch.on_sew.y()}},
+            {"outward", {notch.outward.x(), notch.outward.y()}},
+            {"reach_m", notch.reach},
+            {"depth_m", notch.depth},
+            {"count", notch.count}};
+}
+
+Json piece_json(const PatternPiece& piece) {
+    Json edges = Json::array(), notches = Json::array(), lines = Json::array(), labels = Json::array();
+    for (const PieceEdge& edge : piece.edges) edges.push_back(edge_json(edge));
+    for (const PieceNotch& notch : piece.notches) notches.push_back(notch_json(notch));
+    for (const DrawnLine& line : piece.lines)
+        lines.push_back({{"name", line.name}, {"points_m", points_json(line.points)}});
+    for (const Label& label : piece.labels)
+        labels.push_back({{"text", label.text},
+                          {"middle_m", {label.middle.x(), label.middle.y()}},
+                          {"height_m", label.height},
+                          {"turn_rad", label.turn}});
+    return {{"name", piece.name},
+            {"file", piece.file},
+            {"gore", piece.gore},
+            {"row", piece.row},
+            {"fabric", piece.fabric},
+            {"colour", piece.colour},
+            {"revision", piece.revision},
+            {"quantity", piece.quantity},
+            {"quantity_mirrored", piece.quantity_mirrored},
+            {"sew_line_m", points_json(piece.sew_line)},
+            {"edges", edges},
+            {"cut_line_m", points_json(piece.cut_line)},
+            {"notches", notches},
+            {"grain_line_m", points_json(piece.grain_line)},
+            {"lines", lines},
+            {"labels", labels}};
+}
+
+/// A place in the file and what stands there.
+class Reader {
+  public:
+    Reader(const json& value, std::string place) : value_(value), place_(std::move(place)) {
+        if (!value_.is_object()) refuse("no object, expected one in braces");
+    }
+
+    [[noreturn]] void refuse(const std::string& what) const {
+        throw InputError(place_ + ": " + what + "; flatten the envelope again");
+    }
+    double number(const char* key) const {
+        const std::optional<double> value = number_at(value_, key, place_);
+        if (!value || std::abs(*value) > largest)
+            refuse(std::string(key) + " is missing or too large, expected a number within " + std::to_string(int(largest)));
+        return *value;
+    }
+    int whole(const char* key, int least, int most) const {
+        const double value = number_or_refuse(key);
+        if (value != std::floor(value) || value < least || value > most)
+            refuse(std::string(key) + " is out of range, expected a whole number from " + std::to_string(least) + " to " +
+                   std::to_string(most));
+        return static_cast<int>(value);
+    }
+    std::string text(const char* key) const { return text_at(value_, key, place_).value_or(""); }
+    const json& list(const char* key) const {
+        const auto found = value_.find(key);
+        if (found == value_.end() || !found->is_array()) refuse(std::string(key) + " is no list");
+        return *found;
+    }
+    Points2 points(const char* key, Eigen::Index least) const {
+        const json& rows = list(key);
+        Points2 result(static_cast<Eigen::Index>(rows.size()), 2);
+        for (std::size_t i = 0; i < rows.size(); ++i) result.row(static_cast<Eigen::Index>(i)) = point(rows[i], key);
+        if (result.rows() != 0 && result.rows() < least) refuse(std::string(key) + " has too few points");
+        return result;
+    }
+    Vec2 point(const char* key) const {
+        const auto found = value_.find(key);
+        if (found == value_.end()) refuse(std::string(key) + " is missing, expected [x, y]");
+        return point(*found, key);
+    }
+    template <class Item, class Read>
+    std::vector<Item> each(const char* key, Read&& read) const {
+        std::vector<Item> items;
+        for (const json& item : list(key))
+            items.push_back(read(Reader(item, place_ + ": " + key + " " + std::to_string(items.size() + 1))));
+        return items;
+    }
+    const json& value() const { return value_; }
+    const std::string& place() const { return place_; }
+
+  private:
+    double number_or_refuse(const char* key) const {
+        const std::optional<double> value = number_at(value_, key, place_);
+        if (!value) refuse(std::string(key) + " is missing");
+        return *value;
+    }
+    Vec2 point(const json& at, const char* key) const {
+        if (!at.is_array() || at.size() != 2 || !at[0].is_number() || !at[1].is_number() ||
+            !(std::abs(at[0].get<double>()) <= largest) || !(std::abs(at[1].get<double>()) <= largest))
+            refuse(std::string(key) + " holds no point, expected [x, y] in metres");
+        return {at[0].get<double>(), at[1].get<double>()};
+    }
+
+    const json& value_;
+    std::string place_;
+};
+
+PieceEdge read_edge(const Reader& from, int points) {
+    PieceEdge edge;
+    edge.first = from.whole("first", 0, std::max(0, points - 1));
+    edge.length = from.number("length_m");
+    edge.allowance = from.number("allowance_m");
+    edge.seam_type = from.text("type");
+    edge.mates = from.each<Mate>("mates", [](const Reader& mate) {
+        return Mate{mate.text("seam"), mate.text("piece"), mate.number("length_m")};
+    });
+    return edge;
+}
+
+PieceNotch read_notch(const Reader& from, int edges) {
+    PieceNotch notch;
+    notch.edge = from.whole("edge", 0, std::max(0, edges - 1));
+    notch.seam = from.text("seam");
+    notch.along = from.number("along_m");
+    notch.on_sew = from.point("on_sew_m");
+    notch.outward = from.point("outward");
+    notch.reach = from.number("reach_m");
+    notch.depth = from.number("depth_m");
+    notch.count = from.whole("count", 1, 2);
+    return notch;
+}
+
+PatternPiece read_piece(const Reader& from) {
+    PatternPiece piece;
+    piece.name = from.text("name");
+    piece.file = from.text("file");
+    if (piece.file.empty() || piece.file.find_first_of("/\\") != std::string::npos)
+        from.refuse("file is no name for a file");
+    piece.gore = from.text("gore");
+    piece.row = from.text("row");
+    piece.fabric = from.text("fabric");
+    piece.colour = from.text("colour");
+    piece.revision = from.text("revision");
+    piece.quantity = from.whole("quantity", 0, 1000000);
+    piece.quantity_mirrored = from.whole("quantity_mirrored", 0, 1000000);
+    piece.sew_line = from.points("sew_line_m", 3);
+    if (piece.sew_line.rows() == 0) from.refuse("sew_line_m is empty");
+    const int points = static_cast<int>(piece.sew_line.rows());
+    piece.edges = from.each<PieceEdge>("edges", [points](const Reader& edge) { return read_edge(edge, points); });
+    for (std::size_t e = 1; e < piece.edges.size(); ++e)
+        if (piece.edges[e].first <= piece.edges[e - 1].first) from.refuse("its edges are out of order");
+    piece.cut_line = from.points("cut_line_m", 3);
+    const int edges = static_cast<int>(piece.edges.size());
+    piece.notches = from.each<PieceNotch>("notches", [edges](const Reader& notch) { return read_notch(notch, edges); });
+    if (edges == 0 && !piece.notches.empty()) from.refuse("has notches and no edges");
+    piece.grain_line = from.points("grain_line_m", 2);
+    piece.lines = from.each<DrawnLine>("lines", [](const Reader& line) {
+        return DrawnLine{line.text("name"), line.points("points_m", 2)};
+    });
+    piece.labels = from.each<Label>("labels", [](const Reader& label) {
+        return Label{label.text("text"), label.point("middle_m"), label.number("height_m"), label.number("turn_rad")};
+    });
+    return piece;
+}
+
+}  // namespace
+
+std::string pieces_json(const PieceSet& set) {
+    Json pieces = Json::array(), fabrics = Json::array(), types = Json::array();
+    for (const PatternPiece& piece : set.pieces) pieces.push_back(piece_json(piece));
+    for (const Fabric& fabric : set.fabrics) fabrics.push_back(Json::parse(write_fabric(fabric)));
+    for (const SeamType& type : set.seam_types)
+        types.push_back(
+            {{"name", type.name}, {"allowance_m", type.allowance}, {"rows", type.rows}, {"tape", type.tape}});
+    const Json json = {{"input", set.input},
+                       {"revision", set.revision},
+                       {"fabrics", fabrics},
+                       {"seam_types", types},
+                       {"pieces", pieces}};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+PieceSet read_pieces(std::istream& in, const std::string& name) {
+    const json object = read_json_object(in, name);
+    const Reader from(object, name);
+    PieceSet set;
+    set.input = from.text("input");
+    set.revision = from.text("revision");
+    set.fabrics = from.each<Fabric>("fabrics", [](const Reader& fabric) {
+        std::istringstream text(fabric.value().dump());
+        return read_fabric(text, fabric.place());
+    });
+    if (set.fabrics.empty()) from.refuse("no fabric");
+    set.seam_types = from.each<SeamType>("seam_types", [](const Reader& type) {
+        return SeamType{type.text("name"), type.number("allowance_m"), type.whole("rows", 0, 100),
+                        type.value().value("tape", false)};
+    });
+    set.pieces = from.each<PatternPiece>("pieces", read_piece);
+    return set;
+}
+
+}  // namespace ripstop

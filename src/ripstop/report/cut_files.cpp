@@ -1,0 +1,106 @@
+#include "ripstop/report/cut_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "ripstop/base/error.h"
+#include "ripstop/io/dxf.h"
+#include "ripstop/io/pieces_json.h"
+#include "ripstop/io/svg.h"
+#include "ripstop/report/figures.h"
+#include "ripstop/report/output_file.h"
+
+namespace ripstop {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double sheet_gap = 0.1;  // [m]
+
+/// The stem of each piece's files: that of the tile it is named after.
+void name_files(PieceSet& set, const CutPlan& plan) {
+    const std::vector<std::string> stems = file_stems(plan);
+    std::size_t next = 0;  // pieces stand in the order of their tiles
+    for (PatternPiece& piece : set.pieces) {
+        while (next < stems.size() && plan.tiles[next].tile.name != piece.name) ++next;
+        if (next == stems.size()) throw InputError("piece " + piece.name + ": the plan has no tile of that name left");
+        piece.file = stems[next++];
+    }
+}
+
+template <class Item>
+void add_once(std::vector<Item>& items, const Item& item) {
+    const auto same = [&item](const Item& other) { return other.name == item.name; };
+    if (std::none_of(items.begin(), items.end(), same)) items.push_back(item);
+}
+
+}  // namespace
+
+PieceSet make_piece_set(const CutPlan& plan, std::vector<PatternPiece> pieces, const std::string& revision) {
+    PieceSet set{plan.input_file, revision, std::move(pieces), plan.fabrics(), {}};
+    name_files(set, plan);
+    for (const Seam& seam : plan.seams) add_once(set.seam_types, seam.type);
+    for (const FlatTile& tile : plan.tiles)
+        for (const Chain& chain : tile.tile.chains) add_once(set.seam_types, chain.finish);
+    return set;
+}
+
+void write_cut_files(const fs::path& cut, const PieceSet& set) {
+    const std::vector<PatternPiece>& pieces = set.pieces;
+    fs::create_directories(cut / "tiles");
+    const std::vector<Vec2> shifts = lay_out(pieces, sheet_gap);
+    write_file(cut / "envelope.dxf", [&](std::ostream& out) { write_dxf(out, pieces, shifts); });
+    write_file(cut / "envelope.svg", [&](std::ostream& out) { write_svg(out, pieces, shifts); });
+    for (const PatternPiece& piece : pieces) {
+        const std::vector<PatternPiece> alone{piece};
+        const std::vector<Vec2> shift{-piece.lower()};
+        write_file(cut / "tiles" / (piece.file + ".dxf"), [&](std::ostream& out) { write_dxf(out, alone, shift); });
+        write_file(cut / "tiles" / (piece.file + ".svg"), [&](std::ostream& out) { write_svg(out, alone, shift); });
+    }
+}
+
+void write_pieces(const fs::path& file, const PieceSet& set) {
+    write_file(file, pieces_json(set));
+}
+
+PieceSet read_pieces_of(const fs::path& directory) {
+    const fs::path file = directory / "cut" / "pieces.json";
+    std::ifstream in(file, std::ios::binary);
+    if (!in)
+        throw InputError(directory.string() +
+                         ": no cut plan in it (cut/pieces.json cannot be opened), expected a folder that `ripstop "
+                         "flatten` wrote; flatten the envelope first");
+    return read_pieces(in, file.string());
+}
+
+std::vector<Vec2> lay_out(const std::vector<PatternPiece>& pieces, double gap) {
+    double total = 0, widest = 0;
+    for (const PatternPiece& piece : pieces) {
+        if (piece.sew_line.rows() == 0) continue;
+        const Vec2 size = piece.upper() - piece.lower();
+        total += (size.x() + gap) * (size.y() + gap);
+        widest = std::max(widest, size.x());
+    }
+    // Rows do not fill up: a tenth more than the square root comes out about square.
+    const double sheet_width = std::max(widest, 1.1 * std::sqrt(total));
+    std::vector<Vec2> shifts(pieces.size(), Vec2::Zero());
+    double x = 0, top = 0, row_height = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (pieces[i].sew_line.rows() == 0) continue;
+        const Vec2 lower = pieces[i].lower(), upper = pieces[i].upper();
+        if (x > 0 && x + (upper - lower).x() > sheet_width) {
+            top -= row_height + gap;
+            x = row_height = 0;
+        }
+        shifts[i] = Vec2(x - lower.x(), top - upper.y());
+        x += (upper - lower).x() + gap;
+        row_height = std::max(row_height, (upper - lower).y());
+    }
+    const double bottom = top - row_height;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (pieces[i].sew_line.rows() > 0) shifts[i].y() -= bottom;
+    return shifts;
+}
+
+}  // namespace ripstop

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "ripstop/model/cut_plan.h"
+#include "ripstop/model/pattern_piece.h"
+
+namespace ripstop {
+
+/// The pieces of a plan with its fabrics and seam types, each once. A piece's files are called as its tile's `file` in
+/// report.json. Throws InputError where a piece has the name of no tile.
+PieceSet make_piece_set(const CutPlan& plan, std::vector<PatternPiece> pieces, const std::string& revision);
+
+/// Fills the folder `cut`: envelope.dxf and .svg with all pieces on one sheet (`lay_out`), tiles/NAME.dxf and .svg with each
+/// piece at the origin. Throws InputError where a file cannot be written.
+void write_cut_files(const std::filesystem::path& cut, const PieceSet& set);
+
+/// cut/pieces.json, and back. Throw InputError naming the file.
+void write_pieces(const std::filesystem::path& file, const PieceSet& set);
+PieceSet read_pieces_of(const std::filesystem::path& directory);
+
+/// Shifts that put the pieces side by side on one sheet, as they are turned, in their order, in rows from top to bottom.
+/// Bounding boxes are `gap` [m] apart; the sheet is about square and its lower left corner the origin. For looking at and
+/// for cutters that nest by themselves, not a marker. A piece without outline gets no shift.
+std::vector<Vec2> lay_out(const std::vector<PatternPiece>& pieces, double gap);
+
+}  // namespace ripstop

@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "ripstop/design/gores.h"
+#include "ripstop/geometry/polygon.h"
+#include "ripstop/pattern/pieces.h"
+#include "ripstop/pattern/seam_place.h"
+#include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/pipeline/read_envelope.h"
+#include "support/envelopes.h"
+
+namespace ripstop {
+namespace {
+
+CutPlan flattened(std::vector<NamedMesh> tiles) {
+    return flatten_envelope(make_envelope(std::move(tiles), {}), {});
+}
+
+/// A balloon whose panels are meshed each on its own, and a wall whose seams end within the edges of their neighbours.
+const CutPlan& balloon() {
+    static const CutPlan plan =
+        flattened(testing::meshed_apart({.gores = 8, .panels = 4, .volume = 500, .edge_length = 0.35}, 3));
+    return plan;
+}
+const CutPlan& wall() {
+    static const CutPlan plan = flattened(testing::brick_wall(4, 12, 0.5));
+    return plan;
+}
+
+/// How far along the sew line of an edge a point of it lies [m].
+double along_edge(const PatternPiece& piece, int edge, const Vec2& point) {
+    const Points2 line = piece.edge_line(static_cast<std::size_t>(edge));
+    double walked = 0, best = 0, least = 1e9;
+    for (Eigen::Index i = 0; i + 1 < line.rows(); ++i) {
+        const Vec2 a = line.row(i), way = Vec2(line.row(i + 1)) - a;
+        const double t = std::clamp((point - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
+        if (const double away = (a + t * way - point).norm(); away < least) {
+            least = away;
+            best = walked + t * way.norm();
+        }
+        walked += way.norm();
+    }
+    return best;
+}
+
+class EveryEnvelope : public ::testing::TestWithParam<const CutPlan& (*)()> {
+  protected:
+    const CutPlan& plan = GetParam()();
+    const std::vector<PatternPiece> pieces = make_pieces(plan);
+
+    struct Side {
+        std::vector<const PieceNotch*> notches;
+        std::vector<double> at;  ///< along the sew line from the seam's start [m]
+    };
+    /// The notches of a seam on one of its sides, from its start on.
+    Side side(const Seam& seam, bool second) const {
+        const SeamSide& of = second ? seam.b : seam.a;
+        const PatternPiece& piece = pieces[static_cast<std::size_t>(of.tile)];
+        Side found;
+        for (const PieceNotch& notch : piece.notches)
+            if (notch.seam == seam.id && notch.along > 0 && notch.along < seam.length) found.notches.push_back(&notch);
+        std::sort(found.notches.begin(), found.notches.end(),
+                  [](const PieceNotch* a, const PieceNotch* b) { return a->along < b->along; });
+        for (const PieceNotch* notch : found.notches) {
+            const Vec2 start = flat_point(plan.tiles[static_cast<std::size_t>(of.tile)],
+                                          place_on_side(plan.tiles, seam, second, 0));
+            found.at.push_back(std::abs(along_edge(piece, notch->edge, notch->on_sew) -
+                                        along_edge(piece, notch->edge, start)));
+        }
+        return found;
+    }
+};
+
+TEST_P(EveryEnvelope, HasNotchesThatMeetOnBothSidesOfEverySeam) {
+    ASSERT_GT(plan.seams.size(), 10U);
+    for (const Seam& seam : plan.seams) {
+        const Side a = side(seam, false), b = side(seam, true);
+        ASSERT_EQ(a.at.size(), b.at.size()) << seam.id;
+        EXPECT_GE(a.at.size(), seam.length > 0.08 ? 1U : 0U) << seam.id;
+        for (std::size_t i = 0; i < a.at.size(); ++i) {
+            EXPECT_NEAR(a.at[i], b.at[i], 1e-5) << seam.id << ": a hundredth of a millimetre, where a tenth is asked";
+            EXPECT_NEAR(a.at[i], a.notches[i]->along, 1e-3 * seam.length) << seam.id;
+            EXPECT_EQ(a.notches[i]->count, b.notches[i]->count);
+        }
+        if (a.at.size() > 1) {
+            EXPECT_EQ(a.notches.front()->count, 2) << "the start is marked";
+            EXPECT_EQ(a.notches.back()->count, 1) << "the end is another";
+        }
+    }
+}
+
+TEST_P(EveryEnvelope, HasNoNotchAtACornerAndNoneAsDeepAsTheAllowance) {
+    for (const PatternPiece& piece : pieces)
+        for (const PieceNotch& notch : piece.notches) {
+            for (const PieceEdge& edge : piece.edges)
+                EXPECT_GT((notch.on_sew - Vec2(piece.sew_line.row(edge.first))).norm(), 0.025) << piece.name;
+            EXPECT_GT(notch.depth, 0);
+            EXPECT_LE(notch.depth, 0.4 * notch.reach);
+            EXPECT_LT(distance_to_outline(piece.sew_line, notch.on_sew), 0.06e-3);
+            EXPECT_LT(distance_to_outline(piece.cut_line, notch.on_cut()), 0.2e-3)
+                << "bends between two vertices of the sew line";
+            EXPECT_TRUE(contains(piece.cut_line, Vec2(notch.on_cut() - notch.depth * notch.outward)));
+        }
+}
+
+TEST_P(EveryEnvelope, IsCutAtTheAllowanceFromEveryEdge) {
+    for (const PatternPiece& piece : pieces) {
+        for (std::size_t e = 0; e < piece.edges.size(); ++e) {
+            const Points2 line = piece.edge_line(e);
+            double least = 1e9;
+            for (Eigen::Index i = 0; i < line.rows(); ++i) {
+                EXPECT_TRUE(contains(piece.cut_line, Vec2(line.row(i))));
+                least = std::min(least, distance_to_outline(piece.cut_line, line.row(i)));
+            }
+            EXPECT_NEAR(least, piece.edges[e].allowance, 1e-6) << piece.name;
+        }
+        EXPECT_EQ(self_intersections(piece.cut_line).count, 0) << piece.name;
+    }
+}
+
+TEST_P(EveryEnvelope, KnowsTheMatesOfEveryEdge) {
+    std::map<std::string, std::vector<double>> lengths;
+    for (const PatternPiece& piece : pieces)
+        for (const PieceEdge& edge : piece.edges)
+            for (const Mate& mate : edge.mates) lengths[mate.seam].push_back(mate.length);
+    ASSERT_EQ(lengths.size(), plan.seams.size());
+    for (const Seam& seam : plan.seams) {
+        ASSERT_EQ(lengths[seam.id].size(), 2U) << seam.id;
+        for (const double length : lengths[seam.id]) EXPECT_NEAR(length, seam.length, 1e-6 * seam.length) << seam.id;
+    }
+}
+
+TEST_P(EveryEnvelope, CarriesTheNamesOfTheNeighbours) {
+    int named = 0, mates = 0;
+    for (const PatternPiece& piece : pieces)
+        for (const PieceEdge& edge : piece.edges)
+            for (const Mate& mate : edge.mates) {
+                ++mates;
+                named += std::any_of(piece.labels.begin(), piece.labels.end(),
+                                     [&mate](const Label& label) { return label.text == mate.piece; });
+            }
+    EXPECT_GT(named, 0.9 * mates);
+}
+
+INSTANTIATE_TEST_SUITE_P(, EveryEnvelope, ::testing::Values(&balloon, &wall),
+                         [](const auto& plan) { return plan.param == &balloon ? "balloon" : "wall"; });
+
+TEST(SeamMarks, StandCloserWhereTheSeamBends) {
+    const CutPlan& plan = balloon();
+    double widest = 0, closest = 1e9;
+    for (const Seam& seam : plan.seams) {
+        const std::vector<SeamMark> marks = seam_marks(plan.tiles, seam);
+        for (std::size_t i = 1; i < marks.size(); ++i) {
+            widest = std::max(widest, marks[i].along - marks[i - 1].along);
+            closest = std::min(closest, marks[i].along - marks[i - 1].along);
+        }
+    }
+    EXPECT_LE(widest, NotchOptions{}.straight_spacing * (1 + 1e-9));
+    EXPECT_LT(closest, widest);
+}
+
+TEST(Pieces, NotchWhereASeamEndsWithinAnEdge) {
+    int ends = 0;
+    for (const PatternPiece& piece : make_pieces(wall()))
+        for (const PieceNotch& notch : piece.notches) {
+            const auto seam = std::find_if(wall().seams.begin(), wall().seams.end(),
+                                           [&notch](const Seam& other) { return other.id == notch.seam; });
+            ends += notch.along == 0 || notch.along == seam->length;
+        }
+    EXPECT_GT(ends, 12) << "bricks are staggered: each row meets the middles of the next";
+}
+
+}  // namespace
+}  // namespace ripstop

@@ -1,0 +1,83 @@
+#include "ripstop/pipeline/surface_lines.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "ripstop/pattern/pieces.h"
+#include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/pipeline/read_envelope.h"
+#include "support/shapes.h"
+
+namespace ripstop {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// Two pieces of one cylinder about the z axis, 1 m in radius and height, side by side.
+std::vector<NamedMesh> two_sheets() {
+    TriangleMesh left = testing::cylinder(1, 1, 0.5, 24, 12), right = left;
+    const double turn = 0.5;
+    for (int v = 0; v < right.vertex_count(); ++v) {
+        const Vec3 p = right.positions.row(v);
+        right.positions.row(v) << p.x() * std::cos(turn) - p.y() * std::sin(turn),
+            p.x() * std::sin(turn) + p.y() * std::cos(turn), p.z();
+    }
+    return {{"left", left}, {"right", right}};
+}
+
+double length(const Points2& line) {
+    return (line.bottomRows(line.rows() - 1) - line.topRows(line.rows() - 1)).rowwise().norm().sum();
+}
+
+TEST(SurfaceLines, AreCutAtTheSeamAndKeepTheirLengthOnTheCloth) {
+    Envelope envelope = make_envelope(two_sheets(), {});
+    // A helix over both, from the middle of one sheet to the middle of the other.
+    const Vec3 from = envelope.tiles[0].mesh.positions.colwise().mean(), to = envelope.tiles[1].mesh.positions.colwise().mean();
+    const double first = std::atan2(from.y(), from.x()), last = std::atan2(to.y(), to.x());
+    NamedCurve helix{"stripe", Points3(101, 3), {{"layer", "artwork"}}};
+    for (int i = 0; i <= 100; ++i) {
+        const double angle = first + (last - first) * i / 100;
+        helix.points.row(i) << std::cos(angle), std::sin(angle), 0.2 + 0.6 * i / 100;
+    }
+    CadModel model;
+    model.curves = {helix};
+    EXPECT_TRUE(lay_lines(model, envelope).empty());
+    ASSERT_EQ(envelope.tiles[0].lines.size(), 1U);
+    ASSERT_EQ(envelope.tiles[1].lines.size(), 1U);
+    const std::vector<PatternPiece> pieces = make_pieces(flatten_envelope(envelope, {}));
+    const double drawn = std::hypot(std::abs(last - first), 0.6);
+    EXPECT_NEAR(length(pieces[0].lines.at(0).points) + length(pieces[1].lines.at(0).points), drawn, 1e-3 * drawn);
+    EXPECT_EQ(pieces[0].lines[0].name, "stripe");
+    // Straight on the cloth: a helix is.
+    for (const PatternPiece& piece : pieces) {
+        const Points2& line = piece.lines[0].points;
+        EXPECT_NEAR((line.row(line.rows() - 1) - line.row(0)).norm(), length(line), 1e-4);
+    }
+    // It goes on where it left off: the ends at the seam lie at the same height.
+    const auto end = [&](int tile, bool last_point) {
+        const Points3& points = envelope.tiles[static_cast<std::size_t>(tile)].lines[0].points;
+        return Vec3(points.row(last_point ? points.rows() - 1 : 0));
+    };
+    EXPECT_NEAR((end(0, true) - end(1, false)).norm(), 0, 3e-5);
+}
+
+TEST(SurfaceLines, LeaveOutTheSeamsThemselvesAndSayWhatLiesNowhere) {
+    Envelope envelope = make_envelope(two_sheets(), {});
+    CadModel model;
+    const Tile& left = envelope.tiles[0];
+    const Chain& seam = left.chains[0];
+    NamedCurve drawn_seam{"seam", Points3(static_cast<Eigen::Index>(seam.vertices.size()), 3), {}};
+    for (std::size_t i = 0; i < seam.vertices.size(); ++i)
+        drawn_seam.points.row(static_cast<Eigen::Index>(i)) = left.mesh.positions.row(seam.vertices[i]);
+    Points3 axis(2, 3);
+    axis << 0, 0, 0, 0, 0, 1;
+    model.curves = {drawn_seam, {"axis", axis, {}}};
+    EXPECT_THAT(lay_lines(model, envelope), ElementsAre(HasSubstr("curve axis left out: it lies on no tile")));
+    EXPECT_TRUE(envelope.tiles[0].lines.empty());
+    EXPECT_TRUE(envelope.tiles[1].lines.empty());
+}
+
+}  // namespace
+}  // namespace ripstop
