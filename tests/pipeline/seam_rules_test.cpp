@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "ripstop/model/allowance.h"
 #include "ripstop/pipeline/read_envelope.h"
 #include "support/envelopes.h"
 

@@ -24,7 +24,9 @@ std::optional<Project> project_of(const std::string& text, const std::string& fi
 }
 
 Tile sheet(const std::string& name, const Attributes& attributes = {}) {
-    return make_tile(name, testing::rectangle(1, 1, 2, 2), {.attributes = attributes});
+    TileOptions options;
+    options.attributes = attributes;
+    return make_tile(name, testing::rectangle(1, 1, 2, 2), options);
 }
 
 std::vector<std::string> fabrics(const Envelope& envelope) {
