@@ -8,7 +8,20 @@
 
 using namespace ripstop;
 
-/// Any bytes are either a project that gives every tile finite options and a warp of unit length, or an InputError.
+namespace {
+
+void require(bool holds) {
+    if (!holds) std::abort();
+}
+
+bool is_sound(const SeamType& type) {
+    return !type.name.empty() && type.allowance >= 0 && type.allowance <= 1 + 1e-9 && type.rows >= 0;
+}
+
+}  // namespace
+
+/// Any bytes are either a project that gives every tile finite options and a warp of unit length or a turn, and every seam a
+/// type with an allowance, or an InputError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
     Project project;
@@ -19,10 +32,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     for (const ProjectTile& tile : project.tiles) {
         const TileOptions options = tile_options(project, tile.name, 1);
-        if (tile.warp && (!options.warp || !(std::abs(options.warp->norm() - 1) < 1e-9))) std::abort();
-        for (const Vec3& corner : options.corners)
-            if (!corner.allFinite()) std::abort();
+        require(!tile.warp || (options.warp && std::abs(options.warp->norm() - 1) < 1e-9));
+        require(!tile.turn || (std::abs(*tile.turn) < 7 && !tile.warp));
+        require(!tile.at || (tile.at->allFinite() && !tile.source));
+        for (const Vec3& corner : options.corners) require(corner.allFinite());
     }
-    if (!unused_names(project, {"G01P01"}).empty() && project.tiles.empty()) std::abort();
+    require(unused_names(project, {"G01P01"}).empty() || !project.tiles.empty());
+    for (const SeamType& type : project.seam_types) require(is_sound(type));
+    for (const SeamRule& rule : project.seams) {
+        require(is_sound(rule.type) && !rule.tile.empty() && !rule.text().empty());
+        require(rule.mate ? rule.fits_seam(rule.tile, *rule.mate) && rule.fits_seam(*rule.mate, rule.tile)
+                          : rule.fits_free(rule.tile));
+    }
     return 0;
 }

@@ -16,8 +16,10 @@ struct Arguments {
 
 ExitCode run(const Arguments& given) {
     const Input input = resolve(given.input);
-    const auto [envelope, unit, unit_assumed, remarks] = read(given.input, input, given.quiet);
-    const EnvelopeCheck check = check_envelope(envelope, {input.read.seam_tolerance}, unit.metres);
+    const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
+    EnvelopeCheck check = check_envelope(envelope, {input.read.seam_tolerance}, unit.metres);
+    check.fabrics = count_fabrics(envelope, input.fabric);
+    check.notes.insert(check.notes.end(), unused.begin(), unused.end());
     const std::string file = given.input.file.filename().string();
     if (given.json)
         fmt::print("{}", check_json(check, file, unit.name));

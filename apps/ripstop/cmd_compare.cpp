@@ -56,7 +56,8 @@ void require_free_sheet(const Arguments& given, std::size_t tiles) {
 
 ExitCode run(const Arguments& given) {
     const Input input = resolve(given.input);
-    const auto [envelope, unit, unit_assumed, remarks] = read(given.input, input, given.quiet);
+    const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
+    tell_unused(unused);
     require_free_sheet(given, envelope.tiles.size());
     std::vector<CutPlan> plans;
     const std::vector<std::string> names = methods_of(given);

@@ -69,7 +69,8 @@ ExitCode run(const Arguments& given) {
     const std::string method = method_of(given.input);
     require_writable(given.directory, given.force);
     const Input input = resolve(given.input);
-    const auto [envelope, unit, unit_assumed, remarks] = read(given.input, input, given.quiet);
+    const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
+    tell_unused(unused);
     if (unit_assumed && !given.quiet) print_assumed_size(envelope);
 
     FlattenOptions options{method, input.fabric, input.tolerances, given.jobs, progress_bar(given.quiet)};

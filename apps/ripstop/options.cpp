@@ -8,8 +8,8 @@
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/flatten/method.h"
-#include "ripstop/io/fabric_json.h"
 #include "ripstop/measure/judge.h"
+#include "ripstop/pipeline/tile_fabrics.h"
 #include "tell.h"
 
 namespace ripstop::cli {
@@ -50,21 +50,6 @@ Project read_project_file(const std::string& file) {
     return read_project(in, file);
 }
 
-/// A project names its fabric file from where the project lies.
-Fabric fabric_beside(const std::filesystem::path& project, const std::string& name) {
-    const std::filesystem::path beside = project.parent_path() / name;
-    return fabric_named(std::filesystem::is_regular_file(beside) ? beside.string() : name);
-}
-
-/// A warning for each name of the project that fits no tile; none where only some tiles were asked for.
-void warn_of_unused_names(const Input& input, const Envelope& envelope) {
-    if (!input.read.project || !input.read.only.empty()) return;
-    std::vector<std::string> names;
-    for (const Tile& tile : envelope.tiles) names.push_back(tile.name);
-    for (const std::string& name : unused_names(*input.read.project, names))
-        tell(fmt::format("ripstop: {}: no tile is called \"{}\"\n", input.read.project->file, name));
-}
-
 }  // namespace
 
 CLI::Validator known_method() {
@@ -88,9 +73,12 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         .add_option("--unit", given.unit,
                     "Unit of the file: mm, cm, m, in, ft (else the project's, else the file's own, else metres)")
         ->check(known_unit());
-    command.add_option("--project", given.project,
-                       "JSON with what the file cannot say: unit, fabric, warp, corners, compensation, tolerances");
-    command.add_option("--fabric", given.fabric, "A preset or a JSON file (else the project's, else isotropic)");
+    command.add_option(
+        "--project", given.project,
+        "JSON with what the file cannot say: names, warp, corners, fabrics, seam types, tolerances (docs/project.md)");
+    command.add_option(
+        "--fabric", given.fabric,
+        "A preset or a JSON file for the tiles that have none of their own (else the project's, else isotropic)");
     command
         .add_option("--grain", given.grain,
                     "Turn the warp from each tile's longest axis, degrees counter-clockwise seen from outside")
@@ -103,7 +91,9 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         ->allow_extra_args(false);
     command
         .add_option("--layer", given.layers,
-                    "Only what lies on the layers of this name (whole path, a::b); * and ? as above; may be repeated")
+                    "Only what lies on the layers of this name (whole path, a::b; else the project's); * and ? as "
+                    "above; may be "
+                    "repeated")
         ->allow_extra_args(false);
 }
 
@@ -130,19 +120,19 @@ Input resolve(const InputArguments& given) {
     if (!unit.empty()) input.read.unit = LengthUnit{unit, metres_per_unit(unit)};
     input.read.grain_turn = given.grain * degree;
     input.read.only = given.tiles;
-    input.read.layers = given.layers;
+    input.read.layers = given.layers.empty() && project ? project->layers : given.layers;
     if (project && project->seam_tolerance) input.read.seam_tolerance = *project->seam_tolerance;
     if (!given.seam_tolerance.empty())
         input.read.seam_tolerance = parse_length(given.seam_tolerance, "--seam-tolerance");
-    if (!given.fabric.empty()) {
-        input.fabric = fabric_named(given.fabric);
-    } else {
-        input.fabric =
-            project && project->fabric ? fabric_beside(given.project, *project->fabric) : fabric_named("isotropic");
-    }
+    input.fabric = envelope_fabric(given.fabric, project);
+    input.read.fabric = input.fabric;
     input.tolerances = tolerances_of(input.fabric);
     if (project) input.tolerances = tolerances(*project, input.tolerances);
     return input;
+}
+
+void tell_unused(const std::vector<std::string>& unused) {
+    for (const std::string& sentence : unused) tell(fmt::format("ripstop: {}\n", sentence));
 }
 
 EnvelopeInput read(const InputArguments& given, const Input& input, bool quiet) {
@@ -154,7 +144,6 @@ EnvelopeInput read(const InputArguments& given, const Input& input, bool quiet) 
         }
         tell(fmt::format("Note: {}\n", read.remarks[i]));
     }
-    warn_of_unused_names(input, read.envelope);
     return read;
 }
 

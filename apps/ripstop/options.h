@@ -17,7 +17,7 @@ struct InputArguments {
     std::filesystem::path file;
     std::string unit;     ///< empty: the project's, else metres
     std::string project;  ///< empty: none
-    std::string fabric;   ///< empty: the project's, else isotropic
+    std::string fabric;   ///< of tiles without one of their own; empty: the project's, else isotropic
     std::string method = "seam-exact";
     bool keep_area = false;
     double grain = 0;            ///< [degrees]
@@ -42,9 +42,11 @@ std::string method_of(const InputArguments& given);
 /// Throws InputError.
 Input resolve(const InputArguments& given);
 
-/// Reads the input file. Its remarks go to stderr, and a warning for each name of the project that fits no tile, which is
-/// none where only some tiles were asked for. Throws InputError.
+/// Reads the input file. Its remarks go to stderr. Throws InputError.
 EnvelopeInput read(const InputArguments& given, const Input& input, bool quiet);
+
+/// A warning on stderr for each entry of the project that fits nothing.
+void tell_unused(const std::vector<std::string>& unused);
 
 /// `CLI::Validator` texts for names that the library looks up: the message of the look-up, exit code 2.
 CLI::Validator known_method();

@@ -51,6 +51,10 @@ TEST(ProjectJson, RefusesWhatASchemaCannotSay) {
                 HasSubstr("expected two different points"));
     EXPECT_THAT(refusal(R"({"tiles": [{"name": "a"}, {"name": "b"}, {"name": "a"}]})"),
                 HasSubstr("tiles 1 and 3 have the same name \"a\""));
+    EXPECT_THAT(refusal(R"({"seams": [{"free": "a", "type": "glue"}]})"),
+                HasSubstr("seams: 1: no seam type \"glue\"; known: flat-felled, french"));
+    EXPECT_THAT(refusal(R"({"seam_types": [{"name": "a", "allowance_mm": 1}, {"name": "a", "allowance_mm": 2}]})"),
+                HasSubstr("seam_types: 2: the type \"a\" stands twice"));
     EXPECT_THAT(refusal(R"({"unit": "m", "unit": "mm"})"), HasSubstr("the key \"unit\" stands twice"));
     EXPECT_THAT(refusal("{\"unit\": \"m\"\n\"fabric\": 1}"), StartsWith("plan.json:2: not JSON from"));
 }
@@ -60,12 +64,27 @@ TEST(ProjectJson, ReadsTheExampleInTheDocs) {
     const Project project = read_project(in, "example");
     EXPECT_EQ(project.unit, "mm");
     EXPECT_EQ(project.fabric, "nylon");
-    EXPECT_EQ(project.tiles.size(), 3U);
+    EXPECT_EQ(project.tiles.size(), 5U);
+    EXPECT_EQ(project.tiles[3].source, "envelope_03");
+    EXPECT_EQ(project.tiles[4].at, Vec3(1830, 750, 520));
+    EXPECT_EQ(project.materials.at("top cloth"), "nylon-silicone");
+    EXPECT_THAT(project.layers, ElementsAre("envelope", "envelope::*"));
+    EXPECT_THAT(project.grain_layers, ElementsAre("yarn"));
+    ASSERT_EQ(project.seams.size(), 5U);
+    EXPECT_EQ(project.seams[1].type, (SeamType{"welded", 0.015, 0, false}));
+    EXPECT_EQ(project.seams[4].type, (SeamType{"hem", 0.04, 2, false}));
     const Tolerances limits = tolerances(project, {});
     EXPECT_DOUBLE_EQ(limits.area, 0.01);
     EXPECT_DOUBLE_EQ(limits.length, 0.001);
+    EXPECT_FALSE(limits.strain_for_all) << "each fabric has its own";
+}
+
+TEST(ProjectTolerances, OfStrainAndShearHoldForEveryFabric) {
+    const Tolerances limits = tolerances(read(R"({"tolerances": {"strain_pct": 2, "shear_deg": 10}})"), {});
     EXPECT_DOUBLE_EQ(limits.strain, 0.02);
     EXPECT_DOUBLE_EQ(limits.shear, 10 * degree);
+    EXPECT_TRUE(limits.strain_for_all);
+    EXPECT_TRUE(limits.shear_for_all);
 }
 
 TEST(ProjectTolerances, KeepTheDefaultsWhereTheProjectIsSilent) {
@@ -92,6 +111,16 @@ TEST(ProjectTiles, ExactNamesGoBeforePatternsAndLaterPatternsBeforeEarlier) {
     EXPECT_EQ(*tile_options(project, "G01P01", 1).warp, Vec3::UnitX());
     EXPECT_EQ(*tile_options(project, "G01P02", 1).warp, Vec3::UnitZ());
     EXPECT_EQ(*tile_options(project, "G02P01", 1).warp, Vec3::UnitY());
+}
+
+TEST(ProjectTiles, TurnTheLongestAxis) {
+    const Project project = read(R"({"tiles": [{"name": "*", "warp": {"direction": [0, 0, 1]}},
+                                               {"name": "b", "warp": {"turn_deg": 0}},
+                                               {"name": "c", "warp": {"turn_deg": -90}}]})");
+    EXPECT_FALSE(tile_options(project, "a", 1).grain_turn);
+    EXPECT_EQ(tile_options(project, "b", 1).grain_turn, 0);
+    EXPECT_FALSE(tile_options(project, "b", 1).warp) << "one entry decides of the warp";
+    EXPECT_DOUBLE_EQ(*tile_options(project, "c", 1).grain_turn, -90 * degree);
 }
 
 TEST(ProjectTiles, TakeWarpAndCornersFromDifferentEntries) {

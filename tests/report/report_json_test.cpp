@@ -52,6 +52,42 @@ TEST(ReportJson, TellsEachTileInItsUnits) {
     EXPECT_NEAR(gore["verdict"]["findings"][0]["at_mm"][2], 1000 * plan.tiles[1].verdict.findings[0].at.z(), 1e-6);
 }
 
+TEST(ReportJson, TellsTheFabricOfEachTileAndHowMuchThereIsOfEach) {
+    CutPlan plan = testing::sewn_plan();
+    for (FlatTile& tile : plan.tiles) tile.accuracy.area = 2;
+    plan.tiles[1].tile.fabric = Fabric{};
+    plan.tiles[1].tile.fabric->name = "silk";
+    const Json json = report(plan);
+    EXPECT_EQ(json["fabric"]["name"], "isotropic");
+    ASSERT_EQ(json["fabrics"].size(), 2U);
+    EXPECT_EQ(json["fabrics"][0]["name"], "isotropic");
+    EXPECT_EQ(json["fabrics"][0]["tiles"], 2);
+    EXPECT_EQ(json["fabrics"][0]["area_m2"], 4);
+    EXPECT_EQ(json["fabrics"][1]["name"], "silk");
+    EXPECT_EQ(json["fabrics"][1]["area_m2"], 2);
+    EXPECT_EQ(json["tiles"][0]["fabric"], "isotropic");
+    EXPECT_EQ(json["tiles"][1]["fabric"], "silk");
+}
+
+TEST(ReportJson, TellsHowSeamsAreSewnAndFreeEdgesFinished) {
+    CutPlan plan = testing::sewn_plan();
+    plan.seams[1].type = {"plain", 0.013, 1, false};
+    for (FlatTile& tile : plan.tiles) tile.accuracy.chains.resize(4, {1, 1});
+    const Json json = report(plan);
+    EXPECT_EQ(json["seams"][0]["type"], "flat-felled");
+    EXPECT_EQ(json["seams"][0]["allowance_mm"], 25);
+    EXPECT_EQ(json["seams"][1]["type"], "plain");
+    EXPECT_EQ(json["seams"][1]["allowance_mm"], 13);
+    const Json& left = json["tiles"][0]["chains"];
+    EXPECT_EQ(left[0]["type"], "hem");
+    EXPECT_EQ(left[0]["free_mm"], 1000);
+    EXPECT_FALSE(left[1].contains("type")) << "seams hold all of it";
+    EXPECT_EQ(json["seam_types"], Json::parse(R"([
+        {"type": "flat-felled", "allowance_mm": 25.0, "rows": 2, "tape": false, "seams": 2, "free_edges": 0, "length_mm": 2000.0},
+        {"type": "plain", "allowance_mm": 13.0, "rows": 1, "tape": false, "seams": 1, "free_edges": 0, "length_mm": 1000.0},
+        {"type": "hem", "allowance_mm": 25.0, "rows": 2, "tape": false, "seams": 0, "free_edges": 7, "length_mm": 8000.0}])"));
+}
+
 TEST(ReportJson, SumsUpTheEnvelope) {
     const CutPlan plan = testing::two_tile_plan();
     const Json json = report(plan);

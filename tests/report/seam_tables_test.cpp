@@ -19,11 +19,14 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 TEST(SeamsCsv, HasALineASeam) {
-    const std::string text = seams_csv(testing::sewn_plan());
+    CutPlan plan = testing::sewn_plan();
+    plan.seams[1].type = {"plain", 0.013, 1, false};
+    const std::string text = seams_csv(plan);
     EXPECT_THAT(text,
                 HasSubstr("id,tile_a,chain_a,tile_b,chain_b,length_mm,flat_a_mm,flat_b_mm,mismatch_mm,mismatch_pct,"
-                          "drift_max_mm,drift_max_at_mm,limit_mm,uncertainty_mm,gap_mm,certain,ok\n"));
-    EXPECT_THAT(text, HasSubstr("\nS2,left,2,high,4,1000,1000,1002,2,0.2,2,1000,1,0,0,true,false\n"));
+                          "drift_max_mm,drift_max_at_mm,limit_mm,uncertainty_mm,gap_mm,certain,ok,type,"
+                          "allowance_mm\n"));
+    EXPECT_THAT(text, HasSubstr("\nS2,left,2,high,4,1000,1000,1002,2,0.2,2,1000,1,0,0,true,false,plain,13\n"));
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
 }
 

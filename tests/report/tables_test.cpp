@@ -55,10 +55,12 @@ CutPlan plan_of(int tiles, int failing) {
 TEST(TilesCsv, HasALineATileAndAFieldAColumn) {
     CutPlan plan = testing::two_tile_plan();
     plan.tiles[1].verdict.findings[0].message = "chain 1 is too long, by \"a lot\"";
+    plan.tiles[1].tile.fabric = Fabric{};
+    plan.tiles[1].tile.fabric->name = "silk";
     const auto all = lines(tiles_csv(plan));
     ASSERT_EQ(all.size(), 3u);
     const auto heads = fields(all[0]), first = fields(all[1]), second = fields(all[2]);
-    ASSERT_EQ(heads.size(), 29u);
+    ASSERT_EQ(heads.size(), 30u);
     ASSERT_EQ(first.size(), heads.size());
     ASSERT_EQ(second.size(), heads.size());
     const auto of = [&](const std::vector<std::string>& row, const std::string& column) {
@@ -68,6 +70,8 @@ TEST(TilesCsv, HasALineATileAndAFieldAColumn) {
     EXPECT_EQ(of(first, "name"), "G01 P01");
     EXPECT_EQ(of(second, "name"), "Bílý \"dráček\"");
     EXPECT_EQ(of(first, "triangles"), "192");
+    EXPECT_EQ(of(first, "fabric"), "isotropic");
+    EXPECT_EQ(of(second, "fabric"), "silk");
     EXPECT_EQ(of(first, "manufacturable"), "true");
     EXPECT_EQ(of(second, "manufacturable"), "false");
     EXPECT_EQ(of(second, "warp_min_pct"), "-1");

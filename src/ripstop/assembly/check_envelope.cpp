@@ -241,6 +241,7 @@ EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& option
     if (names_unit(envelope.tiles, metres_per_unit, check)) return check;
     const FoundSeams as_given = find_seams(envelope.tiles, options);
     add_figures_of_seams(envelope, as_given, check);
+    check.seam_types = seam_types_used(envelope);
     add_notes(check);
 
     std::vector<Tile> tiles = envelope.tiles;
@@ -260,6 +261,17 @@ EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& option
     add(check.issues, name_holes(tiles, found, options.tolerance));
     add(check.issues, name_strays(tiles, found));
     return check;
+}
+
+std::vector<FabricUse> count_fabrics(const Envelope& envelope, const Fabric& standard) {
+    std::vector<FabricUse> uses;
+    for (const Tile& tile : envelope.tiles) {
+        const std::string& name = tile.fabric_or(standard).name;
+        const auto known =
+            std::find_if(uses.begin(), uses.end(), [&](const FabricUse& use) { return use.name == name; });
+        ++(known != uses.end() ? *known : uses.emplace_back(FabricUse{name})).tiles;
+    }
+    return uses;
 }
 
 }  // namespace ripstop

@@ -19,7 +19,7 @@ struct Method {
     Flattening (*flatten)(const Tile& tile, const Fabric& fabric);  ///< a tile on its own
 
     /// The tiles of an envelope together, on so many threads (0: one a core), for a method to which its seams matter; null
-    /// where each tile is flattened on its own.
+    /// where each tile is flattened on its own. A tile's own fabric goes before `fabric`.
     std::vector<Flattening> (*flatten_together)(const Envelope& envelope, const Fabric& fabric, int threads,
                                                 const Progress& progress) = nullptr;
 };

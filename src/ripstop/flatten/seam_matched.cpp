@@ -84,7 +84,7 @@ void MatchedEnvelope::loosen() {
     parallel_for(static_cast<int>(tiles_.size()), options_.threads, [&](int t) {
         const Tile& from = envelope_.tiles[static_cast<std::size_t>(t)];
         if (!stretch_of(t).intervals.empty())
-            tile(t) = std::make_unique<SeamTile>(from, fabric_, stretch_of(t), options_.bending);
+            tile(t) = std::make_unique<SeamTile>(from, from.fabric_or(fabric_), stretch_of(t), options_.bending);
     });
     lengths_ = Vector::Zero(stretch_.count);
     for (int t = 0; t < static_cast<int>(tiles_.size()); ++t) {
@@ -242,7 +242,7 @@ std::string MatchedEnvelope::note(int t) const {
 Flattening MatchedEnvelope::finish(int t) {
     const Tile& of = envelope_.tiles[static_cast<std::size_t>(t)];
     if (!tile(t)) {
-        Flattening alone = flatten_seam_exact(of, fabric_);
+        Flattening alone = flatten_seam_exact(of, of.fabric_or(fabric_));
         alone.note = stretch_of(t).intervals.empty()
                          ? "has no seam with a neighbour: flattened with its edges as drawn"
                          : "could not be held at the lengths its neighbours ask for: flattened with its seams as drawn";

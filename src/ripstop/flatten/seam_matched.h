@@ -37,6 +37,8 @@ struct SeamMatchedOptions {
 /// longer of two neighbours pushes the other's edge, which without this would give way in waves. Edges in no seam bend as
 /// in seam-exact flattening.
 ///
+/// A tile with a fabric of its own is of that, the others of `fabric`.
+///
 /// Gives a flattening for each tile, in the order of the envelope: `seam_tension` is positive where the tile is pulled by
 /// its neighbour, the certificate's forces are those in the cloth and across the seams, the note says how far from drawn
 /// its seams are cut. A tile without a seam is flattened by `flatten_seam_exact`; so is one whose edges cannot be held at

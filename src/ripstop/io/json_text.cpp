@@ -103,6 +103,20 @@ std::optional<Vec3> point_at(const json& object, const char* key, const std::str
     return point_of(*entry, place + ": " + key);
 }
 
+std::vector<std::string> texts_at(const json& object, const char* key, const std::string& place) {
+    const auto entry = object.find(key);
+    if (entry == object.end()) return {};
+    std::vector<std::string> texts;
+    bool sound = entry->is_array();
+    for (std::size_t i = 0; sound && i < entry->size(); ++i) {
+        sound = (*entry)[i].is_string() && !(*entry)[i].get_ref<const std::string&>().empty();
+        if (sound) texts.push_back((*entry)[i].get<std::string>());
+    }
+    if (!sound)
+        throw InputError(place + ": " + key + " is " + found(*entry) + ", expected a list of texts: [\"a\", \"b\"]");
+    return texts;
+}
+
 Vec3 point_of(const json& value, const std::string& place) {
     Vec3 point;
     bool sound = value.is_array() && value.size() == 3;

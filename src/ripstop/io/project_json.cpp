@@ -1,9 +1,7 @@
 #include "ripstop/io/project_json.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <map>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/glob.h"
@@ -16,62 +14,6 @@ namespace ripstop {
 namespace {
 
 using nlohmann::json;
-
-Vec3 read_warp(const json& value, const std::string& place) {
-    require_known_keys(value, {"direction", "from", "to"}, place);
-    const std::optional<Vec3> direction = point_at(value, "direction", place);
-    const std::optional<Vec3> from = point_at(value, "from", place);
-    const std::optional<Vec3> to = point_at(value, "to", place);
-    if (direction.has_value() == (from || to) || from.has_value() != to.has_value())
-        throw InputError(place +
-                         ": expected either \"direction\" alone or both \"from\" and \"to\"; give one of the two");
-    const Vec3 warp = direction ? *direction : *to - *from;
-    const double length = warp.stableNorm();
-    if (!(length > 0) || !std::isfinite(length))
-        throw InputError(place + ": the warp has no direction, expected " +
-                         (direction ? "a vector other than [0, 0, 0]" : "two different points") + "; correct it");
-    return warp / length;
-}
-
-double compensation_of(const json& value, const std::string& place) {
-    if (!value.is_number() || !(value.get<double>() > -50 && value.get<double>() < 100))
-        throw InputError(place + ": expected a number of per cent above -50 and below 100");
-    return value.get<double>() * percent;
-}
-
-Compensation read_compensation(const json& value, const std::string& place) {
-    require_known_keys(value, {"warp_pct", "weft_pct", "chains_pct"}, place);
-    Compensation compensation;
-    if (value.contains("warp_pct")) compensation.warp = compensation_of(value["warp_pct"], place + ": warp_pct");
-    if (value.contains("weft_pct")) compensation.weft = compensation_of(value["weft_pct"], place + ": weft_pct");
-    if (value.contains("chains_pct")) {
-        if (!value["chains_pct"].is_array())
-            throw InputError(place + ": chains_pct is no list, expected per cents, one a chain: [0.2, 0, ...]");
-        for (const json& chain : value["chains_pct"])
-            compensation.chains.push_back(compensation_of(chain, place + ": chains_pct"));
-    }
-    return compensation;
-}
-
-ProjectTile read_tile(const json& value, const std::string& place) {
-    require_known_keys(value, {"name", "warp", "corners", "compensation"}, place);
-    ProjectTile tile;
-    tile.name = text_at(value, "name", place).value_or("");
-    if (tile.name.empty())
-        throw InputError(place + ": no name, expected the tile's name or a pattern such as \"G01*\"; add \"name\"");
-    const std::string named = place + " (" + shown(tile.name) + ")";
-    if (value.contains("warp")) tile.warp = read_warp(value["warp"], named + ": warp");
-    if (value.contains("corners")) {
-        const json& corners = value["corners"];
-        if (!corners.is_array() || corners.empty())
-            throw InputError(named + ": corners is empty or no list, expected points: [[x, y, z], ...]");
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            tile.corners.push_back(point_of(corners[i], named + ": corner " + std::to_string(i + 1)));
-    }
-    if (value.contains("compensation"))
-        tile.compensation = read_compensation(value["compensation"], named + ": compensation");
-    return tile;
-}
 
 void read_tolerances(const json& value, const std::string& place, Project& project) {
     require_known_keys(value, {"area_pct", "length_pct", "strain_pct", "shear_deg"}, place);
@@ -96,23 +38,34 @@ void require_names_once(const Project& project) {
                              ", expected each name once; join them");
 }
 
-/// The entry that decides for a tile among those of which `gives` holds; nothing if there is none.
-template <class Gives>
-const ProjectTile* deciding(const Project& project, const std::string& tile_name, Gives&& gives) {
-    const ProjectTile* found = nullptr;
-    for (const ProjectTile& entry : project.tiles) {
-        if (!gives(entry)) continue;
-        if (entry.name == tile_name) return &entry;
-        if (glob_match(entry.name, tile_name)) found = &entry;
+std::map<std::string, std::string> read_materials(const json& value, const std::string& place) {
+    if (!value.is_object())
+        throw InputError(place + " is no object, expected a fabric for each material: {\"red_nylon\": \"nylon\"}");
+    std::map<std::string, std::string> materials;
+    for (const auto& [material, fabric] : value.items()) {
+        if (!fabric.is_string())
+            throw InputError(place + ": the fabric of " + shown(material) +
+                             " is no text, expected a preset or a file that ends in .json; give its name in quotes");
+        materials[material] = fabric.get<std::string>();
     }
-    return found;
+    return materials;
+}
+
+void read_tiles(const json& tiles, const std::string& name, Project& project) {
+    if (!tiles.is_array()) throw InputError(name + ": tiles is no list, expected [{\"name\": ...}, ...]");
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+        project.tiles.push_back(read_project_tile(tiles[i], name + ": tile " + std::to_string(i + 1)));
+    require_names_once(project);
 }
 
 }  // namespace
 
 Project read_project(std::istream& in, const std::string& name) {
     const json object = read_json_object(in, name);
-    require_known_keys(object, {"unit", "fabric", "tolerances", "seam_tolerance_mm", "tiles"}, name);
+    require_known_keys(object,
+                       {"unit", "fabric", "materials", "layers", "grain_layers", "tolerances", "seam_tolerance_mm",
+                        "tiles", "seam_types", "seams"},
+                       name);
     Project project;
     project.file = name;
     project.unit = text_at(object, "unit", name);
@@ -122,6 +75,9 @@ Project read_project(std::istream& in, const std::string& name) {
             throw InputError(name + ": " + error.what());
         }
     project.fabric = text_at(object, "fabric", name);
+    if (object.contains("materials")) project.materials = read_materials(object["materials"], name + ": materials");
+    project.layers = texts_at(object, "layers", name);
+    project.grain_layers = texts_at(object, "grain_layers", name);
     if (object.contains("tolerances")) read_tolerances(object["tolerances"], name + ": tolerances", project);
     if (const std::optional<double> given = number_at(object, "seam_tolerance_mm", name)) {
         if (!(*given > 0))
@@ -129,35 +85,39 @@ Project read_project(std::istream& in, const std::string& name) {
                              ", expected a number above 0");
         project.seam_tolerance = *given * millimetre;
     }
-    if (object.contains("tiles")) {
-        const json& tiles = object["tiles"];
-        if (!tiles.is_array()) throw InputError(name + ": tiles is no list, expected [{\"name\": ...}, ...]");
-        for (std::size_t i = 0; i < tiles.size(); ++i)
-            project.tiles.push_back(read_tile(tiles[i], name + ": tile " + std::to_string(i + 1)));
-    }
-    require_names_once(project);
+    if (object.contains("tiles")) read_tiles(object["tiles"], name, project);
+    if (object.contains("seam_types"))
+        project.seam_types = read_seam_types(object["seam_types"], name + ": seam_types");
+    if (object.contains("seams"))
+        project.seams = read_seam_rules(object["seams"], project.seam_types, name + ": seams");
     return project;
 }
 
 TileOptions tile_options(const Project& project, const std::string& tile_name, double metres_per_unit) {
     TileOptions options;
-    if (const ProjectTile* entry =
-            deciding(project, tile_name, [](const ProjectTile& tile) { return tile.warp.has_value(); })) {
+    if (const ProjectTile* entry = deciding_entry(project.tiles, tile_name, [](const ProjectTile& tile) {
+            return tile.warp.has_value() || tile.turn.has_value();
+        })) {
         options.warp = entry->warp;
+        options.grain_turn = entry->turn;
         options.warp_source = std::filesystem::path(project.file).filename().string() + ", tile " + shown(entry->name);
     }
     if (const ProjectTile* entry =
-            deciding(project, tile_name, [](const ProjectTile& tile) { return !tile.corners.empty(); }))
+            deciding_entry(project.tiles, tile_name, [](const ProjectTile& tile) { return !tile.corners.empty(); }))
         for (const Vec3& corner : entry->corners) options.corners.push_back(corner * metres_per_unit);
-    if (const ProjectTile* entry =
-            deciding(project, tile_name, [](const ProjectTile& tile) { return tile.compensation.has_value(); }))
+    if (const ProjectTile* entry = deciding_entry(
+            project.tiles, tile_name, [](const ProjectTile& tile) { return tile.compensation.has_value(); }))
         options.compensation = *entry->compensation;
     return options;
 }
 
 Tolerances tolerances(const Project& project, const Tolerances& defaults) {
-    return {project.area.value_or(defaults.area), project.length.value_or(defaults.length),
-            project.strain.value_or(defaults.strain), project.shear.value_or(defaults.shear)};
+    return {project.area.value_or(defaults.area),
+            project.length.value_or(defaults.length),
+            project.strain.value_or(defaults.strain),
+            project.shear.value_or(defaults.shear),
+            project.strain.has_value(),
+            project.shear.has_value()};
 }
 
 std::vector<std::string> unused_names(const Project& project, const std::vector<std::string>& tile_names) {

@@ -244,7 +244,8 @@ Likeness likeness_at(const Tile& one, const Tile& other, const Pose& pose, doubl
 
 /// How `other` is `one`, if it is.
 std::optional<Likeness> compare(const Tile& one, const Tile& other, double tolerance) {
-    if (one.compensation.warp != other.compensation.warp || one.compensation.weft != other.compensation.weft)
+    if (one.fabric != other.fabric || one.compensation.warp != other.compensation.warp ||
+        one.compensation.weft != other.compensation.weft)
         return std::nullopt;
     for (const Pose& pose : poses(one, signature_of(one), other, signature_of(other), tolerance)) {
         bool alike = false;

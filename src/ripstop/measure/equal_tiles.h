@@ -20,7 +20,7 @@ struct Likeness {
 };
 
 /// Which tiles are the same cut: alike up to a turn and a shift, or up to a mirror too (rights and lefts), in surface, drawn
-/// edge lengths, corners, warp and compensation. Names and numbering of vertices do not matter.
+/// edge lengths, corners, warp, fabric and compensation. Names and numbering of vertices do not matter.
 ///
 /// Two tiles are the same surface where, after the rigid fit of their outlines (32 points a chain, least squares), no vertex
 /// of either is farther than `tolerance` from the other's triangles. Chains' lengths must agree to `tolerance`, the warp to

@@ -25,4 +25,21 @@ std::vector<Quantity> quantities(const CutPlan& plan) {
     return counts;
 }
 
+Tolerances CutPlan::tolerances_of(const Tile& tile) const {
+    Tolerances limits = tolerances;
+    if (!tile.fabric) return limits;
+    if (!limits.strain_for_all) limits.strain = tile.fabric->strain_limit;
+    if (!limits.shear_for_all) limits.shear = tile.fabric->shear_limit;
+    return limits;
+}
+
+std::vector<Fabric> CutPlan::fabrics() const {
+    std::vector<Fabric> found;
+    for (const FlatTile& tile : tiles)
+        if (std::find(found.begin(), found.end(), fabric_of(tile.tile)) == found.end())
+            found.push_back(fabric_of(tile.tile));
+    if (found.empty()) found.push_back(fabric);
+    return found;
+}
+
 }  // namespace ripstop

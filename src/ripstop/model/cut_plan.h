@@ -35,7 +35,7 @@ struct CutPlan {
     std::string input_sha256;
     std::string unit = "m";                 ///< of the input file
     std::vector<std::string> remarks = {};  ///< what of the input was left out or taken otherwise than it stands
-    Fabric fabric;
+    Fabric fabric;                          ///< of the tiles without one of their own
     Tolerances tolerances;
     std::vector<FlatTile> tiles;
     std::vector<Seam> seams = {};
@@ -45,6 +45,12 @@ struct CutPlan {
 
     bool manufacturable() const;  ///< every tile, and nothing wrong between them
     double area() const;          ///< of the tiles in space [m2]
+
+    /// The tile's own fabric, else the plan's; the plan's tolerances with the limits of that fabric.
+    const Fabric& fabric_of(const Tile& tile) const { return tile.fabric_or(fabric); }
+    Tolerances tolerances_of(const Tile& tile) const;
+    /// Every fabric that is cut, each once, in the order of the tiles; the plan's own where there is no tile.
+    std::vector<Fabric> fabrics() const;
 };
 
 /// How many pieces are cut by each tile's pattern (`equal_to`), and how many by the pattern turned over. None by one that is

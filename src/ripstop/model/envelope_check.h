@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ripstop/geometry/types.h"
+#include "ripstop/model/allowance.h"
 
 namespace ripstop {
 
@@ -36,6 +37,12 @@ struct SeamSampling {
     double chord_error = 0;  ///< by how much a polyline turning so is short: theta^2 / 24
 };
 
+/// A fabric and how many tiles are of it.
+struct FabricUse {
+    std::string name;
+    int tiles = 0;
+};
+
 /// What was understood of an envelope, and what is wrong with it.
 struct EnvelopeCheck {
     int tiles = 0, triangles = 0, chains = 0, corners = 0, seams = 0;
@@ -52,6 +59,8 @@ struct EnvelopeCheck {
     std::vector<LooseLoop> loops;
     std::vector<SeamSampling> sampling;      ///< one a seam
     std::vector<std::string> grain_sources;  ///< where the warps come from, with how many tiles each
+    std::vector<FabricUse> fabrics;          ///< in the order of the tiles
+    std::vector<SeamTypeUse> seam_types;     ///< of seams and free edges
     std::vector<EnvelopeIssue> issues;
     std::vector<std::string> notes;  ///< worth a look, not wrong
 

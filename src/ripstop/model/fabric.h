@@ -21,6 +21,8 @@ struct Fabric {
     double strain_limit = 0.02;    ///< largest warp or weft strain a piece may need
     double shear_limit = 0.1745;   ///< largest shear angle a piece may need [rad]
 
+    bool operator==(const Fabric&) const = default;
+
     double poisson_weft() const { return poisson * weft_stiffness / warp_stiffness; }
     double c11() const { return warp_stiffness / (1 - poisson * poisson_weft()); }
     double c22() const { return weft_stiffness / (1 - poisson * poisson_weft()); }

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "ripstop/model/seam_type.h"
+
 namespace ripstop {
 
 /// The part of a boundary edge that belongs to a seam. Where a seam ends within an edge (a T-junction), the edge belongs to
@@ -27,6 +29,7 @@ struct Seam {
     double length = 0;       ///< of the common curve [m]: the sum of the parts of either side
     double uncertainty = 0;  ///< by how much the meshes leave `length` open [m]
     double gap = 0;          ///< largest distance between the two sides in space [m]
+    SeamType type = {};      ///< how it is sewn
 };
 
 }  // namespace ripstop

@@ -94,9 +94,10 @@ Grain make_grain(const std::string& name, const TriangleMesh& mesh, const TileOp
     }
     if (options.warp_field.rows() > 0) return grain_of_field(name, mesh, options);
     const Vec3 axis = longest_axis(mesh);
-    if (options.grain_turn == 0) return {axis, "longest axis"};
-    const Eigen::AngleAxisd turn(options.grain_turn, normal);
-    const double degrees = std::round(options.grain_turn / degree * 1000) / 1000;
+    const double angle = options.grain_turn.value_or(0);
+    if (angle == 0) return {axis, "longest axis"};
+    const Eigen::AngleAxisd turn(angle, normal);
+    const double degrees = std::round(angle / degree * 1000) / 1000;
     return {turn * axis, "longest axis turned by " + format_shortest(degrees) + " degrees"};
 }
 

@@ -7,6 +7,8 @@
 #include "ripstop/base/units.h"
 #include "ripstop/mesh/triangle_mesh.h"
 #include "ripstop/model/cad_model.h"
+#include "ripstop/model/fabric.h"
+#include "ripstop/model/seam_type.h"
 
 namespace ripstop {
 
@@ -14,7 +16,7 @@ namespace ripstop {
 /// without corners has one chain that ends where it starts.
 struct Chain {
     std::vector<int> vertices;
-
+    SeamType finish = default_hem();  ///< of what of it is in no seam
     int edge_count() const { return static_cast<int>(vertices.size()) - 1; }
 };
 
@@ -53,6 +55,9 @@ struct Tile {
     Eigen::VectorXd curve_lengths;  ///< of each boundary edge on the curve its seam follows [m]; empty: the edge's own
     Attributes attributes = {};     ///< what the file says of it
     std::vector<SurfaceLine> lines = {};
+    std::optional<Fabric> fabric = {};  ///< where it is not the envelope's
+
+    const Fabric& fabric_or(const Fabric& of_envelope) const { return fabric ? *fabric : of_envelope; }
 };
 
 struct TileOptions {
@@ -61,7 +66,7 @@ struct TileOptions {
     std::optional<Vec3> warp = {};      ///< if none: the longest axis
     Points3 warp_field = {};            ///< #F x 3: of each triangle its own; used where no `warp` is given; else empty
     std::string warp_source = "given";  ///< where the warp comes from, in words
-    double grain_turn = 0;              ///< turns the longest axis, counter-clockwise seen from outside [rad]
+    std::optional<double> grain_turn = {};  ///< turns the longest axis, counter-clockwise seen from outside [rad]
     std::optional<Points2> drawn = {};
     Compensation compensation = {};
     Attributes attributes = {};

@@ -9,10 +9,12 @@ namespace ripstop {
 
 /// What a piece may deviate and still be sewn. The first two are the paper's; strain and shear are the fabric's own.
 struct Tolerances {
-    double area = 0.01;     ///< |flat area / area - 1|
-    double length = 0.001;  ///< each chain and the perimeter: 1 mm on a metre
-    double strain = 0.02;   ///< warp and weft
-    double shear = 0.1745;  ///< [rad]
+    double area = 0.01;           ///< |flat area / area - 1|
+    double length = 0.001;        ///< each chain and the perimeter: 1 mm on a metre
+    double strain = 0.02;         ///< warp and weft
+    double shear = 0.1745;        ///< [rad]
+    bool strain_for_all = false;  ///< that strain holds for every fabric; else each has its own limit
+    bool shear_for_all = false;
 };
 
 /// One reason why a tile cannot be made as drawn.

@@ -1,6 +1,11 @@
 #include "ripstop/pipeline/equal_pieces.h"
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
 #include "ripstop/geometry/polygon.h"
+#include "ripstop/model/allowance.h"
 
 namespace ripstop {
 namespace {
@@ -33,13 +38,41 @@ bool within(const Points2& points, const Points2& outline, double tolerance) {
     return true;
 }
 
-bool cut_alike(const FlatTile& first, const FlatTile& other, const Likeness& likeness, double tolerance) {
-    for (const FlatTile* tile : {&first, &other})
+/// The edge of an outline nearest to a point.
+Eigen::Index nearest_edge(const Points2& outline, const Vec2& point) {
+    Eigen::Index nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < outline.rows(); ++i) {
+        const Vec2 start = outline.row(i), along = Vec2(outline.row((i + 1) % outline.rows())) - start;
+        const double length = std::max(along.squaredNorm(), std::numeric_limits<double>::min());
+        const double away = (start + std::clamp(along.dot(point - start) / length, 0.0, 1.0) * along - point).norm();
+        if (away < least) {
+            least = away;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+/// Is as much cloth cut beyond the line everywhere, seen at the middle of each edge of `a`?
+bool same_allowances(const Points2& a, const Points2& b, const Eigen::VectorXd& of_a, const Eigen::VectorXd& of_b) {
+    if (of_a.minCoeff() == of_a.maxCoeff() && of_b.minCoeff() == of_b.maxCoeff()) return of_a[0] == of_b[0];
+    for (Eigen::Index i = 0; i < a.rows(); ++i) {
+        const Vec2 middle = (a.row(i) + a.row((i + 1) % a.rows())) / 2;
+        if (of_a[i] != of_b[nearest_edge(b, middle)]) return false;
+    }
+    return true;
+}
+
+/// Outlines and allowances, of the first tile and of the other.
+bool cut_alike(const std::array<const FlatTile*, 2>& tiles, const std::array<const Eigen::VectorXd*, 2>& allowances,
+               const Likeness& likeness, double tolerance) {
+    for (const FlatTile* tile : tiles)
         if (tile->flattening.positions.rows() != tile->tile.mesh.vertex_count() ||
             !tile->flattening.positions.allFinite())
             return false;
-    const Points2 a = centred_outline(first) * signs(likeness).asDiagonal(), b = centred_outline(other);
-    return within(a, b, tolerance) && within(b, a, tolerance);
+    const Points2 a = centred_outline(*tiles[0]) * signs(likeness).asDiagonal(), b = centred_outline(*tiles[1]);
+    return within(a, b, tolerance) && within(b, a, tolerance) && same_allowances(a, b, *allowances[0], *allowances[1]);
 }
 
 }  // namespace
@@ -70,10 +103,12 @@ Bounds moved_bounds(Bounds bounds, const Likeness& likeness) {
 }
 
 void list_equal_pieces(CutPlan& plan, const std::vector<Likeness>& likeness, double tolerance) {
+    const std::vector<Eigen::VectorXd> allowances = edge_allowances(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         if (likeness[i].to < 0) continue;
-        const FlatTile& first = plan.tiles[static_cast<std::size_t>(likeness[i].to)];
-        if (!cut_alike(first, plan.tiles[i], likeness[i], tolerance)) continue;
+        const auto to = static_cast<std::size_t>(likeness[i].to);
+        if (!cut_alike({&plan.tiles[to], &plan.tiles[i]}, {&allowances[to], &allowances[i]}, likeness[i], tolerance))
+            continue;
         plan.tiles[i].equal_to = likeness[i].to;
         plan.tiles[i].mirrored = likeness[i].mirrored;
     }

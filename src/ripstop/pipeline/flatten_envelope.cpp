@@ -80,6 +80,7 @@ CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options
         (copies && !likeness[static_cast<std::size_t>(i)].vertex.empty() ? copied : solved).push_back(i);
     const auto flatten_and_judge = [&](int i, const Likeness* copy) {
         const Tile& tile = envelope.tiles[static_cast<std::size_t>(i)];
+        const Fabric& fabric = plan.fabric_of(tile);
         FlatTile& result = plan.tiles[static_cast<std::size_t>(i)];
         const auto start = Clock::now();
         if (copy) {
@@ -89,15 +90,14 @@ CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options
         } else {
             result.bounds = measure_bounds(tile);
             result.flattening = at_once  ? std::move(flats[static_cast<std::size_t>(i)])
-                                : method ? method->flatten(tile, options.fabric)
+                                : method ? method->flatten(tile, fabric)
                                          : given_flattening(tile);
         }
         result.seconds = seconds_since(start) + (at_once ? seconds_each : 0);
         result.tile = tile;
         result.method = options.method;
-        result.accuracy =
-            measure_accuracy(tile, result.flattening.positions, options.fabric, result.flattening.edges_on_curve);
-        result.verdict = judge(tile, result.bounds, result.flattening, result.accuracy, options.tolerances);
+        result.accuracy = measure_accuracy(tile, result.flattening.positions, fabric, result.flattening.edges_on_curve);
+        result.verdict = judge(tile, result.bounds, result.flattening, result.accuracy, plan.tolerances_of(tile));
         counter.done(tile.name);
     };
     const auto nth = [](const std::vector<int>& list, int k) { return list[static_cast<std::size_t>(k)]; };
@@ -106,8 +106,8 @@ CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options
     parallel_for(static_cast<int>(copied.size()), options.threads, [&](int k) {
         flatten_and_judge(nth(copied, k), &likeness[static_cast<std::size_t>(nth(copied, k))]);
     });
-    list_equal_pieces(plan, likeness);
     plan.seams = envelope.seams;
+    list_equal_pieces(plan, likeness);
     plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);
     judge_seams(plan);
     return plan;

@@ -18,8 +18,9 @@ std::string upper(std::string text) {
     return text;
 }
 
-bool says_grain(const std::string& name) {
-    return upper(name) == "GRAIN" || upper(name) == "WARP";
+bool says_grain(const std::string& name, const std::vector<std::string>& layers) {
+    return upper(name) == "GRAIN" || upper(name) == "WARP" ||
+           std::any_of(layers.begin(), layers.end(), [&](const std::string& own) { return upper(own) == upper(name); });
 }
 
 /// The parts of a layer's path between `::`.
@@ -85,24 +86,26 @@ Vec3 direction_of(const std::string& text, const std::string& name) {
 
 }  // namespace
 
-bool is_grain_line(const NamedCurve& curve) {
-    if (says_grain(curve.name)) return true;
+bool is_grain_line(const NamedCurve& curve, const std::vector<std::string>& layers) {
+    if (says_grain(curve.name, layers)) return true;
     for (const char* key : {"layer", "group"}) {
         const auto path = curve.attributes.find(key);
         if (path == curve.attributes.end()) continue;
-        const std::vector<std::string> names = parts(path->second);
-        if (std::any_of(names.begin(), names.end(), says_grain)) return true;
+        std::vector<std::string> names = parts(path->second);
+        names.push_back(path->second);
+        const auto says = [&](const std::string& name) { return says_grain(name, layers); };
+        if (std::any_of(names.begin(), names.end(), says)) return true;
     }
     return false;
 }
 
-std::vector<std::string> lay_grain_lines(CadModel& model) {
+std::vector<std::string> lay_grain_lines(CadModel& model, const std::vector<std::string>& layers) {
     std::vector<std::string> remarks;
     std::vector<SurfaceFinder> targets;
     for (const NamedMesh& surface : model.surfaces) targets.emplace_back(surface.mesh);
     std::vector<bool> has_line(targets.size(), false);
     for (const NamedCurve& curve : model.curves) {
-        if (!is_grain_line(curve)) continue;
+        if (!is_grain_line(curve, layers)) continue;
         const std::string line = "grain line " + (curve.name.empty() ? "" : curve.name + " ") + "from (" +
                                  text_of(curve.points.row(0)) + ") m";
         const Vec3 way = curve.points.row(curve.points.rows() - 1) - curve.points.row(0);

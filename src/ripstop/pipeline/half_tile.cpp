@@ -73,6 +73,7 @@ Tile make_half_tile(const Tile& whole, const MeshHalf& half, const std::string& 
     options.attributes = whole.attributes;
     options.compensation.chains.clear();
     Tile tile = make_tile(name, half.mesh, options);
+    tile.fabric = whole.fabric;
     const WholeBoundary boundary(whole);
     if (whole.curve_lengths.size() > 0) {
         const Eigen::VectorXd chords = edge_lengths(whole.mesh.positions, closed(whole.boundary));

@@ -128,7 +128,7 @@ bool add_proposals(CutPlan& plan, const Method& method, int threads, const Propo
     if (static_cast<long>(failing.size()) > limits.kinds || triangles > limits.triangles) return false;
     parallel_for(static_cast<int>(failing.size()), threads, [&](int k) {
         FlatTile& tile = plan.tiles[failing[static_cast<std::size_t>(k)]];
-        tile.proposal = propose_split(tile, method, plan.fabric, plan.tolerances);
+        tile.proposal = propose_split(tile, method, plan.fabric_of(tile.tile), plan.tolerances_of(tile.tile));
     });
     return true;
 }
@@ -143,9 +143,10 @@ std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& met
             const std::optional<Tile> welded = weld_tiles(a.tile, b.tile, seam);
             if (!welded) return;
             Flattening flat;
-            const Trial trial = try_tile(*welded, method, plan.fabric, plan.tolerances, &flat);
+            const Fabric& fabric = plan.fabric_of(*welded);
+            const Trial trial = try_tile(*welded, method, fabric, plan.tolerances_of(*welded), &flat);
             const double width = flat.positions.col(1).maxCoeff() - flat.positions.col(1).minCoeff();
-            if (trial.verdict.manufacturable() && width <= plan.fabric.roll_width)
+            if (trial.verdict.manufacturable() && width <= fabric.roll_width)
                 found[static_cast<std::size_t>(i)] = {seam.a.tile, seam.b.tile, i, trial};
         } catch (const InputError&) {
             return;  // together they are no tile

@@ -20,7 +20,7 @@ std::optional<SplitProposal> propose_split(const FlatTile& tile, const Method& m
 
 /// Neighbours sewn together by one seam along which their meshes have the same vertices, welded there, flattened and judged:
 /// the pairs that could be made as one tile, in the order of the seams. The piece must lie on the roll, its warp along it.
-/// Left out are pairs whose warps differ by more than 15 degrees and those with compensation. One flattening a seam.
+/// Left out are pairs of two fabrics, those whose warps differ by more than 15 degrees and those with compensation. One flattening a seam.
 std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& method, int threads);
 
 /// How much may be tried unasked: where more fails, it is the design and not one seam.

@@ -7,6 +7,9 @@
 #include "ripstop/base/glob.h"
 #include "ripstop/io/mesh_file.h"
 #include "ripstop/pipeline/grain_lines.h"
+#include "ripstop/pipeline/name_tiles.h"
+#include "ripstop/pipeline/seam_rules.h"
+#include "ripstop/pipeline/tile_fabrics.h"
 
 namespace ripstop {
 namespace {
@@ -40,7 +43,8 @@ void require_wanted(const std::vector<std::string>& names, const std::vector<std
 }
 
 /// Keeps what lies on the layers asked for. An object whose layer is not known lies on none.
-void keep_layers(CadModel& model, const std::vector<std::string>& layers) {
+void keep_layers(CadModel& model, const std::vector<std::string>& layers,
+                 const std::vector<std::string>& grain_layers) {
     if (layers.empty()) return;
     require_wanted(model.layers, layers, "layer");
     const auto elsewhere = [&layers](const auto& object) {
@@ -50,7 +54,8 @@ void keep_layers(CadModel& model, const std::vector<std::string>& layers) {
     std::erase_if(model.surfaces, elsewhere);
     std::erase_if(model.unread, elsewhere);
     // Grain lines have layers of their own, and lie where they lie.
-    std::erase_if(model.curves, [&](const NamedCurve& curve) { return elsewhere(curve) && !is_grain_line(curve); });
+    std::erase_if(model.curves,
+                  [&](const NamedCurve& curve) { return elsewhere(curve) && !is_grain_line(curve, grain_layers); });
 }
 
 void require_surfaces(const CadModel& model, const std::string& file) {
@@ -61,9 +66,8 @@ void require_surfaces(const CadModel& model, const std::string& file) {
     throw InputError(text);
 }
 
-}  // namespace
-
-Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& options) {
+/// What was taken otherwise than it stands goes into the remarks.
+Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& options, std::vector<std::string>& remarks) {
     std::vector<std::string> names;
     for (const NamedMesh& surface : surfaces) names.push_back(surface.name);
     require_wanted(names, options.only, "tile");
@@ -75,8 +79,8 @@ Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& optio
             TileOptions tile;
             if (options.project)
                 tile = tile_options(*options.project, surface.name, options.unit.value_or(LengthUnit{}).metres);
-            if (!tile.warp) take_warp(surface, tile);
-            tile.grain_turn = options.grain_turn;
+            if (!tile.warp && !tile.grain_turn) take_warp(surface, tile);
+            if (!tile.grain_turn) tile.grain_turn = options.grain_turn;
             tile.drawn = std::move(surface.drawn);
             tile.attributes = std::move(surface.attributes);
             envelope.tiles.push_back(make_tile(surface.name, std::move(surface.mesh), tile));
@@ -85,8 +89,18 @@ Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& optio
         }
     }
     if (!faults.empty()) refuse(faults);
+    for (std::string& remark : give_fabrics(envelope, options.project, options.fabric))
+        remarks.push_back(std::move(remark));
     add_seams(envelope, {options.seam_tolerance});
+    if (options.project) give_seam_types(envelope, *options.project);
     return envelope;
+}
+
+}  // namespace
+
+Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& options) {
+    std::vector<std::string> unheard;
+    return make_envelope(std::move(surfaces), options, unheard);
 }
 
 EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& options) {
@@ -98,15 +112,19 @@ EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& o
     if (options.unit && model.unit && options.unit->metres != model.unit->metres)
         input.remarks.push_back("the file says its unit is " + model.unit->name + ", taken as " + options.unit->name +
                                 " as asked");
-    keep_layers(model, options.layers);
+    if (options.project) name_tiles(model, *options.project);
+    const std::vector<std::string> grain_layers =
+        options.project ? options.project->grain_layers : std::vector<std::string>();
+    keep_layers(model, options.layers, grain_layers);
     require_surfaces(model, file.string());
     for (const UnreadObject& object : model.unread)
         input.remarks.push_back(object.type + " " + object.name + " left out: " + object.reason);
     model = in_metres(std::move(model), input.unit.metres);
-    for (std::string& remark : lay_grain_lines(model)) input.remarks.push_back(std::move(remark));
+    for (std::string& remark : lay_grain_lines(model, grain_layers)) input.remarks.push_back(std::move(remark));
     ReadOptions in_this_unit = options;
     in_this_unit.unit = input.unit;
-    input.envelope = make_envelope(std::move(model.surfaces), in_this_unit);
+    input.envelope = make_envelope(std::move(model.surfaces), in_this_unit, input.remarks);
+    if (options.project && options.only.empty()) input.unused = unused_entries(*options.project, input.envelope);
     return input;
 }
 

@@ -19,6 +19,7 @@ struct ReadOptions {
     double grain_turn = 0;                 ///< where no warp is given: the longest axis turned by this [rad]
     std::optional<Project> project = {};
     double seam_tolerance = 0.5 * millimetre;  ///< edges to be sewn together lie within this [m]
+    Fabric fabric = {};                        ///< of the envelope: tiles of it have none of their own
 };
 
 /// An envelope with what its file said of it.
@@ -27,11 +28,16 @@ struct EnvelopeInput {
     LengthUnit unit;                        ///< of the file's numbers
     bool unit_assumed = false;              ///< neither given nor said by the file
     std::vector<std::string> remarks = {};  ///< what was left out or taken otherwise than it stands, one sentence each
+    std::vector<std::string> unused = {};   ///< entries of the project that fit nothing, a sentence each
 };
 
 /// Reads a file (`read_model`), makes every surface in it a tile and finds the seams between those kept (`find_seams`).
 ///
-/// The warp of a tile is, in this order: the project's; the line on a layer called GRAIN or WARP that lies on the tile; the
+/// Surfaces are called what the project calls them (`name_tiles`) before anything else looks at names; each tile gets its
+/// fabric (`give_fabrics`), each seam its type (`give_seam_types`). The project's entries that fit nothing are named, unless
+/// only some tiles are read.
+///
+/// The warp of a tile is, in this order: the project's; the line on a layer called GRAIN or WARP that lies on the tile (or on one of the project's `grain_layers`); the
 /// file's own for the surface, in its triangles or as the attribute `warp` (x, y, z); the longest axis. Objects that give no
 /// surface become remarks.
 ///

@@ -56,7 +56,8 @@ void keep_curve_lengths(const Tile& from, const std::vector<int>& number, Tile& 
 }  // namespace
 
 std::optional<Tile> weld_tiles(const Tile& a, const Tile& b, const Seam& seam) {
-    if (seam.a.tile == seam.b.tile || a.compensation.any() || b.compensation.any()) return std::nullopt;
+    if (seam.a.tile == seam.b.tile || a.fabric != b.fabric || a.compensation.any() || b.compensation.any())
+        return std::nullopt;
     const double sign = a.grain.direction.dot(b.grain.direction) < 0 ? -1 : 1;
     if (sign * a.grain.direction.dot(b.grain.direction) < std::cos(warps_apart)) return std::nullopt;
     const std::vector<int> partner = partners(a, b, seam);
@@ -81,6 +82,7 @@ std::optional<Tile> weld_tiles(const Tile& a, const Tile& b, const Seam& seam) {
     options.warp_source = "mean of both tiles";
     Tile welded = make_tile(a.name + " + " + b.name, std::move(mesh), options);
     welded.curve_lengths = edge_lengths(welded.mesh.positions, closed(welded.boundary));
+    welded.fabric = a.fabric;
     keep_curve_lengths(a, number_a, welded);
     keep_curve_lengths(b, number_b, welded);
     return welded;

@@ -68,6 +68,32 @@ std::string sampling_text(const EnvelopeCheck& check) {
                        worst.turn / degree);
 }
 
+std::string fabrics_text(const EnvelopeCheck& check) {
+    std::string text;
+    for (const FabricUse& use : check.fabrics)
+        text += fmt::format("{}{} {}", text.empty() ? "fabric         " : ", ", use.name, use.tiles);
+    return text.empty() ? text : text + "\n";
+}
+
+std::string seam_types_text(const EnvelopeCheck& check) {
+    std::string text;
+    for (const SeamTypeUse& use : check.seam_types)
+        text += fmt::format("{}{} {} ({:.4g} mm)", text.empty() ? "sewn           " : ", ", use.type.name,
+                            use.seams + use.free_edges, use.type.allowance / millimetre);
+    return text.empty() ? text : text + "\n";
+}
+
+Json seam_types_json(const EnvelopeCheck& check) {
+    Json list = Json::array();
+    for (const SeamTypeUse& use : check.seam_types)
+        list.push_back({{"type", use.type.name},
+                        {"allowance_mm", clean(use.type.allowance / millimetre)},
+                        {"seams", use.seams},
+                        {"free_edges", use.free_edges},
+                        {"length_mm", clean(use.length / millimetre)}});
+    return list;
+}
+
 Json point(const Vec3& p) {
     return Json::array({clean(p.x()), clean(p.y()), clean(p.z())});
 }
@@ -89,7 +115,7 @@ std::string check_text(const EnvelopeCheck& check, const std::string& file, cons
         fmt::format("{}", fmt::join(check.grain_sources, ", ")), check.seams, check.seam_length,
         check.gap_max / millimetre, check.seam_tolerance / millimetre, check.self_seams,
         plural(check.t_junctions, "T-junction", "T-junctions"));
-    text += fmt::format("open edges     {}\n", loops_text(check));
+    text += seam_types_text(check) + fabrics_text(check) + fmt::format("open edges     {}\n", loops_text(check));
     text += fmt::format("loose ends     {}\nodd corners    {}\nchord error    {}\n", check.loose_ends,
                         check.odd_corners, sampling_text(check));
     for (const std::string& note : check.notes) text += fmt::format("note           {}\n", note);
@@ -117,6 +143,9 @@ std::string check_json(const EnvelopeCheck& check, const std::string& file, cons
     json["seam_tolerance_mm"] = clean(check.seam_tolerance / millimetre);
     json["seam_length_mm"] = clean(check.seam_length / millimetre);
     json["seam_gap_max_mm"] = clean(check.gap_max / millimetre);
+    json["seam_types"] = seam_types_json(check);
+    json["fabrics"] = Json::array();
+    for (const FabricUse& use : check.fabrics) json["fabrics"].push_back({{"name", use.name}, {"tiles", use.tiles}});
     json["self_seams"] = check.self_seams;
     json["t_junctions"] = check.t_junctions;
     json["loose_ends"] = check.loose_ends;

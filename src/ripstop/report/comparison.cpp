@@ -114,7 +114,8 @@ std::string comparison_json(const std::vector<CutPlan>& plans) {
     for (const CutPlan& plan : plans) {
         Json report = Json::parse(report_json(plan));
         if (whole.is_null()) {
-            for (const char* key : {"ripstop", "schema", "input", "fabric", "tolerances"}) whole[key] = report[key];
+            for (const char* key : {"ripstop", "schema", "input", "fabric", "fabrics", "tolerances"})
+                whole[key] = report[key];
             whole["tiles"] = Json::array();
             for (const FlatTile& tile : plan.tiles)
                 whole["tiles"].push_back({{"name", tile.tile.name}, {"methods", Json::array()}});

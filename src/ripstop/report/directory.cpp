@@ -29,7 +29,8 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
     if (options.pictures) {
         fs::create_directory(dir / "pictures");
         for (std::size_t i = 0; i < plan.tiles.size(); ++i)
-            write_file(dir / "pictures" / (stems[i] + ".svg"), tile_picture(plan.tiles[i], plan.tolerances));
+            write_file(dir / "pictures" / (stems[i] + ".svg"),
+                       tile_picture(plan.tiles[i], plan.tolerances_of(plan.tiles[i].tile)));
         if (!plan.walks.empty()) write_file(dir / "pictures" / "seams.svg", seam_picture(plan));
     }
     write_file(dir / "tiles.csv", tiles_csv(plan));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ripstop/base/units.h"
+#include "ripstop/model/allowance.h"
 #include "ripstop/report/figures.h"
 #include "ripstop/report/seam_tables.h"
 #include "ripstop/version.h"
@@ -40,6 +41,37 @@ Json fabric_json(const Fabric& fabric) {
             {"shear_limit_deg", in_degrees(fabric.shear_limit)}};
 }
 
+/// Every fabric that is cut, and how much of it.
+Json fabrics_json(const CutPlan& plan) {
+    Json list = Json::array();
+    for (const Fabric& fabric : plan.fabrics()) {
+        int tiles = 0;
+        double area = 0;
+        for (const FlatTile& tile : plan.tiles) {
+            if (!(plan.fabric_of(tile.tile) == fabric)) continue;
+            ++tiles;
+            area += tile.accuracy.area;
+        }
+        list.push_back(fabric_json(fabric));
+        list.back()["tiles"] = tiles;
+        list.back()["area_m2"] = figure(area);
+    }
+    return list;
+}
+
+Json seam_types_json(const CutPlan& plan) {
+    Json list = Json::array();
+    for (const SeamTypeUse& use : seam_types_used(plan))
+        list.push_back({{"type", use.type.name},
+                        {"allowance_mm", in_millimetres(use.type.allowance)},
+                        {"rows", use.type.rows},
+                        {"tape", use.type.tape},
+                        {"seams", use.seams},
+                        {"free_edges", use.free_edges},
+                        {"length_mm", in_millimetres(use.length)}});
+    return list;
+}
+
 /// Smallest, mean (by length) and largest tension of each chain's edges [N].
 void add_tension(Json& chains, const FlatTile& tile) {
     if (tile.flattening.seam_tension.size() == 0) return;
@@ -67,6 +99,17 @@ void add_seams(Json& chains, const std::vector<std::vector<int>>& sewn, const Cu
         for (const int seam : sewn[c]) ids.push_back(plan.seams[static_cast<std::size_t>(seam)].id);
         if (!ids.empty()) chains[c]["seam"] = ids.front();
         if (ids.size() > 1) chains[c]["seams"] = ids;
+    }
+}
+
+/// How what of a chain is in no seam is finished.
+void add_finishes(Json& chains, const Tile& tile, const Eigen::VectorXd& left) {
+    for (std::size_t c = 0; c < std::min(chains.size(), tile.chains.size()); ++c) {
+        const double length = left[static_cast<Eigen::Index>(c)];
+        if (!(length > 0)) continue;
+        chains[c]["free_mm"] = in_millimetres(length);
+        chains[c]["type"] = tile.chains[c].finish.name;
+        chains[c]["allowance_mm"] = in_millimetres(tile.chains[c].finish.allowance);
     }
 }
 
@@ -129,6 +172,8 @@ Json seam_json(const Seam& seam, const SeamWalk& walk, const CutPlan& plan) {
             {"limit_mm", in_millimetres(walk.limit)},
             {"uncertainty_mm", in_millimetres(walk.uncertainty)},
             {"gap_mm", in_millimetres(seam.gap)},
+            {"type", seam.type.name},
+            {"allowance_mm", in_millimetres(seam.type.allowance)},
             {"notches", notches},
             {"certain", walk.is_certain()},
             {"ok", walk.ok}};
@@ -254,10 +299,13 @@ std::string report_json(const CutPlan& plan, bool reproducible) {
     const auto sewn = seams_of_chains(plan);
     const std::vector<std::string> stems = file_stems(plan);
     const std::vector<Quantity> cut = quantities(plan);
+    const std::vector<Eigen::VectorXd> left = free_lengths(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         Json chains = chains_json(plan.tiles[i]);
         add_seams(chains, sewn[i], plan);
+        add_finishes(chains, plan.tiles[i].tile, left[i]);
         tiles.push_back(tile_json(plan.tiles[i], stems[i], chains, reproducible));
+        tiles.back()["fabric"] = plan.fabric_of(plan.tiles[i].tile).name;
         add_quantity(tiles.back(), plan, i, cut[i]);
     }
     for (std::size_t i = 0; i < plan.walks.size(); ++i) seams.push_back(seam_json(plan.seams[i], plan.walks[i], plan));
@@ -267,6 +315,7 @@ std::string report_json(const CutPlan& plan, bool reproducible) {
         {"input",
          {{"file", plan.input_file}, {"sha256", plan.input_sha256}, {"unit", plan.unit}, {"remarks", plan.remarks}}},
         {"fabric", fabric_json(plan.fabric)},
+        {"fabrics", fabrics_json(plan)},
         {"tolerances",
          {{"area_pct", in_percent(plan.tolerances.area)},
           {"length_pct", in_percent(plan.tolerances.length)},
@@ -274,6 +323,7 @@ std::string report_json(const CutPlan& plan, bool reproducible) {
           {"shear_deg", in_degrees(plan.tolerances.shear)}}},
         {"tiles", tiles},
         {"seams", seams},
+        {"seam_types", seam_types_json(plan)},
         {"envelope", envelope_json(plan)}};
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -11,11 +11,10 @@
 namespace ripstop {
 namespace {
 
-constexpr std::array csv_columns{"id",          "tile_a",         "chain_a",      "tile_b",
-                                 "chain_b",     "length_mm",      "flat_a_mm",    "flat_b_mm",
-                                 "mismatch_mm", "mismatch_pct",   "drift_max_mm", "drift_max_at_mm",
-                                 "limit_mm",    "uncertainty_mm", "gap_mm",       "certain",
-                                 "ok"};
+constexpr std::array csv_columns{
+    "id",        "tile_a",      "chain_a",      "tile_b",       "chain_b",         "length_mm", "flat_a_mm",
+    "flat_b_mm", "mismatch_mm", "mismatch_pct", "drift_max_mm", "drift_max_at_mm", "limit_mm",  "uncertainty_mm",
+    "gap_mm",    "certain",     "ok",           "type",         "allowance_mm"};
 
 const std::string& tile_name(const CutPlan& plan, const SeamSide& side) {
     return plan.tiles[static_cast<std::size_t>(side.tile)].tile.name;
@@ -73,7 +72,8 @@ std::string seams_csv(const CutPlan& plan) {
                             std::to_string(seam.b.chain + 1), mm(walk.length), mm(walk.flat_a), mm(walk.flat_b),
                             mm(walk.mismatch()), csv_figure(walk.mismatch_ratio() / percent), mm(walk.drift_max),
                             mm(walk.drift_max_at), mm(walk.limit), mm(walk.uncertainty), mm(seam.gap),
-                            walk.is_certain() ? "true" : "false", walk.ok ? "true" : "false"});
+                            walk.is_certain() ? "true" : "false", walk.ok ? "true" : "false", seam.type.name,
+                            mm(seam.type.allowance)});
     }
     return text;
 }

@@ -47,9 +47,10 @@ constexpr std::array csv_columns{"name",
                                  "equal_to",
                                  "mirror_of",
                                  "quantity",
-                                 "quantity_mirrored"};
+                                 "quantity_mirrored",
+                                 "fabric"};
 
-Row csv_row(const FlatTile& tile, const std::string& equal_to, const Quantity& cut) {
+Row csv_row(const FlatTile& tile, const std::string& equal_to, const Quantity& cut, const std::string& fabric) {
     const Accuracy& a = tile.accuracy;
     const std::vector<Finding>& findings = tile.verdict.findings;
     return {tile.tile.name,
@@ -80,7 +81,8 @@ Row csv_row(const FlatTile& tile, const std::string& equal_to, const Quantity& c
             tile.mirrored ? "" : equal_to,
             tile.mirrored ? equal_to : "",
             std::to_string(cut.same),
-            std::to_string(cut.mirrored)};
+            std::to_string(cut.mirrored),
+            fabric};
 }
 
 const Row headings{"tile",   "triangles", "area %",    "perimeter %", "worst chain %",
@@ -150,7 +152,7 @@ std::string tiles_csv(const CutPlan& plan) {
         add_csv_line(text, csv_row(tile,
                                    tile.equal_to < 0 ? std::string()
                                                      : plan.tiles[static_cast<std::size_t>(tile.equal_to)].tile.name,
-                                   cut[i]));
+                                   cut[i], plan.fabric_of(tile.tile).name));
     }
     return text;
 }
