@@ -37,9 +37,9 @@ struct EnvelopeInput {
 /// fabric (`give_fabrics`), each seam its type (`give_seam_types`). The project's entries that fit nothing are named, unless
 /// only some tiles are read.
 ///
-/// The warp of a tile is, in this order: the project's; the line on a layer called GRAIN or WARP that lies on the tile (or on one of the project's `grain_layers`); the
-/// file's own for the surface, in its triangles or as the attribute `warp` (x, y, z); the longest axis. Objects that give no
-/// surface become remarks.
+/// The warp of a tile is, in this order: the project's; the line that lies on the tile, on a layer called GRAIN or WARP or on
+/// one of the project's `grain_layers`; the file's own for the surface, in its triangles or as the attribute `warp`
+/// (x, y, z); the longest axis. Objects that give no surface become remarks.
 ///
 /// Throws InputError for a file that cannot be read or holds no surface, and for surfaces that are no tiles: one sentence
 /// each, all of them at once; and for a glob in `only` or `layers` that fits nothing.
