@@ -25,10 +25,10 @@ std::uint32_t stated_count(std::string_view bytes) {
     return load<std::uint32_t>(bytes.data() + head_size, std::endian::little);
 }
 
-std::string lower(std::string_view word) {
-    std::string text(word);
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
+/// In any case; `keyword` is in lower.
+bool is(std::string_view word, std::string_view keyword) {
+    const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+    return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), same);
 }
 
 /// A file that starts with `solid` may be binary all the same: then its length says so, or a zero in its first triangle.
@@ -38,7 +38,7 @@ bool is_binary(std::string_view bytes) {
     std::string_view rest = bytes.substr(bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0, 512);
     rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
     std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
-    if (lower(next_word(line)) != "solid") return bytes.size() >= count_end || rest.find('\0') != rest.npos;
+    if (!is(next_word(line), "solid")) return bytes.size() >= count_end || rest.find('\0') != rest.npos;
     return rest.find('\0') != std::string_view::npos;
 }
 
@@ -122,7 +122,7 @@ class TextReader {
     void read() {
         while (lines_.next()) {
             std::string_view rest = lines_.line();
-            const std::string key = lower(next_word(rest));
+            const std::string_view key = next_word(rest);
             if (!key.empty()) read_line(key, rest);
         }
         if (in_solid_)
@@ -130,31 +130,31 @@ class TextReader {
     }
 
   private:
-    void read_line(const std::string& key, std::string_view rest) {
-        if (key == "vertex" && in_loop_) {
+    void read_line(std::string_view key, std::string_view rest) {
+        if (is(key, "vertex") && in_loop_) {
             if (corners_ == 3)
                 file_.refuse(lines_.number(), "a fourth vertex, expected three a facet; export it again");
             Vec3& point = triangle_[corners_++];
             for (int i = 0; i < 3; ++i) point[i] = file_.coordinate(next_word(rest), lines_.number());
-        } else if (key == "facet" && in_solid_ && !in_facet_) {
+        } else if (is(key, "facet") && in_solid_ && !in_facet_) {
             in_facet_ = true;
             place_ = lines_.number();
-        } else if (key == "outer" && in_facet_ && !in_loop_) {
+        } else if (is(key, "outer") && in_facet_ && !in_loop_) {
             in_loop_ = true;
             corners_ = 0;
-        } else if (key == "endloop" && in_loop_) {
+        } else if (is(key, "endloop") && in_loop_) {
             if (corners_ != 3)
                 file_.refuse(lines_.number(), "a facet with " + std::to_string(corners_) +
                                                   (corners_ == 1 ? " vertex" : " vertices") +
                                                   ", expected three; export the file again");
             welder_.add(triangle_, place_);
             in_loop_ = false;
-        } else if (key == "endfacet" && in_facet_ && !in_loop_) {
+        } else if (is(key, "endfacet") && in_facet_ && !in_loop_) {
             in_facet_ = false;
-        } else if ((key == "endsolid" || (key == "end" && lower(next_word(rest)) == "solid")) && in_solid_ &&
+        } else if ((is(key, "endsolid") || (is(key, "end") && is(next_word(rest), "solid"))) && in_solid_ &&
                    !in_facet_) {
             in_solid_ = false;
-        } else if (key == "solid" && !in_solid_) {
+        } else if (is(key, "solid") && !in_solid_) {
             in_solid_ = true;
             const std::string name = readable_name(trimmed(rest));
             welder_.enter(name.empty() ? file_.stem : name);

@@ -1,5 +1,6 @@
 #include "ripstop/io/text.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <istream>
 
@@ -38,13 +39,25 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
+/// How many bytes the stream has still to give, where it can tell; else a first guess.
+std::size_t rest_of(std::istream& in) {
+    const auto here = in.tellg();
+    if (here < 0) return 1 << 16;
+    in.seekg(0, std::ios::end);
+    const auto end = in.tellg();
+    in.clear();
+    if (end < here) return 1 << 16;
+    in.seekg(here);
+    return static_cast<std::size_t>(end - here);
+}
+
 }  // namespace
 
 std::string read_bytes(std::istream& in, const std::string& name) {
     std::string text;
     std::size_t size = 0;
     while (in) {
-        text.resize(size == 0 ? 1 << 16 : 2 * size);
+        text.resize(size == 0 ? std::min(rest_of(in), largest_file) + 1 : 2 * size);
         in.read(text.data() + size, static_cast<std::streamsize>(text.size() - size));
         size += static_cast<std::size_t>(in.gcount());
         if (size > largest_file)
