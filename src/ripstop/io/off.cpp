@@ -80,8 +80,8 @@ class TextReader {
     void next_line(const std::string& expected) {
         do {
             if (!lines_.next())
-                file_.refuse(lines_.number(), "the file ends here, expected " + expected +
-                                                  "; it is cut short or no OFF, export it again");
+                file_.refuse(std::max(lines_.number(), 1L), "the file ends here, expected " + expected +
+                                                                "; it is cut short or no OFF, export it again");
             const std::string_view line = lines_.line();
             rest_ = trimmed(line.substr(0, line.find('#')));
         } while (rest_.empty());
