@@ -179,6 +179,17 @@ TEST(ObjCurves, WithOnePointAreLeftOutWithARemark) {
                 ElementsAre("the polyline in line 6 of folder/hull.obj left out: it has fewer than two points"));
 }
 
+TEST(ObjUnread, AreSurfacesAndCurvesByEquations) {
+    const CadModel model = model_of(square + "o tile\nf 1 2 3\no nurbs\nsurf 0 1 0 1 1 2 3 4\ncurv 0 1 1 2\n");
+    ASSERT_EQ(model.unread.size(), 2U);
+    EXPECT_EQ(model.unread[0].name, "nurbs");
+    EXPECT_EQ(model.unread[0].type, "Surface");
+    EXPECT_THAT(model.unread[0].reason,
+                HasSubstr("(surf in line 8), which are not read from OBJ; export it as a mesh"));
+    EXPECT_THAT(refusal(square + "surf 0 1 0 1 1 2 3 4\n"),
+                HasSubstr("(surf, curv) are not read; export the surfaces"));
+}
+
 TEST(ObjMaterial, IsKeptWhereAllFacesOfASurfaceHaveOne) {
     const auto surfaces =
         read(square + "usemtl red  cloth\no a\nf 1 2 3\nf 1 3 4\no b\nf 1 2 4\nusemtl blue\nf 2 3 4\no c\nf 1 2 3\n");

@@ -139,6 +139,14 @@ TEST(PlyBinary, CutShortAnywhereIsRefusedByItsByte) {
     }
 }
 
+TEST(PlyText, CutShortAnywhereIsRefusedButForItsLastLineEnd) {
+    const std::string bytes = ascii("comment tile 1 a\n" + vertices + "element face 2\nproperty int tile\n" + list,
+                                    square + "1 3 0 1 2\n1 3 0 2 3\n");
+    for (std::size_t length = 0; length + 1 < bytes.size(); ++length)
+        EXPECT_THAT(refusal(bytes.substr(0, length)), StartsWith("folder/hull.ply:")) << length;
+    EXPECT_EQ(refusal(bytes.substr(0, bytes.size() - 1)), "accepted");
+}
+
 TEST(PlyRefusal, NamesPlaceFaultAndRemedy) {
     const auto with_face = [](const std::string& face) {
         return refusal(ascii(vertices + "element face 1\n" + list, square + face));

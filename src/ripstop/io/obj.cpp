@@ -21,6 +21,7 @@ CadModel read_obj(std::istream& in, const std::string& name) {
                 file.mesh.vertices[static_cast<std::size_t>(curve.vertices[i])].transpose();
         if (!curve.layer.empty()) named.attributes["layer"] = curve.layer;
     }
+    model.unread = std::move(file.unread);
     model.remarks = std::move(file.remarks);
     model.surfaces = make_surfaces(std::move(file.mesh));
     return model;

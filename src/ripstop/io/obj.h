@@ -26,6 +26,8 @@ namespace ripstop {
 /// `OBJECT::GROUP`. One that starts at the vertex where the one before it ends, under the same name, goes on with it; one
 /// with a single point is left out with a remark.
 ///
+/// What is given by equations (`surf`, `curv`) is named in `unread`.
+///
 /// Material. What `usemtl` says, as the attribute `material`, where all faces of a surface have the same.
 ///
 /// Throws InputError `NAME:LINE: what was found, what was expected, what to do` for anything but finite coordinates below

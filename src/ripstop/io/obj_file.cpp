@@ -27,9 +27,11 @@ class Parser {
         while (lines_.next()) read_line();
         require_curves();
         if (mesh_.faces.empty())
-            throw InputError(mesh_.name + ": no face (a line that starts with f) in " +
-                             std::to_string(lines_.number()) +
-                             " lines, expected a triangulated surface; export the surfaces as meshes");
+            throw InputError(
+                mesh_.name + ": no face (a line that starts with f) in " + std::to_string(lines_.number()) +
+                " lines, expected a triangulated surface; " +
+                (file_.unread.empty() ? "" : "surfaces and curves by equations (surf, curv) are not read; ") +
+                "export the surfaces as meshes");
         return std::move(file_);
     }
 
@@ -44,6 +46,12 @@ class Parser {
             surface_ = none;
         } else if (key == "usemtl") {
             material_ = number_of(readable_name(trimmed(rest)), materials_, mesh_.materials);
+        } else if (key == "surf" || key == "curv") {
+            file_.unread.push_back({name_or_stem(), key == "surf" ? "Surface" : "Curve",
+                                    std::string("it is given by equations (") + std::string(key) + " in line " +
+                                        std::to_string(lines_.number()) +
+                                        "), which are not read from OBJ; export it as a " +
+                                        (key == "surf" ? "mesh" : "polyline")});
         } else if (key == "v" || key == "vt" || key == "f" || key == "l") {
             rest = lines_.joined();
             next_word(rest);
@@ -86,8 +94,7 @@ class Parser {
 
     /// Blender writes a polyline as its segments, a record each: what starts where the curve before it ends goes on with it.
     void read_curve(std::string_view rest) {
-        ObjCurve curve{current_name(), object_, {}, lines_.number()};
-        if (curve.name.empty()) curve.name = mesh_.stem;
+        ObjCurve curve{name_or_stem(), object_, {}, lines_.number()};
         if (!group_.empty() && group_ != object_) curve.layer += (curve.layer.empty() ? "" : "::") + group_;
         for (;;) {
             const std::string_view word = next_word(rest);
@@ -152,6 +159,11 @@ class Parser {
 
     std::string current_name() const {
         return object_.empty() ? group_ : group_.empty() || group_ == object_ ? object_ : object_ + "/" + group_;
+    }
+
+    std::string name_or_stem() const {
+        const std::string name = current_name();
+        return name.empty() ? mesh_.stem : name;
     }
 
     int current_surface() {

@@ -20,6 +20,7 @@ struct ObjCurve {
 struct ObjFile {
     MeshRecords mesh;
     std::vector<ObjCurve> curves = {};
+    std::vector<UnreadObject> unread = {};
     std::vector<std::string> remarks = {};
 };
 
