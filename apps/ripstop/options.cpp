@@ -8,6 +8,7 @@
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/flatten/method.h"
+#include "ripstop/io/mesh_file.h"
 #include "ripstop/measure/judge.h"
 #include "ripstop/pipeline/tile_fabrics.h"
 #include "tell.h"
@@ -68,7 +69,10 @@ CLI::Validator known_unit() {
 }
 
 void add_input_options(CLI::App& command, InputArguments& given) {
-    command.add_option("INPUT", given.file, "The envelope: Wavefront OBJ, one object or group a tile")->required();
+    std::string formats;
+    for (const MeshFormat& format : mesh_formats())
+        formats += (formats.empty() ? "" : ", ") + std::string(format.extension);
+    command.add_option("INPUT", given.file, "The envelope, one object, group or part a tile: " + formats)->required();
     command
         .add_option("--unit", given.unit,
                     "Unit of the file: mm, cm, m, in, ft (else the project's, else the file's own, else metres)")

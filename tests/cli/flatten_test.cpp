@@ -243,6 +243,30 @@ TEST(FlattenCommand, LaysTheWarpAsTheProjectSays) {
     expect_size(workshop, 1, 2);
 }
 
+TEST(FlattenCommand, LaysTheWarpAlongThePolylineCalledGrain) {
+    const Workshop workshop;
+    workshop.write(
+        "envelope.obj",
+        "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 1 0.1 0\nv 1 0.9 0\no plane\nf 1 2 3\nf 1 3 4\no GRAIN\nl 5 6\n");
+    const Json report = flattened(workshop, "envelope.obj --unit m");
+    expect_size(workshop, 1, 2);
+    EXPECT_EQ(report["tiles"][0]["grain"]["source"], "grain line");
+}
+
+TEST(FlattenCommand, TakesUnitNamesAndWarpOfAPly) {
+    const Workshop workshop;
+    workshop.write(
+        "envelope.ply",
+        "ply\nformat ascii 1.0\ncomment unit mm\ncomment tile 4 plane\nelement vertex 4\nproperty float x\n"
+        "property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+        "property int tile\nproperty float warp_x\nproperty float warp_y\nproperty float warp_z\nend_header\n"
+        "0 0 0\n2000 0 0\n2000 1000 0\n0 1000 0\n4 0 1 2 3 4 0 1 0\n");
+    const Json report = flattened(workshop, "envelope.ply");
+    expect_size(workshop, 1, 2);
+    EXPECT_EQ(report["tiles"][0]["grain"]["source"], "the file's warp of each triangle");
+    EXPECT_EQ(report["input"]["unit"], "mm");
+}
+
 TEST(FlattenCommand, CutsTheChainsAtTheCornersOfTheProject) {
     const Workshop workshop;
     workshop.write_tiles("mm.obj", {testing::flat_tile()}, 1000);

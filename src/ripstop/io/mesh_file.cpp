@@ -6,12 +6,40 @@
 #include "ripstop/base/error.h"
 #include "ripstop/base/sha256.h"
 #include "ripstop/io/obj.h"
+#include "ripstop/io/off.h"
+#include "ripstop/io/ply.h"
+#include "ripstop/io/stl.h"
 
 namespace ripstop {
 namespace {
 
-constexpr std::array<MeshFormat, 1> formats = {{
-    {".obj", "Wavefront OBJ", read_obj, write_obj},
+constexpr std::array<MeshFormat, 4> formats = {{
+    {".obj",
+     "Wavefront OBJ",
+     read_obj,
+     write_obj,
+     {.names = true, .vertices = true, .drawn = true, .some_drawn = true}},
+    {".ply", "Stanford PLY", read_ply, write_ply, {.names = true, .vertices = true, .drawn = true, .warp = true}},
+    {".stl", "STL", read_stl, write_stl, {.names = true}},
+    {".off", "Geomview OFF", read_off, write_off, {.vertices = true, .drawn = true}},
+}};
+
+/// What people have and we do not read.
+constexpr std::array<std::array<const char*, 2>, 14> others = {{
+    {".3ds", "3D Studio"},
+    {".blend", "Blender"},
+    {".catpart", "CATIA"},
+    {".dae", "COLLADA"},
+    {".dwg", "AutoCAD"},
+    {".dxf", "AutoCAD DXF"},
+    {".f3d", "Fusion"},
+    {".fbx", "Autodesk FBX"},
+    {".glb", "binary glTF"},
+    {".gltf", "glTF"},
+    {".ipt", "Inventor"},
+    {".max", "3ds Max"},
+    {".skp", "SketchUp"},
+    {".sldprt", "SolidWorks"},
 }};
 
 void require_no_folder(const std::filesystem::path& path) {
@@ -27,6 +55,24 @@ std::ifstream open_file(const std::filesystem::path& path) {
     return in;
 }
 
+/// The format of those wanted that the extension of a path names.
+template <class Wanted>
+const MeshFormat& format_of(const std::filesystem::path& path, const Wanted& wanted) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    std::string known;
+    for (const MeshFormat& format : formats) {
+        if (!wanted(format)) continue;
+        if (extension == format.extension) return format;
+        known += (known.empty() ? "" : ", ") + std::string(format.extension) + " (" + format.description + ")";
+    }
+    std::string what = "no format with the extension \"" + extension + "\"";
+    for (const auto& [other, program] : others)
+        if (extension == other) what = "a file of " + std::string(program) + ", which is not read";
+    throw InputError(path.string() + ": " + what + ", expected one of: " + known +
+                     "; export the surfaces in one of them");
+}
+
 }  // namespace
 
 std::span<const MeshFormat> mesh_formats() {
@@ -35,18 +81,17 @@ std::span<const MeshFormat> mesh_formats() {
 
 CadModel read_model(const std::filesystem::path& path) {
     require_no_folder(path);
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    std::string known;
-    for (const MeshFormat& format : formats) {
-        if (extension == format.extension) {
-            std::ifstream in = open_file(path);
-            return format.read(in, path.string());
-        }
-        known += (known.empty() ? "" : ", ") + std::string(format.extension) + " (" + format.description + ")";
-    }
-    throw InputError(path.string() + ": no format with the extension \"" + extension + "\", expected one of: " + known +
-                     "; export the surfaces in one of them");
+    const MeshFormat& format = format_of(path, [](const MeshFormat&) { return true; });
+    std::ifstream in = open_file(path);
+    return format.read(in, path.string());
+}
+
+void require_written_format(const std::filesystem::path& path) {
+    format_of(path, [](const MeshFormat& format) { return format.write != nullptr; });
+}
+
+void write_model(std::ostream& out, const std::filesystem::path& path, const std::vector<NamedMesh>& meshes) {
+    format_of(path, [](const MeshFormat& format) { return format.write != nullptr; }).write(out, meshes);
 }
 
 std::string sha256_of_file(const std::filesystem::path& path) {
