@@ -6,12 +6,14 @@
 #include "ripstop/base/error.h"
 #include "ripstop/base/sha256.h"
 #include "ripstop/io/obj.h"
+#include "ripstop/io/rhino_3dm.h"
 
 namespace ripstop {
 namespace {
 
-constexpr std::array<MeshFormat, 1> formats = {{
+constexpr std::array<MeshFormat, 2> formats = {{
     {".obj", "Wavefront OBJ", read_obj, write_obj},
+    {".3dm", "Rhino 2 to 8", read_rhino_3dm, nullptr},
 }};
 
 void require_no_folder(const std::filesystem::path& path) {
