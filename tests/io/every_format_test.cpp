@@ -189,6 +189,7 @@ TEST_P(EveryFormat, ReadsManySmallSurfacesAsFastAsOneLarge) {
     EXPECT_LT(processor_seconds() - start, 3.0) << "quadratic would take minutes";
 }
 
+/// What is only read has tests of its own: rhino_3dm_test.cpp.
 std::vector<MeshFormat> written_formats() {
     std::vector<MeshFormat> formats(mesh_formats().begin(), mesh_formats().end());
     std::erase_if(formats, [](const MeshFormat& format) { return format.write == nullptr; });

@@ -8,12 +8,13 @@
 #include "ripstop/io/obj.h"
 #include "ripstop/io/off.h"
 #include "ripstop/io/ply.h"
+#include "ripstop/io/rhino_3dm.h"
 #include "ripstop/io/stl.h"
 
 namespace ripstop {
 namespace {
 
-constexpr std::array<MeshFormat, 4> formats = {{
+constexpr std::array<MeshFormat, 5> formats = {{
     {".obj",
      "Wavefront OBJ",
      read_obj,
@@ -22,6 +23,7 @@ constexpr std::array<MeshFormat, 4> formats = {{
     {".ply", "Stanford PLY", read_ply, write_ply, {.names = true, .vertices = true, .drawn = true, .warp = true}},
     {".stl", "STL", read_stl, write_stl, {.names = true}},
     {".off", "Geomview OFF", read_off, write_off, {.vertices = true, .drawn = true}},
+    {".3dm", "Rhino 2 to 8", read_rhino_3dm, nullptr},
 }};
 
 /// What people have and we do not read.
