@@ -83,7 +83,7 @@ CLI::Validator known_unit() {
 }
 
 void add_input_options(CLI::App& command, InputArguments& given) {
-    command.add_option("INPUT", given.file, "The envelope: Wavefront OBJ, one object or group a tile")->required();
+    command.add_option("INPUT", given.file, "The envelope: Wavefront OBJ, one object or group a tile; or STEP, IGES, BREP")->required();
     command
         .add_option("--unit", given.unit,
                     "Unit of the file: mm, cm, m, in, ft (else the project's, else the file's own, else metres)")
@@ -98,6 +98,12 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         ->check(finite());
     command.add_option("--seam-tolerance", given.seam_tolerance,
                        "Edges to be sewn together lie within this length, as 0.5mm (else the project's, else 0.5mm)");
+    command.add_option("--chord", given.chord,
+                       "CAD surfaces: how far they may lie off their triangles, as 0.3mm (else lengths are kept to 0.01 %)");
+    command.add_option("--edge", given.edge, "CAD surfaces: how long the edges of triangles are at most, as 100mm");
+    command.add_option("--tiles", given.tiles_are, "CAD surfaces: each of its faces a tile, or each object")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"faces", "objects"}));
     // One name at a time, else `--tile G01 envelope.obj` would take the input for a second name.
     command.add_option("--tile", given.tiles, "Only the tiles of this name; * and ? stand for others; may be repeated")
         ->allow_extra_args(false);
@@ -134,6 +140,9 @@ Input resolve(const InputArguments& given) {
     if (project && project->seam_tolerance) input.read.seam_tolerance = *project->seam_tolerance;
     if (!given.seam_tolerance.empty())
         input.read.seam_tolerance = parse_length(given.seam_tolerance, "--seam-tolerance");
+    if (!given.chord.empty()) input.read.meshing.chord_error = parse_length(given.chord, "--chord");
+    if (!given.edge.empty()) input.read.meshing.edge_length = parse_length(given.edge, "--edge");
+    input.read.meshing.tiles = given.tiles_are == "objects" ? TilesAs::objects : TilesAs::faces;
     if (!given.fabric.empty()) {
         input.fabric = fabric_named(given.fabric);
     } else {

@@ -33,7 +33,7 @@ std::span<const MeshFormat> mesh_formats() {
     return formats;
 }
 
-CadModel read_model(const std::filesystem::path& path) {
+CadModel read_model(const std::filesystem::path& path, const MeshingOptions& options) {
     require_no_folder(path);
     std::string extension = path.extension().string();
     for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -44,6 +44,10 @@ CadModel read_model(const std::filesystem::path& path) {
             return format.read(in, path.string());
         }
         known += (known.empty() ? "" : ", ") + std::string(format.extension) + " (" + format.description + ")";
+    }
+    for (const CadFormat& format : cad_formats()) {
+        if (extension == format.extension) return convert_cad(path, options);
+        known += ", " + std::string(format.extension) + " (" + format.description + ")";
     }
     throw InputError(path.string() + ": no format with the extension \"" + extension + "\", expected one of: " + known +
                      "; export the surfaces in one of them");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ripstop/base/units.h"
+#include "ripstop/io/convert.h"
 #include "ripstop/io/project_json.h"
 #include "ripstop/model/cad_model.h"
 #include "ripstop/model/envelope.h"
@@ -19,6 +20,7 @@ struct ReadOptions {
     double grain_turn = 0;                 ///< where no warp is given: the longest axis turned by this [rad]
     std::optional<Project> project = {};
     double seam_tolerance = 0.5 * millimetre;  ///< edges to be sewn together lie within this [m]
+    MeshingOptions meshing = {};  ///< of a CAD's surfaces; its unit and sewing tolerance are the ones above
 };
 
 /// An envelope with what its file said of it.
