@@ -36,7 +36,8 @@ if(RIPSTOP_CAD)
         add_library(ripstop-occt INTERFACE)
         target_include_directories(ripstop-occt SYSTEM INTERFACE ${OCCT_INCLUDE_DIR})
         target_link_libraries(ripstop-occt INTERFACE
-            TKXDESTEP TKXDEIGES TKXCAF TKSTEP TKIGES TKXSBase TKLCAF TKShHealing TKMesh TKTopAlgo TKPrim TKGeomAlgo TKBRep
+            TKXDESTEP TKXDEIGES TKXCAF TKSTEP TKSTEPAttr TKSTEP209 TKSTEPBase TKIGES TKXSBase
+            TKLCAF TKCDF TKCAF TKShHealing TKMesh TKTopAlgo TKPrim TKGeomAlgo TKBRep
             TKGeomBase TKG3d TKG2d TKMath TKernel)
     else()
         message(STATUS "gmsh or Open CASCADE is missing: ripstop-cad, which reads STEP, IGES and BREP, is not built")

@@ -145,8 +145,8 @@ ConvertedModel convert(Drawing drawing, const MeshingOptions& asked) {
     }
     if (meshed_faces > 0) add_remark(model, sizes, figures, meshes.plain, scale);
     if (turned_faces > 0)
-        model.remarks.push_back(std::to_string(turned_faces) +
-                                " faces were turned over so that neighbours face the same way");
+        model.remarks.push_back(std::string(turned_faces == 1 ? "1 face was" : std::to_string(turned_faces) + " faces were") +
+                                " turned over so that neighbours face the same way");
     return model;
 }
 

@@ -8,6 +8,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <set>

@@ -12,7 +12,7 @@ namespace ripstop::cad {
 namespace {
 
 constexpr double most_triangles = 1e7;
-constexpr int samples_across = 24;
+constexpr int samples_across = 16;
 
 /// How long edges are to be here and there on a curve or surface of the model.
 struct Sample {
@@ -46,6 +46,9 @@ Samples samples_of(int dimension, int tag, const EdgeSizes& sizes) {
     Samples samples;
     for (std::size_t i = 0; i < curvatures.size(); ++i)
         samples.push_back({Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]), sizes.at(std::abs(curvatures[i]))});
+    const auto [least, most] = std::minmax_element(
+        samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.size < b.size; });
+    if (dimension == 2 && !samples.empty() && most->size - least->size < 1e-9 * most->size) samples.resize(1);
     return samples;
 }
 

@@ -23,7 +23,7 @@ struct EdgeSizes {
     double at(double curvature) const;  ///< [1/mm]
 };
 
-/// From what is asked for; the longest is else a twelfth of the size of the middle one of the faces.
+/// From what is asked for; the longest is else a twelfth of the size of the faces that hold the middle of the area.
 EdgeSizes edge_sizes(const std::vector<TopoDS_Face>& faces, const MeshingOptions& asked);
 
 /// The faces meshed, all in one numbering of vertices: neighbours share those of their common edges. Empty triangles for a null

@@ -44,7 +44,9 @@ std::string utf8(const TCollection_ExtendedString& text) {
 
 std::string name_of(const TDF_Label& label) {
     Handle(TDataStd_Name) name;
-    return !label.IsNull() && label.FindAttribute(TDataStd_Name::GetID(), name) ? utf8(name->Get()) : "";
+    if (label.IsNull() || !label.FindAttribute(TDataStd_Name::GetID(), name)) return "";
+    const std::string text = utf8(name->Get());
+    return text == "NONE" ? "" : text;  // how STEP says that there is none
 }
 
 /// Walks what a document holds: assemblies down to their products, each product to its solids, shells and free faces.

@@ -22,8 +22,10 @@
 #include <Geom_CylindricalSurface.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <IGESCAFControl_Writer.hxx>
+#include <IGESControl_Controller.hxx>
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TDataStd_Name.hxx>
@@ -75,6 +77,7 @@ class Document {
     void write(const std::string& file, const std::string& unit) const {
         const Quiet quiet;
         if (file.ends_with(".iges")) {
+            IGESControl_Controller::Init();
             Interface_Static::SetCVal("write.iges.unit", unit.c_str());
             IGESCAFControl_Writer writer;
             writer.SetNameMode(true);
@@ -83,8 +86,9 @@ class Document {
             writer.ComputeModel();
             writer.Write(file.c_str());
         } else {
-            STEPCAFControl_Writer writer;
+            STEPControl_Controller::Init();
             Interface_Static::SetCVal("write.step.unit", unit.c_str());
+            STEPCAFControl_Writer writer;
             writer.SetNameMode(true);
             writer.SetLayerMode(true);
             writer.Transfer(document_);

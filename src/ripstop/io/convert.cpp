@@ -103,12 +103,12 @@ void require_run(const std::vector<std::string>& arguments, const std::string& n
 
 void run_mesher(const fs::path& mesher, const fs::path& input, const fs::path& output, const MeshingOptions& options,
                 const fs::path& file) {
-    const auto length = [](double metres) { return format_shortest(metres) + "m"; };
+    const auto length = [](double metres) { return format_fixed(metres, 12) + "m"; };
     std::vector<std::string> arguments{mesher.string(), "--tolerance", length(options.sewing_tolerance)};
     if (options.chord_error) arguments.insert(arguments.end(), {"--chord", length(*options.chord_error)});
     if (options.edge_length) arguments.insert(arguments.end(), {"--edge", length(*options.edge_length)});
     if (options.metres_per_unit)
-        arguments.insert(arguments.end(), {"--metres-per-unit", format_shortest(*options.metres_per_unit)});
+        arguments.insert(arguments.end(), {"--metres-per-unit", format_fixed(*options.metres_per_unit, 12)});
     arguments.insert(arguments.end(), {"--", fs::absolute(input).string(), output.string()});
     require_run(arguments, "ripstop-cad", file, options.timeout);
 }
