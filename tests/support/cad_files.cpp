@@ -152,11 +152,11 @@ void write_gores(const std::string& file, int count) {
     Document document;
     for (int i = 0; i < count; ++i) {
         gp_Trsf turn;
-        turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 2 * std::numbers::pi * i / count);
+        turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, -1)), 2 * std::numbers::pi * i / count);
         const TopoDS_Shape edge =
             BRepBuilderAPI_Transform(BRepBuilderAPI_MakeEdge(meridian).Edge(), turn, true).Shape();
         const TopoDS_Shape gore =
-            BRepPrimAPI_MakeRevol(edge, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 2 * std::numbers::pi / count).Shape();
+            BRepPrimAPI_MakeRevol(edge, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, -1)), 2 * std::numbers::pi / count).Shape();
         document.add(gore, (i < 9 ? "G0" : "G") + std::to_string(i + 1), "skin");
     }
     document.write(file, "MM");

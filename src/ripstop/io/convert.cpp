@@ -72,7 +72,7 @@ fs::path find_rhino_script() {
 
 /// What the child says is wrong: its last line, without its own name before it.
 std::string reason_in(const std::string& complaints, const std::string& program) {
-    const std::string_view text = trimmed(complaints);
+    const std::string_view text = std::string_view(complaints).substr(0, complaints.find_last_not_of("\r\n ") + 1);
     std::string_view line = text.substr(text.rfind('\n') + 1);
     if (line.substr(0, program.size()) == program) line.remove_prefix(program.size());
     return readable_name(line.substr(0, 400));
