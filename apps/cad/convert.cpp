@@ -141,7 +141,7 @@ ConvertedModel convert(Drawing drawing, const MeshingOptions& asked) {
                                         object.attributes});
             }
         }
-        if (!converted.faces.empty()) model.objects.push_back(std::move(converted));
+        model.objects.push_back(std::move(converted));
     }
     if (meshed_faces > 0) add_remark(model, sizes, figures, meshes.plain, scale);
     if (turned_faces > 0)

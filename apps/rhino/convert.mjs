@@ -154,6 +154,7 @@ class Converter {
     if (unit) this.result.unit = {name: unit[0], metres: unit[1]};
     const objects = list(this.file.objects());
     this.byId = new Map(objects.map((o) => [o.attributes().id, o]));
+    this.all = this.file.archiveVersion === 1;  // of newer files ripstop reads meshes and curves itself
     for (const object of objects)
       if (!object.attributes().isInstanceDefinitionObject) this.add(object, identity, {}, 0);
     if (this.subdivided > 0)
@@ -172,11 +173,24 @@ class Converter {
     return result;
   }
 
+  isSeen(attributes) {
+    for (let layer = this.layers[attributes.layerIndex]; layer;
+         layer = this.layers.find((other) => other.id === layer.parentLayerId))
+      if (!layer.visible) return false;
+    return attributes.mode !== this.rhino.ObjectMode.Hidden && attributes.activeSpace !== this.rhino.ActiveSpace.PageSpace;
+  }
+
+  isWanted(geometry) {
+    const {InstanceReference, Brep, Surface, SubD} = this.rhino;
+    return this.all || [InstanceReference, Brep, Surface, SubD].some((kind) => geometry instanceof kind);
+  }
+
   add(object, place, inherited, depth) {
     const attributes = object.attributes(), geometry = object.geometry();
+    if (!this.isSeen(attributes) || !this.isWanted(geometry)) return;
     const type = this.rhino.ObjectType ? Object.keys(this.rhino.ObjectType).find(
       (key) => this.rhino.ObjectType[key] === geometry.objectType) ?? 'Object' : 'Object';
-    const entry = {name: attributes.name || inherited.name || '', type,
+    const entry = {name: attributes.getUserString('tile') || attributes.name || inherited.name || '', type,
                    attributes: {...inherited.attributes, ...this.attributesOf(attributes, geometry)}};
     try {
       if (geometry instanceof this.rhino.InstanceReference) this.addBlock(geometry, place, entry, depth);

@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
         "Exit codes: 0 all manufacturable, 1 some not (all files written), 2 usage, 3 unusable input, 4 our fault.");
     cli::add_flatten(app);
     cli::add_check(app);
+    cli::add_inspect(app);
     cli::add_compare(app);
     cli::add_methods(app);
     cli::add_design(app);

@@ -36,6 +36,11 @@ struct Input {
 };
 
 void add_input_options(CLI::App& command, InputArguments& given);
+
+/// How the surfaces of a CAD are meshed: `--chord`, `--edge`, `--tiles`. The second throws InputError.
+void add_meshing_options(CLI::App& command, std::string& chord, std::string& edge, std::string& tiles_are);
+MeshingOptions meshing_of(const std::string& chord, const std::string& edge, const std::string& tiles_are);
+
 void add_method_option(CLI::App& command, InputArguments& given);
 
 /// The method's name, `--keep-area` taken in. Throws a usage error where the method cannot keep the area.

@@ -1,5 +1,6 @@
 #include "ripstop/io/convert.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <cstring>
@@ -170,9 +171,11 @@ ConvertedModel convert_rhino(const fs::path& file, const MeshingOptions& options
         return answer(meshes, file, "ripstop-cad");
     }
     ConvertedModel model = answer(nurbs, file, "rhino3dm");
+    double chord_error = 0;
     for (ConvertedObject& object : model.objects) {
         const std::size_t all = object.faces.size();
         std::erase_if(object.faces, [](const ConvertedFace& face) { return face.mesh.triangle_count() == 0; });
+        for (const ConvertedFace& face : object.faces) chord_error = std::max(chord_error, face.chord_error);
         if (object.faces.size() < all)
             model.unread.push_back({object.name, object.type,
                                     std::to_string(all - object.faces.size()) + " of its " + std::to_string(all) +
@@ -180,10 +183,10 @@ ConvertedModel convert_rhino(const fs::path& file, const MeshingOptions& options
                                         "(Mesh), or install ripstop-cad",
                                     object.attributes});
     }
-    std::erase_if(model.objects, [](const ConvertedObject& object) { return object.faces.empty(); });
     if (!model.objects.empty())
-        model.remarks.push_back("the surfaces are as Rhino had meshed them for the screen; ripstop-cad, which meshes them "
-                                "finer, is not installed");
+        model.remarks.push_back("the surfaces are as Rhino had meshed them for the screen, some " +
+                                format_fixed(chord_error * model.unit.value_or(LengthUnit{}).metres / millimetre, 2) +
+                                " mm off at most; ripstop-cad, which meshes them finer, is not installed");
     return model;
 }
 

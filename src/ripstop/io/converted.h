@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -47,10 +48,10 @@ ConvertedModel read_converted(std::istream& in, const std::string& name);
 enum class TilesAs { faces, objects };
 
 /// The surfaces of a converted model: each face by itself, or the faces of an object welded where their vertices coincide.
-/// An object is called by its attribute `tile`, else its name, else the last part of its layer where that holds one object
-/// alone, else STEM_01, STEM_02, …; a face of several OBJECT/FACE, else OBJECT_01, …. What is still alike gets `_2`, `_3`, ….
+/// An object is called by its name, else the last part of its layer where that holds one object alone, else STEM_01, STEM_02,
+/// …; a face of several OBJECT/FACE, else OBJECT_01, …. What is still alike, or is among `taken`, gets `_2`, `_3`, ….
 /// Attributes of the face go before those of its object. Faces whose mesh misses their exact area by more than 1 % become
 /// remarks.
-CadModel as_surfaces(ConvertedModel model, TilesAs tiles, const std::string& stem);
+CadModel as_surfaces(ConvertedModel model, TilesAs tiles, const std::string& stem, std::set<std::string> taken = {});
 
 }  // namespace ripstop

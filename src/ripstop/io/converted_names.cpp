@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -7,6 +6,7 @@
 #include "ripstop/base/number_text.h"
 #include "ripstop/io/converted.h"
 #include "ripstop/io/text.h"
+#include "ripstop/mesh/coincident.h"
 
 namespace ripstop {
 namespace {
@@ -41,8 +41,7 @@ std::vector<std::string> names_of(const std::vector<ConvertedObject>& objects, c
     std::size_t nameless = 0;
     for (const ConvertedObject& object : objects) {
         const std::string layer = attribute(object.attributes, "layer");
-        std::string name = readable_name(attribute(object.attributes, "tile"));
-        if (name.empty()) name = readable_name(object.name);
+        std::string name = readable_name(object.name);
         if (name.empty() && !layer.empty() && on_layer[layer] == 1) name = last_part(layer);
         if (name.empty()) name = objects.size() == 1 ? stem : numbered(stem, ++nameless);
         names.push_back(name);
@@ -52,27 +51,20 @@ std::vector<std::string> names_of(const std::vector<ConvertedObject>& objects, c
 
 /// All faces in one, with vertices in the same place made one.
 TriangleMesh welded(const std::vector<ConvertedFace>& faces) {
-    std::map<std::array<double, 3>, int> at;
-    std::vector<Vec3> points;
-    Eigen::Index count = 0, row = 0;
-    for (const ConvertedFace& face : faces) count += face.mesh.triangles.rows();
-    TriangleMesh mesh{{}, Triangles(count, 3)};
-    for (const ConvertedFace& face : faces)
-        for (int t = 0; t < face.mesh.triangle_count(); ++t, ++row)
-            for (int k = 0; k < 3; ++k) {
-                const Vec3 p = face.mesh.corner(t, k);
-                const auto [found, fresh] = at.try_emplace({p[0], p[1], p[2]}, static_cast<int>(points.size()));
-                if (fresh) points.push_back(p);
-                mesh.triangles(row, k) = found->second;
-            }
-    mesh.positions.resize(static_cast<Eigen::Index>(points.size()), 3);
-    for (std::size_t i = 0; i < points.size(); ++i) mesh.positions.row(static_cast<Eigen::Index>(i)) = points[i];
-    return mesh;
+    TriangleMesh all;
+    for (const ConvertedFace& face : faces) {
+        const Eigen::Index vertices = all.positions.rows(), triangles = all.triangles.rows();
+        all.positions.conservativeResize(vertices + face.mesh.positions.rows(), 3);
+        all.triangles.conservativeResize(triangles + face.mesh.triangles.rows(), 3);
+        all.positions.bottomRows(face.mesh.positions.rows()) = face.mesh.positions;
+        all.triangles.bottomRows(face.mesh.triangles.rows()) = face.mesh.triangles.array() + static_cast<int>(vertices);
+    }
+    return join_coincident(all);
 }
 
 }  // namespace
 
-CadModel as_surfaces(ConvertedModel model, TilesAs tiles, const std::string& stem) {
+CadModel as_surfaces(ConvertedModel model, TilesAs tiles, const std::string& stem, std::set<std::string> taken) {
     CadModel result{{},
                     std::move(model.curves),
                     std::move(model.unread),
@@ -81,7 +73,6 @@ CadModel as_surfaces(ConvertedModel model, TilesAs tiles, const std::string& ste
                     std::move(model.remarks)};
     std::erase_if(model.objects, [](const ConvertedObject& object) { return object.faces.empty(); });
     const std::vector<std::string> names = names_of(model.objects, stem);
-    std::set<std::string> taken;
     for (std::size_t o = 0; o < model.objects.size(); ++o) {
         ConvertedObject& object = model.objects[o];
         if (tiles == TilesAs::objects) {

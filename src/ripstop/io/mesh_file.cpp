@@ -6,12 +6,15 @@
 #include "ripstop/base/error.h"
 #include "ripstop/base/sha256.h"
 #include "ripstop/io/obj.h"
+#include "ripstop/io/rhino_3dm.h"
+#include "ripstop/io/rhino_surfaces.h"
 
 namespace ripstop {
 namespace {
 
-constexpr std::array<MeshFormat, 1> formats = {{
+constexpr std::array<MeshFormat, 2> formats = {{
     {".obj", "Wavefront OBJ", read_obj, write_obj},
+    {".3dm", "Rhino 2 to 8", read_rhino_3dm, nullptr},
 }};
 
 void require_no_folder(const std::filesystem::path& path) {
@@ -41,7 +44,9 @@ CadModel read_model(const std::filesystem::path& path, const MeshingOptions& opt
     for (const MeshFormat& format : formats) {
         if (extension == format.extension) {
             std::ifstream in = open_file(path);
-            return format.read(in, path.string());
+            CadModel model = format.read(in, path.string());
+            if (format.read == read_rhino_3dm) add_rhino_surfaces(model, path, options);
+            return model;
         }
         known += (known.empty() ? "" : ", ") + std::string(format.extension) + " (" + format.description + ")";
     }
