@@ -11,8 +11,7 @@
 namespace ripstop::cad {
 namespace {
 
-constexpr double area_agreement = 0.03;  // between a face rebuilt from NURBS and the mesh its CAD had stored
-constexpr double finest_sewing = 2e-5;   // of the drawing's diagonal: wider than this would close small tiles
+constexpr double finest_sewing = 2e-5;  // of the drawing's diagonal: wider than this would close small tiles
 
 double diagonal_of(const std::vector<TopoDS_Face>& faces) {
     Bnd_Box box;

@@ -12,6 +12,9 @@
 /// ripstop-cad: exact surfaces in, meshes out. It works in millimetres, the unit of its geometry kernel.
 namespace ripstop::cad {
 
+/// How far the area of a face rebuilt from NURBS may be from that of the mesh its CAD had stored.
+inline constexpr double area_agreement = 0.03;
+
 struct DrawnFace {
     std::string name = {};
     Attributes attributes = {};

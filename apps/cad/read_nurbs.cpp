@@ -1,7 +1,9 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <ShapeFix_Face.hxx>
@@ -148,18 +150,40 @@ class Brep {
     std::vector<TopoDS_Edge> edges_;
 };
 
-void add_shapes(const json& entry, double scale, DrawnObject& object) {
-    if (!entry.contains("brep")) return;
+TopoDS_Face face_of(const Brep& brep, const json& face) {
     try {
-        const Brep brep(entry["brep"], scale);
+        return brep.face(face);
+    } catch (const Standard_Failure&) {  // the kernel refuses it: what was stored of it is taken, or it is named
+        return {};
+    }
+}
+
+/// Of an extrusion Rhino stores one mesh of all faces. They take its place where they have its area.
+void take_faces_of_one_mesh(std::vector<DrawnFace> faces, double millimetres, DrawnObject& object) {
+    double area = 0;
+    for (const DrawnFace& face : faces) {
+        if (face.shape.IsNull()) return;
+        GProp_GProps properties;
+        BRepGProp::SurfaceProperties(face.shape, properties);
+        area += std::abs(properties.Mass()) / (millimetres * millimetres);
+    }
+    const double stored = surface_area(object.faces.front().stored.mesh);
+    if (stored == 0 || std::abs(area / stored - 1) <= area_agreement) object.faces = std::move(faces);
+}
+
+void add_shapes(const json& entry, double millimetres, DrawnObject& object) {
+    if (!entry.contains("brep") || entry["brep"].is_null()) return;
+    try {
+        const Brep brep(entry["brep"], millimetres);
         const json& faces = entry["brep"].at("faces");
-        for (std::size_t f = 0; f < std::min(faces.size(), object.faces.size()); ++f) {
-            try {
-                object.faces[f].shape = brep.face(faces[f]);
-            } catch (const Standard_Failure&) {  // the kernel refuses it: what was stored of it is taken, or it is named
-            }
+        if (object.faces.size() == faces.size()) {
+            for (std::size_t f = 0; f < faces.size(); ++f) object.faces[f].shape = face_of(brep, faces[f]);
+        } else if (object.faces.size() == 1) {
+            std::vector<DrawnFace> drawn;
+            for (const json& face : faces) drawn.push_back({.shape = face_of(brep, face)});
+            take_faces_of_one_mesh(std::move(drawn), millimetres, object);
         }
-    } catch (const Standard_Failure&) {
+    } catch (const Standard_Failure&) {  // as for one face
     }
 }
 

@@ -41,7 +41,8 @@ CadModel convert_cad(const std::filesystem::path& file, const MeshingOptions& op
 
 /// Everything in a Rhino file of any version that openNURBS gives surfaces of, in the file's own numbers: by Node.js with
 /// rhino3dm, and `ripstop-cad` for what are NURBS. Without `ripstop-cad` surfaces are as Rhino had meshed them, and those it had
-/// not are named as left out. Throws InputError as above.
+/// not are named as left out. Every object is there in the file's order, without faces where none could be made. Throws InputError
+/// as above.
 ConvertedModel convert_rhino(const std::filesystem::path& file, const MeshingOptions& options);
 
 }  // namespace ripstop

@@ -32,16 +32,6 @@ void take_names(ConvertedModel& model, const std::vector<UnreadObject>& unread) 
     }
 }
 
-/// Objects that gave no face are named with what the converter says of them.
-void leave_out_empty(ConvertedModel& model) {
-    for (const ConvertedObject& object : model.objects)
-        if (object.faces.empty())
-            model.unread.push_back({object.name, object.type,
-                                    "none of its faces could be meshed; mesh it in Rhino (Mesh) and save again",
-                                    object.attributes});
-    std::erase_if(model.objects, [](const ConvertedObject& object) { return object.faces.empty(); });
-}
-
 }  // namespace
 
 void add_rhino_surfaces(CadModel& model, const std::filesystem::path& file, const MeshingOptions& options) {
@@ -57,7 +47,6 @@ void add_rhino_surfaces(CadModel& model, const std::filesystem::path& file, cons
         return;
     }
     take_names(converted, model.unread);
-    leave_out_empty(converted);
     std::set<std::string> taken;
     for (const NamedMesh& surface : model.surfaces) taken.insert(surface.name);
     CadModel surfaces = as_surfaces(std::move(converted), options.tiles, file.stem().string(), std::move(taken));
