@@ -19,7 +19,7 @@ constexpr std::string_view magic = "3D Geometry File Format ";
 constexpr std::size_t header = 32;
 constexpr int first_with_long_chunks = 50;
 constexpr int newest = 89;
-constexpr std::uint32_t no_bytes = 0x80000000, has_checksum = 0x8000, anonymous_chunk = 0x40008000;
+constexpr std::uint32_t no_bytes = 0x80000000, has_checksum = 0x8000;
 constexpr std::size_t most_bytes = std::size_t{2} << 30;
 constexpr std::size_t deflate_ratio = 1100;  // deflate cannot do better than 1032 to 1
 
@@ -219,12 +219,10 @@ RhinoBytes::Version RhinoBytes::packed_version() {
     return {packed >> 4, packed & 15};
 }
 
-RhinoBytes RhinoBytes::anonymous(Version* version) {
+RhinoBytes RhinoBytes::anonymous(std::uint32_t code) {
     RhinoChunk part = chunk();
-    if (part.code != anonymous_chunk) refuse("a part of another kind than expected");
-    const int major = part.body.integer();
-    const int minor = part.body.integer();
-    if (version) *version = {major, minor};
+    if (part.code != code) refuse("a part of another kind than expected");
+    part.body.skip(2 * sizeof(std::int32_t));
     return part.body;
 }
 

@@ -75,7 +75,7 @@ class RhinoBytes {
         int major = 0, minor = 0;
     };
     Version packed_version();
-    RhinoBytes anonymous(Version* version = nullptr);
+    RhinoBytes anonymous(std::uint32_t code = 0x40008000);
 
     [[noreturn]] void refuse(const std::string& found) const;
 

@@ -127,10 +127,10 @@ RhinoDefinition read_definition(RhinoBytes record) {
     RhinoBytes data = read_rhino_class(record).data;
     RhinoDefinition definition;
     RhinoBytes peek = data;
-    constexpr std::uint32_t anonymous_chunk = 0x40008000;
+    constexpr std::uint32_t anonymous_chunk = 0x40008000, component_chunk = 0x40008002;
     if (data.version() >= 60 && peek.left() >= 4 && peek.natural() == anonymous_chunk) {
         data = data.anonymous();
-        read_component(data.anonymous(), definition);
+        read_component(data.anonymous(component_chunk), definition);
         definition.linked = data.natural() == linked_definition;
         data.anonymous();  // the unit of the file it was made in; the objects are in this one's
         for (int texts = 0; texts < 3; ++texts) data.text();
@@ -177,12 +177,14 @@ void read_table(RhinoBytes table, std::uint32_t code, RhinoTables& tables) {
 }  // namespace
 
 RhinoTables read_rhino_tables(const RhinoArchive& archive) {
+    const std::set<std::uint32_t> known = {properties_table, settings_table,   layer_table,
+                                           group_table,      definition_table, object_table};
     RhinoTables tables;
     RhinoBytes bytes(archive);
     for (std::uint32_t code = 0; code != end_of_file;) {
         const RhinoChunk table = bytes.chunk();
         code = table.code;
-        read_table(code == end_of_file ? RhinoBytes(table.body).take(0) : table.body, code, tables);
+        if (known.contains(code)) read_table(table.body, code, tables);
     }
     find_paths(tables.layers);
     return tables;

@@ -39,7 +39,7 @@ TextRow row(const std::string& name, const Attributes& attributes, std::vector<s
 }
 
 std::string table(const char* title, std::vector<TextRow> rows, std::size_t count) {
-    std::string text = fmt::format("\n{}\n", aligned_table(rows, 2));
+    std::string text = "\n" + aligned_table(rows, 2);
     if (count + 1 > rows.size()) text += fmt::format("and {} more {}\n", count + 1 - rows.size(), title);
     return text;
 }
