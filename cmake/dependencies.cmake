@@ -21,3 +21,26 @@ if(RIPSTOP_CHOLMOD)
     list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
     find_package(CHOLMOD REQUIRED)
 endif()
+if(RIPSTOP_CAD)
+    # In a program of its own: gmsh is GPL-2+ (docs/decisions/0005-cad-kernels.md). Where they are absent it is not built.
+    find_path(OCCT_INCLUDE_DIR STEPCAFControl_Reader.hxx PATH_SUFFIXES opencascade)
+    find_library(OCCT_LIBRARY TKXDESTEP)
+    find_path(GMSH_INCLUDE_DIR gmsh.h)
+    find_library(GMSH_LIBRARY gmsh)
+    mark_as_advanced(OCCT_INCLUDE_DIR OCCT_LIBRARY GMSH_INCLUDE_DIR GMSH_LIBRARY)
+    set(RIPSTOP_CAD_FOUND OFF)
+    if(OCCT_INCLUDE_DIR AND OCCT_LIBRARY AND GMSH_INCLUDE_DIR AND GMSH_LIBRARY)
+        set(RIPSTOP_CAD_FOUND ON)
+        add_library(gmsh::gmsh UNKNOWN IMPORTED)
+        set_target_properties(gmsh::gmsh PROPERTIES
+            IMPORTED_LOCATION "${GMSH_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${GMSH_INCLUDE_DIR}")
+        add_library(ripstop-occt INTERFACE)
+        target_include_directories(ripstop-occt SYSTEM INTERFACE ${OCCT_INCLUDE_DIR})
+        target_link_libraries(ripstop-occt INTERFACE
+            TKXDESTEP TKXDEIGES TKXCAF TKSTEP TKSTEPAttr TKSTEP209 TKSTEPBase TKIGES TKXSBase
+            TKLCAF TKCDF TKCAF TKShHealing TKMesh TKTopAlgo TKPrim TKGeomAlgo TKBRep
+            TKGeomBase TKG3d TKG2d TKMath TKernel)
+    else()
+        message(STATUS "gmsh or Open CASCADE is missing: ripstop-cad, which reads STEP, IGES and BREP, is not built")
+    endif()
+endif()

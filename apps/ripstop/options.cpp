@@ -68,11 +68,29 @@ CLI::Validator known_unit() {
     return known([](const std::string& unit) { metres_per_unit(unit); });
 }
 
+void add_meshing_options(CLI::App& command, std::string& chord, std::string& edge, std::string& tiles_are) {
+    command.add_option("--chord", chord,
+                       "CAD surfaces: how far they may lie off their triangles, as 0.3mm (else lengths are kept to 0.01 %)");
+    command.add_option("--edge", edge, "CAD surfaces: how long the edges of triangles are at most, as 100mm");
+    command.add_option("--tiles", tiles_are, "CAD surfaces: each of its faces a tile, or each object")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"faces", "objects"}));
+}
+
+MeshingOptions meshing_of(const std::string& chord, const std::string& edge, const std::string& tiles_are) {
+    MeshingOptions options;
+    if (!chord.empty()) options.chord_error = parse_length(chord, "--chord");
+    if (!edge.empty()) options.edge_length = parse_length(edge, "--edge");
+    options.tiles = tiles_are == "objects" ? TilesAs::objects : TilesAs::faces;
+    return options;
+}
+
 void add_input_options(CLI::App& command, InputArguments& given) {
     std::string formats;
     for (const MeshFormat& format : mesh_formats())
         formats += (formats.empty() ? "" : ", ") + std::string(format.extension);
-    command.add_option("INPUT", given.file, "The envelope, one object, group or part a tile: " + formats)->required();
+    for (const CadFormat& format : cad_formats()) formats += ", " + std::string(format.extension);
+    command.add_option("INPUT", given.file, "The envelope, one object, group, part or face a tile: " + formats)->required();
     command
         .add_option("--unit", given.unit,
                     "Unit of the file: mm, cm, m, in, ft (else the project's, else the file's own, else metres)")
@@ -90,6 +108,7 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         ->check(finite());
     command.add_option("--seam-tolerance", given.seam_tolerance,
                        "Edges to be sewn together lie within this length, as 0.5mm (else the project's, else 0.5mm)");
+    add_meshing_options(command, given.chord, given.edge, given.tiles_are);
     // One name at a time, else `--tile G01 envelope.obj` would take the input for a second name.
     command.add_option("--tile", given.tiles, "Only the tiles of this name; * and ? stand for others; may be repeated")
         ->allow_extra_args(false);
@@ -130,6 +149,7 @@ Input resolve(const InputArguments& given) {
         input.read.seam_tolerance = parse_length(given.seam_tolerance, "--seam-tolerance");
     input.fabric = envelope_fabric(given.fabric, project);
     input.read.fabric = input.fabric;
+    input.read.meshing = meshing_of(given.chord, given.edge, given.tiles_are);
     input.tolerances = tolerances_of(input.fabric);
     if (project) input.tolerances = tolerances(*project, input.tolerances);
     return input;

@@ -1,5 +1,6 @@
 #include "ripstop/io/mesh_file.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 
@@ -10,6 +11,7 @@
 #include "ripstop/io/ply.h"
 #include "ripstop/io/rhino_3dm.h"
 #include "ripstop/io/stl.h"
+#include "ripstop/io/rhino_surfaces.h"
 
 namespace ripstop {
 namespace {
@@ -57,17 +59,35 @@ std::ifstream open_file(const std::filesystem::path& path) {
     return in;
 }
 
+/// In lower case.
+std::string extension_of(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return extension;
+}
+
+bool is_written(const MeshFormat& format) {
+    return format.write != nullptr;
+}
+
 /// The format of those wanted that the extension of a path names.
 template <class Wanted>
 const MeshFormat& format_of(const std::filesystem::path& path, const Wanted& wanted) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const std::string extension = extension_of(path);
     std::string known;
+    const auto add = [&known](const auto& format) {
+        known += (known.empty() ? "" : ", ") + std::string(format.extension) + " (" + format.description + ")";
+    };
     for (const MeshFormat& format : formats) {
         if (!wanted(format)) continue;
         if (extension == format.extension) return format;
-        known += (known.empty() ? "" : ", ") + std::string(format.extension) + " (" + format.description + ")";
+        add(format);
     }
+    if (!std::all_of(formats.begin(), formats.end(), wanted)) {
+        throw InputError(path.string() + ": no format with the extension \"" + extension +
+                         "\" that is written, expected one of: " + known + "; give the file another name");
+    }
+    for (const CadFormat& format : cad_formats()) add(format);
     std::string what = "no format with the extension \"" + extension + "\"";
     for (const auto& [other, program] : others)
         if (extension == other) what = "a file of " + std::string(program) + ", which is not read";
@@ -81,19 +101,24 @@ std::span<const MeshFormat> mesh_formats() {
     return formats;
 }
 
-CadModel read_model(const std::filesystem::path& path) {
+CadModel read_model(const std::filesystem::path& path, const MeshingOptions& options) {
     require_no_folder(path);
+    const std::string extension = extension_of(path);
+    for (const CadFormat& format : cad_formats())
+        if (extension == format.extension) return convert_cad(path, options);
     const MeshFormat& format = format_of(path, [](const MeshFormat&) { return true; });
     std::ifstream in = open_file(path);
-    return format.read(in, path.string());
+    CadModel model = format.read(in, path.string());
+    if (format.read == read_rhino_3dm) add_rhino_surfaces(model, path, options);
+    return model;
 }
 
 void require_written_format(const std::filesystem::path& path) {
-    format_of(path, [](const MeshFormat& format) { return format.write != nullptr; });
+    format_of(path, is_written);
 }
 
 void write_model(std::ostream& out, const std::filesystem::path& path, const std::vector<NamedMesh>& meshes) {
-    format_of(path, [](const MeshFormat& format) { return format.write != nullptr; }).write(out, meshes);
+    format_of(path, is_written).write(out, meshes);
 }
 
 std::string sha256_of_file(const std::filesystem::path& path) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ripstop/io/convert.h"
 #include "ripstop/model/cad_model.h"
 
 namespace ripstop {
@@ -33,9 +34,10 @@ struct MeshFormat {
 
 std::span<const MeshFormat> mesh_formats();
 
-/// What a file holds, in its own numbers, by the format its extension names (upper or lower case). Throws InputError where
-/// the extension is none of the table's, the file cannot be read, or its format's reader refuses what is in it.
-CadModel read_model(const std::filesystem::path& path);
+/// What a file holds, in its own numbers, by the format its extension names (upper or lower case): one of the table, or one of
+/// `cad_formats`, whose surfaces are meshed as `options` say. Throws InputError where the extension is none of these, the file
+/// cannot be read, or its format's reader refuses what is in it.
+CadModel read_model(const std::filesystem::path& path, const MeshingOptions& options = {});
 
 /// Writes meshes, in metres, in the format the extension of `path` names. Throws InputError where that is none that is written.
 void write_model(std::ostream& out, const std::filesystem::path& path, const std::vector<NamedMesh>& meshes);

@@ -104,7 +104,10 @@ Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& optio
 }
 
 EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& options) {
-    CadModel model = read_model(file);
+    MeshingOptions meshing = options.meshing;
+    meshing.sewing_tolerance = options.seam_tolerance;
+    if (options.unit) meshing.metres_per_unit = options.unit->metres;
+    CadModel model = read_model(file, meshing);
     EnvelopeInput input;
     input.unit_assumed = !options.unit && !model.unit;
     input.unit = options.unit ? *options.unit : model.unit.value_or(LengthUnit{});

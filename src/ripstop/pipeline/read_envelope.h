@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ripstop/base/units.h"
+#include "ripstop/io/convert.h"
 #include "ripstop/io/project_json.h"
 #include "ripstop/model/cad_model.h"
 #include "ripstop/model/envelope.h"
@@ -20,6 +21,7 @@ struct ReadOptions {
     std::optional<Project> project = {};
     double seam_tolerance = 0.5 * millimetre;  ///< edges to be sewn together lie within this [m]
     Fabric fabric = {};                        ///< of the envelope: tiles of it have none of their own
+    MeshingOptions meshing = {};  ///< of a CAD's surfaces; its unit and sewing tolerance are the ones above
 };
 
 /// An envelope with what its file said of it.
