@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <fstream>
 
 #include "ripstop/base/error.h"
@@ -56,6 +57,25 @@ Fabric fabric_beside(const std::filesystem::path& project, const std::string& na
     return fabric_named(std::filesystem::is_regular_file(beside) ? beside.string() : name);
 }
 
+/// What came flat is judged on the mesh it came with.
+RemeshOptions remesh_options(const InputArguments& given) {
+    RemeshOptions options;
+    if (given.remesh == "never") return options;
+    if (given.remesh == "auto") {
+        if (given.method != "given") options.mode = RemeshMode::automatic;
+        return options;
+    }
+    if (given.method == "given")
+        throw CLI::ValidationError("--remesh " + given.remesh +
+                                   " does not go with --method given: flat positions belong to the input's mesh");
+    if (!std::isdigit(static_cast<unsigned char>(given.remesh.front())) && given.remesh.front() != '.')
+        throw CLI::ValidationError("--remesh is \"" + given.remesh +
+                                   "\", expected auto, never or a length with its unit, as 50mm");
+    options.mode = RemeshMode::by_length;
+    options.edge_length = parse_length(given.remesh, "--remesh");
+    return options;
+}
+
 /// A warning for each name of the project that fits no tile; none where only some tiles were asked for.
 void warn_of_unused_names(const Input& input, const Envelope& envelope) {
     if (!input.read.project || !input.read.only.empty()) return;
@@ -107,6 +127,15 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         ->allow_extra_args(false);
 }
 
+void add_remesh_option(CLI::App& command, InputArguments& given) {
+    given.remesh = "auto";
+    command
+        .add_option("--remesh", given.remesh,
+                    "Mesh tiles anew: auto (those too coarse, too bad or too fine), never, or all with edges of this "
+                    "length, as 50mm")
+        ->capture_default_str();
+}
+
 void add_method_option(CLI::App& command, InputArguments& given) {
     command.add_option("--method", given.method, "How to flatten; `ripstop methods` lists them")
         ->capture_default_str()
@@ -142,6 +171,8 @@ Input resolve(const InputArguments& given) {
     }
     input.tolerances = tolerances_of(input.fabric);
     if (project) input.tolerances = tolerances(*project, input.tolerances);
+    input.read.remesh = remesh_options(given);
+    input.read.remesh.length_tolerance = input.tolerances.length;
     return input;
 }
 

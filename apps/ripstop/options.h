@@ -24,6 +24,7 @@ struct InputArguments {
     std::string seam_tolerance;  ///< a length with its unit; empty: the project's, else half a millimetre
     std::vector<std::string> tiles;
     std::vector<std::string> layers;
+    std::string remesh = "never";  ///< where the command has the option: `auto`, `never` or a length with its unit
 };
 
 /// What the arguments and the project file say together; the command line goes before the project.
@@ -34,6 +35,7 @@ struct Input {
 };
 
 void add_input_options(CLI::App& command, InputArguments& given);
+void add_remesh_option(CLI::App& command, InputArguments& given);
 void add_method_option(CLI::App& command, InputArguments& given);
 
 /// The method's name, `--keep-area` taken in. Throws a usage error where the method cannot keep the area.

@@ -7,6 +7,7 @@
 #include "ripstop/base/units.h"
 #include "ripstop/mesh/triangle_mesh.h"
 #include "ripstop/model/cad_model.h"
+#include "ripstop/model/remeshed.h"
 
 namespace ripstop {
 
@@ -46,6 +47,7 @@ struct Tile {
     Compensation compensation;
     Eigen::VectorXd curve_lengths;  ///< of each boundary edge on the curve its seam follows [m]; empty: the edge's own
     Attributes attributes = {};     ///< what the file says of it
+    std::optional<Remeshed> remeshed = {};  ///< where its mesh is not the input's
 };
 
 struct TileOptions {

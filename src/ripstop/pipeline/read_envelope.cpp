@@ -107,6 +107,9 @@ EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& o
     ReadOptions in_this_unit = options;
     in_this_unit.unit = input.unit;
     input.envelope = make_envelope(std::move(model.surfaces), in_this_unit);
+    RemeshOptions remesh = options.remesh;
+    remesh.seam_tolerance = options.seam_tolerance;
+    for (std::string& remark : remesh_envelope(input.envelope, remesh)) input.remarks.push_back(std::move(remark));
     return input;
 }
 

@@ -9,6 +9,7 @@
 #include "ripstop/io/project_json.h"
 #include "ripstop/model/cad_model.h"
 #include "ripstop/model/envelope.h"
+#include "ripstop/pipeline/remesh_envelope.h"
 
 namespace ripstop {
 
@@ -19,6 +20,7 @@ struct ReadOptions {
     double grain_turn = 0;                 ///< where no warp is given: the longest axis turned by this [rad]
     std::optional<Project> project = {};
     double seam_tolerance = 0.5 * millimetre;  ///< edges to be sewn together lie within this [m]
+    RemeshOptions remesh = {};                 ///< by `read_input`, at this seam tolerance; never unless asked for
 };
 
 /// An envelope with what its file said of it.
@@ -33,7 +35,7 @@ struct EnvelopeInput {
 ///
 /// The warp of a tile is, in this order: the project's; the line on a layer called GRAIN or WARP that lies on the tile; the
 /// file's own for the surface, in its triangles or as the attribute `warp` (x, y, z); the longest axis. Objects that give no
-/// surface become remarks.
+/// surface become remarks. Last, tiles are remeshed where `remesh` says so (`remesh_envelope`); `make_envelope` never does.
 ///
 /// Throws InputError for a file that cannot be read or holds no surface, and for surfaces that are no tiles: one sentence
 /// each, all of them at once; and for a glob in `only` or `layers` that fits nothing.
