@@ -1,6 +1,4 @@
-
 #include "ripstop/design/gores.h"
-#include "ripstop/model/tile.h"
 
 #include <gmock/gmock.h>
 
@@ -15,6 +13,7 @@
 #include "ripstop/design/design_summary.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
+#include "ripstop/model/tile.h"
 
 namespace ripstop {
 namespace {
