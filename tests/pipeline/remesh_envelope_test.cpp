@@ -125,7 +125,7 @@ TEST_F(Remeshing, OfRandomDiagonalsLandsOnTheGoodMeshesShape) {
 }
 
 TEST_F(Remeshing, OfJumbledVerticesLandsOnTheGoodMeshesShape) {
-    const TriangleMesh mesh = jumbled(half, 24, 24, 0.45, 5);
+    const TriangleMesh mesh = jumbled(half, 24, 24, 0.3, 5);
     const Tile tile = remeshed(mesh, at(0.03));
     expect_sound(one_tile(mesh).tiles[0], tile, 15);
     EXPECT_LT(outline_difference(tile, good_tile()), 1e-4);

@@ -9,7 +9,7 @@ namespace ripstop {
 namespace {
 
 constexpr double longest = 4.0 / 3;  // edge lengths, as the remeshing has it
-constexpr double sparse_enough = 1.0 / 3, shortest = 0.1, densest = 0.25;
+constexpr double sparse_enough = 0.45, shortest = 0.3, densest = 0.35;
 constexpr double turn_wanted = 4 * degree;
 
 int edge_at(const ChainCurve& curve, double at) {

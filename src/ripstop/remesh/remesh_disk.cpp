@@ -2,6 +2,7 @@
 #include "ripstop/remesh/remesh_disk.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <stdexcept>
 
 #ifdef RIPSTOP_CGAL
@@ -274,9 +275,11 @@ class Remesher {
         const Vec3 c = vector_of(mesh_.point(r)), d = vector_of(mesh_.point(s));
         const Vec3 one = (a - d).cross(c - d), other = (c - d).cross(b - d);  // (p, r, s) and (q, s, r), from s
         if (!(one.dot(other) > 0.5 * one.norm() * other.norm())) return;
-        for (const Vec3& x : {a, b})
-            for (const double angle : {angle_at(x, c, d), angle_at(c, d, x), angle_at(d, x, c)})
-                if (angle < least_turned_angle) return;
+        const auto least = [](const Vec3& x, const Vec3& y, const Vec3& z) {
+            return std::min({angle_at(x, y, z), angle_at(y, z, x), angle_at(z, x, y)});
+        };
+        const double flat = std::min(least(a, b, c), least(a, b, d)), turned = std::min(least(a, c, d), least(b, c, d));
+        if (turned < least_turned_angle && turned < flat) return;
         CGAL::Euler::flip_edge(h, mesh_);
     }
 

@@ -77,13 +77,13 @@ Tile tile_on_mesh(const Tile& tile, const NewBoundary& boundary, TriangleMesh me
     return result;
 }
 
-Tile remesh_tile(const Tile& tile, const NewBoundary& boundary, double edge_length) {
-    const Adjacency adjacency(tile.mesh.triangles, tile.mesh.vertex_count());
-    const std::vector<std::array<int, 2>> creases = find_creases(tile.mesh, adjacency);
+namespace {
+
+Tile remesh_once(const Tile& tile, const NewBoundary& boundary, const SmoothSurface& surface,
+                 const std::vector<std::array<int, 2>>& creases, double edge_length) {
     std::vector<BoundaryPlace> places;
     for (const BoundaryNode& node : boundary.nodes) places.push_back(node.place);
     DiskRemesh made = remesh_disk(tile.mesh, tile.boundary, places, creases, edge_length);
-    const SmoothSurface surface(tile.mesh, adjacency, tile.boundary, creases, boundary.slopes);
     for (Eigen::Index v = 0; v < made.mesh.positions.rows(); ++v) {
         const std::size_t i = static_cast<std::size_t>(v);
         made.mesh.positions.row(v) =
@@ -91,6 +91,21 @@ Tile remesh_tile(const Tile& tile, const NewBoundary& boundary, double edge_leng
     }
     require_upright(tile.mesh, made, triangles_at(tile.mesh, creases));
     return tile_on_mesh(tile, boundary, std::move(made.mesh), made.origin);
+}
+
+}  // namespace
+
+Tile remesh_tile(const Tile& tile, const NewBoundary& boundary, double edge_length) {
+    const Adjacency adjacency(tile.mesh.triangles, tile.mesh.vertex_count());
+    const std::vector<std::array<int, 2>> creases = find_creases(tile.mesh, adjacency);
+    const SmoothSurface surface(tile.mesh, adjacency, tile.boundary, creases, boundary.slopes);
+    for (const double share : {1.0, 0.7}) {
+        try {
+            return remesh_once(tile, boundary, surface, creases, share * edge_length);
+        } catch (const std::exception&) {  // where the tile is narrow or folded, smaller triangles may fit
+        }
+    }
+    return remesh_once(tile, boundary, surface, creases, edge_length / 2);
 }
 
 }  // namespace ripstop

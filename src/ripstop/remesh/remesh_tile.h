@@ -27,6 +27,7 @@ struct NewBoundary {
 /// surface through the old ones (`SmoothSurface`), creases of more than 30 degrees kept. Corners, chains, warp (each triangle
 /// has that of the nearest old one), compensation and attributes stay; flat positions that came with the tile are dropped.
 ///
+/// Where that gives no good mesh, smaller edges are tried (0.7 and 0.5 of the length).
 /// Throws std::runtime_error, in words that follow the tile's name, where the new mesh is not as good as it must be: no disk,
 /// or a triangle turned by more than 60 degrees from the old one beneath it. Requires what `remesh_disk` does.
 Tile remesh_tile(const Tile& tile, const NewBoundary& boundary, double edge_length);
