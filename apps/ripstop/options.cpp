@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <fstream>
 
 #include "ripstop/base/error.h"
@@ -49,6 +50,25 @@ Project read_project_file(const std::string& file) {
     if (!in || std::filesystem::is_directory(file, unknown))
         throw InputError(file + ": the project file cannot be opened; check its name and its permissions");
     return read_project(in, file);
+}
+
+/// What came flat is judged on the mesh it came with.
+RemeshOptions remesh_options(const InputArguments& given) {
+    RemeshOptions options;
+    if (given.remesh == "never") return options;
+    if (given.remesh == "auto") {
+        if (given.method != "given") options.mode = RemeshMode::automatic;
+        return options;
+    }
+    if (given.method == "given")
+        throw CLI::ValidationError("--remesh " + given.remesh +
+                                   " does not go with --method given: flat positions belong to the input's mesh");
+    if (!std::isdigit(static_cast<unsigned char>(given.remesh.front())) && given.remesh.front() != '.')
+        throw CLI::ValidationError("--remesh is \"" + given.remesh +
+                                   "\", expected auto, never or a length with its unit, as 50mm");
+    options.mode = RemeshMode::by_length;
+    options.edge_length = parse_length(given.remesh, "--remesh");
+    return options;
 }
 
 }  // namespace
@@ -120,6 +140,15 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         ->allow_extra_args(false);
 }
 
+void add_remesh_option(CLI::App& command, InputArguments& given) {
+    given.remesh = "auto";
+    command
+        .add_option("--remesh", given.remesh,
+                    "Mesh tiles anew: auto (those too coarse, too bad or too fine), never, or all with edges of this "
+                    "length, as 50mm")
+        ->capture_default_str();
+}
+
 void add_method_option(CLI::App& command, InputArguments& given) {
     command.add_option("--method", given.method, "How to flatten; `ripstop methods` lists them")
         ->capture_default_str()
@@ -152,6 +181,8 @@ Input resolve(const InputArguments& given) {
     input.read.meshing = meshing_of(given.chord, given.edge, given.tiles_are);
     input.tolerances = tolerances_of(input.fabric);
     if (project) input.tolerances = tolerances(*project, input.tolerances);
+    input.read.remesh = remesh_options(given);
+    input.read.remesh.length_tolerance = input.tolerances.length;
     return input;
 }
 

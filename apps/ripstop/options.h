@@ -26,6 +26,7 @@ struct InputArguments {
     std::string tiles_are = "faces";
     std::vector<std::string> tiles;
     std::vector<std::string> layers;
+    std::string remesh = "never";  ///< where the command has the option: `auto`, `never` or a length with its unit
 };
 
 /// What the arguments and the project file say together; the command line goes before the project.
@@ -41,6 +42,7 @@ void add_input_options(CLI::App& command, InputArguments& given);
 void add_meshing_options(CLI::App& command, std::string& chord, std::string& edge, std::string& tiles_are);
 MeshingOptions meshing_of(const std::string& chord, const std::string& edge, const std::string& tiles_are);
 
+void add_remesh_option(CLI::App& command, InputArguments& given);
 void add_method_option(CLI::App& command, InputArguments& given);
 
 /// The method's name, `--keep-area` taken in. Throws a usage error where the method cannot keep the area.

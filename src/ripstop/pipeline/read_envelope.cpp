@@ -128,6 +128,10 @@ EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& o
     in_this_unit.unit = input.unit;
     input.envelope = make_envelope(std::move(model.surfaces), in_this_unit, input.remarks);
     if (options.project && options.only.empty()) input.unused = unused_entries(*options.project, input.envelope);
+    RemeshOptions remesh = options.remesh;
+    remesh.seam_tolerance = options.seam_tolerance;
+    for (std::string& remark : remesh_envelope(input.envelope, remesh)) input.remarks.push_back(std::move(remark));
+    if (options.project) give_seam_types(input.envelope, *options.project);  // remeshed tiles have seams and chains anew
     return input;
 }
 
