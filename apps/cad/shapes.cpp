@@ -32,7 +32,8 @@ void add_points(const TopoDS_Edge& edge, std::vector<Vec3>& points) {
     }
 }
 
-void add_curve(const std::vector<Vec3>& points, const std::string& name, const Attributes& attributes, Drawing& drawing) {
+void add_curve(const std::vector<Vec3>& points, const std::string& name, const Attributes& attributes,
+               Drawing& drawing) {
     if (points.size() < 2) return;
     NamedCurve curve{name, Points3(static_cast<Eigen::Index>(points.size()), 3), attributes};
     for (std::size_t i = 0; i < points.size(); ++i)

@@ -89,8 +89,9 @@ CLI::Validator known_unit() {
 }
 
 void add_meshing_options(CLI::App& command, std::string& chord, std::string& edge, std::string& tiles_are) {
-    command.add_option("--chord", chord,
-                       "CAD surfaces: how far they may lie off their triangles, as 0.3mm (else lengths are kept to 0.01 %)");
+    command.add_option(
+        "--chord", chord,
+        "CAD surfaces: how far they may lie off their triangles, as 0.3mm (else lengths are kept to 0.01 %)");
     command.add_option("--edge", edge, "CAD surfaces: how long the edges of triangles are at most, as 100mm");
     command.add_option("--tiles", tiles_are, "CAD surfaces: each of its faces a tile, or each object")
         ->capture_default_str()
@@ -110,7 +111,8 @@ void add_input_options(CLI::App& command, InputArguments& given) {
     for (const MeshFormat& format : mesh_formats())
         formats += (formats.empty() ? "" : ", ") + std::string(format.extension);
     for (const CadFormat& format : cad_formats()) formats += ", " + std::string(format.extension);
-    command.add_option("INPUT", given.file, "The envelope, one object, group, part or face a tile: " + formats)->required();
+    command.add_option("INPUT", given.file, "The envelope, one object, group, part or face a tile: " + formats)
+        ->required();
     command
         .add_option("--unit", given.unit,
                     "Unit of the file: mm, cm, m, in, ft (else the project's, else the file's own, else metres)")

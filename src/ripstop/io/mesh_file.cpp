@@ -10,8 +10,8 @@
 #include "ripstop/io/off.h"
 #include "ripstop/io/ply.h"
 #include "ripstop/io/rhino_3dm.h"
-#include "ripstop/io/stl.h"
 #include "ripstop/io/rhino_surfaces.h"
+#include "ripstop/io/stl.h"
 
 namespace ripstop {
 namespace {

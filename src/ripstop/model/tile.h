@@ -8,8 +8,8 @@
 #include "ripstop/mesh/triangle_mesh.h"
 #include "ripstop/model/cad_model.h"
 #include "ripstop/model/fabric.h"
-#include "ripstop/model/seam_type.h"
 #include "ripstop/model/remeshed.h"
+#include "ripstop/model/seam_type.h"
 
 namespace ripstop {
 
@@ -49,7 +49,7 @@ struct Tile {
     Compensation compensation;
     Eigen::VectorXd curve_lengths;  ///< of each boundary edge on the curve its seam follows [m]; empty: the edge's own
     Attributes attributes = {};     ///< what the file says of it
-    std::optional<Fabric> fabric = {};  ///< where it is not the envelope's
+    std::optional<Fabric> fabric = {};      ///< where it is not the envelope's
     std::optional<Remeshed> remeshed = {};  ///< where its mesh is not the input's
 
     const Fabric& fabric_or(const Fabric& of_envelope) const { return fabric ? *fabric : of_envelope; }

@@ -23,7 +23,7 @@ struct ReadOptions {
     double seam_tolerance = 0.5 * millimetre;  ///< edges to be sewn together lie within this [m]
     Fabric fabric = {};                        ///< of the envelope: tiles of it have none of their own
     MeshingOptions meshing = {};  ///< of a CAD's surfaces; its unit and sewing tolerance are the ones above
-    RemeshOptions remesh = {};                 ///< by `read_input`, at this seam tolerance; never unless asked for
+    RemeshOptions remesh = {};    ///< by `read_input`, at this seam tolerance; never unless asked for
 };
 
 /// An envelope with what its file said of it.

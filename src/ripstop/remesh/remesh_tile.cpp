@@ -54,22 +54,19 @@ std::vector<Chain> chains_of(const NewBoundary& boundary) {
 }  // namespace
 
 Tile tile_on_mesh(const Tile& tile, const NewBoundary& boundary, TriangleMesh mesh, const std::vector<int>& origin) {
-    Tile result;
-    result.name = tile.name;
+    Tile result = tile;
+    result.drawn.reset();
     try {
         result.boundary = require_disk(mesh, Adjacency(mesh.triangles, mesh.vertex_count()), tile.name);
     } catch (const InputError&) {
         throw std::runtime_error("its new mesh is no disk");
     }
     result.chains = chains_of(boundary);
-    result.grain = tile.grain;
     if (tile.grain.field.rows() > 0) {
         result.grain.field.resize(mesh.triangle_count(), 3);
         for (int t = 0; t < mesh.triangle_count(); ++t)
             result.grain.field.row(t) = tile.grain.field.row(origin[static_cast<std::size_t>(t)]);
     }
-    result.compensation = tile.compensation;
-    result.attributes = tile.attributes;
     result.curve_lengths.resize(static_cast<Eigen::Index>(boundary.nodes.size()));
     for (std::size_t i = 0; i < boundary.nodes.size(); ++i)
         result.curve_lengths[static_cast<Eigen::Index>(i)] = boundary.nodes[i].length;
