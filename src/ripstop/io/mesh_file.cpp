@@ -55,17 +55,21 @@ std::ifstream open_file(const std::filesystem::path& path) {
     return in;
 }
 
-/// The format of those wanted that the extension of a path names.
-template <class Wanted>
-const MeshFormat& format_of(const std::filesystem::path& path, const Wanted& wanted) {
+enum class Use { read, write };
+
+/// The format that the extension of a path names, of those that can be used so.
+const MeshFormat& format_of(const std::filesystem::path& path, Use use) {
     std::string extension = path.extension().string();
     for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     std::string known;
     for (const MeshFormat& format : formats) {
-        if (!wanted(format)) continue;
+        if (use == Use::write && format.write == nullptr) continue;
         if (extension == format.extension) return format;
         known += (known.empty() ? "" : ", ") + std::string(format.extension) + " (" + format.description + ")";
     }
+    if (use == Use::write)
+        throw InputError(path.string() + ": no format that is written has the extension \"" + extension +
+                         "\", expected one of: " + known + "; name the file so");
     std::string what = "no format with the extension \"" + extension + "\"";
     for (const auto& [other, program] : others)
         if (extension == other) what = "a file of " + std::string(program) + ", which is not read";
@@ -81,17 +85,17 @@ std::span<const MeshFormat> mesh_formats() {
 
 CadModel read_model(const std::filesystem::path& path) {
     require_no_folder(path);
-    const MeshFormat& format = format_of(path, [](const MeshFormat&) { return true; });
+    const MeshFormat& format = format_of(path, Use::read);
     std::ifstream in = open_file(path);
     return format.read(in, path.string());
 }
 
 void require_written_format(const std::filesystem::path& path) {
-    format_of(path, [](const MeshFormat& format) { return format.write != nullptr; });
+    format_of(path, Use::write);
 }
 
 void write_model(std::ostream& out, const std::filesystem::path& path, const std::vector<NamedMesh>& meshes) {
-    format_of(path, [](const MeshFormat& format) { return format.write != nullptr; }).write(out, meshes);
+    format_of(path, Use::write).write(out, meshes);
 }
 
 std::string sha256_of_file(const std::filesystem::path& path) {
