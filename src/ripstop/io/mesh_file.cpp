@@ -1,6 +1,5 @@
 #include "ripstop/io/mesh_file.h"
 
-#include <algorithm>
 #include <array>
 #include <fstream>
 
@@ -66,27 +65,23 @@ std::string extension_of(const std::filesystem::path& path) {
     return extension;
 }
 
-bool is_written(const MeshFormat& format) {
-    return format.write != nullptr;
-}
+enum class Use { read, write };
 
-/// The format of those wanted that the extension of a path names.
-template <class Wanted>
-const MeshFormat& format_of(const std::filesystem::path& path, const Wanted& wanted) {
+/// The format that the extension of a path names, of those that can be used so.
+const MeshFormat& format_of(const std::filesystem::path& path, Use use) {
     const std::string extension = extension_of(path);
     std::string known;
     const auto add = [&known](const auto& format) {
         known += (known.empty() ? "" : ", ") + std::string(format.extension) + " (" + format.description + ")";
     };
     for (const MeshFormat& format : formats) {
-        if (!wanted(format)) continue;
+        if (use == Use::write && format.write == nullptr) continue;
         if (extension == format.extension) return format;
         add(format);
     }
-    if (!std::all_of(formats.begin(), formats.end(), wanted)) {
-        throw InputError(path.string() + ": no format with the extension \"" + extension +
-                         "\" that is written, expected one of: " + known + "; give the file another name");
-    }
+    if (use == Use::write)
+        throw InputError(path.string() + ": no format that is written has the extension \"" + extension +
+                         "\", expected one of: " + known + "; name the file so");
     for (const CadFormat& format : cad_formats()) add(format);
     std::string what = "no format with the extension \"" + extension + "\"";
     for (const auto& [other, program] : others)
@@ -106,7 +101,7 @@ CadModel read_model(const std::filesystem::path& path, const MeshingOptions& opt
     const std::string extension = extension_of(path);
     for (const CadFormat& format : cad_formats())
         if (extension == format.extension) return convert_cad(path, options);
-    const MeshFormat& format = format_of(path, [](const MeshFormat&) { return true; });
+    const MeshFormat& format = format_of(path, Use::read);
     std::ifstream in = open_file(path);
     CadModel model = format.read(in, path.string());
     if (format.read == read_rhino_3dm) add_rhino_surfaces(model, path, options);
@@ -114,11 +109,11 @@ CadModel read_model(const std::filesystem::path& path, const MeshingOptions& opt
 }
 
 void require_written_format(const std::filesystem::path& path) {
-    format_of(path, is_written);
+    format_of(path, Use::write);
 }
 
 void write_model(std::ostream& out, const std::filesystem::path& path, const std::vector<NamedMesh>& meshes) {
-    format_of(path, is_written).write(out, meshes);
+    format_of(path, Use::write).write(out, meshes);
 }
 
 std::string sha256_of_file(const std::filesystem::path& path) {
