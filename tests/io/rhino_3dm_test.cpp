@@ -221,6 +221,16 @@ TEST(Rhino3dm, JoinsTheVerticesOfAnUnweldedMeshAndSaysSo) {
     EXPECT_THAT(model.remarks, ElementsAre(HasSubstr("2 vertices in one place with another were joined")));
 }
 
+TEST(Rhino3dm, SplitsAQuadSoThatBothTrianglesFaceOneWayAndLeavesOutFacesOfTwoCorners) {
+    // A dart: from its reflex corner, vertex 2, only one diagonal lies inside.
+    const CadModel model = read(content(RIPSTOP_SOURCE_DIR "/fuzz/corpus/rhino_3dm/narrow_v8.3dm"));
+    ASSERT_EQ(model.surfaces.size(), 1u);
+    Triangles expected(2, 3);
+    expected << 0, 1, 2, 0, 2, 3;
+    EXPECT_EQ(model.surfaces[0].mesh.triangles, expected);
+    EXPECT_THAT(model.remarks, ElementsAre("kite: 1 face without three different corners left out"));
+}
+
 /// The place in a file of the only bytes equal to `value`.
 template <class T>
 std::size_t place_of(const std::string& bytes, const T& value) {
