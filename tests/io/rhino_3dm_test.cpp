@@ -301,6 +301,7 @@ void expect_as_rhino_says(const std::string& file) {
         const NamedMesh& found = model.surfaces[surface++];
         EXPECT_THAT(found.name, HasSubstr(object["name"])) << "or it has none";
         EXPECT_EQ(found.attributes.at("layer"), layer["path"]);
+        EXPECT_EQ(found.attributes.contains("group"), !object["groups"].empty());
         for (const auto& [key, value] : object["text"].items()) EXPECT_EQ(found.attributes.at(key), value);
         EXPECT_EQ(found.mesh.triangle_count(), object["triangles"]);
         // Joining coincident vertices is ours; every place a vertex is in must be there all the same.
