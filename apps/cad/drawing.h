@@ -15,6 +15,9 @@ namespace ripstop::cad {
 /// How far the area of a face rebuilt from NURBS may be from that of the mesh its CAD had stored.
 inline constexpr double area_agreement = 0.03;
 
+/// Relative; without it the kernel integrates a rational surface by a few points, and is 0.2 % off on a sphere.
+inline constexpr double area_precision = 1e-5;
+
 struct DrawnFace {
     std::string name = {};
     Attributes attributes = {};

@@ -54,7 +54,7 @@ gp_Pnt point(const Vec3& p) {
 FaceFigures figures_of(const TopoDS_Face& face, const Points3& positions, const Triangles& triangles) {
     FaceFigures figures;
     GProp_GProps properties;
-    BRepGProp::SurfaceProperties(face, properties);
+    BRepGProp::SurfaceProperties(face, properties, area_precision);
     figures.area = std::abs(properties.Mass());
     if (const std::optional<double> length = exact_boundary(face); length && *length > 0)
         figures.shortfall = 1 - mesh_boundary(positions, triangles) / *length;

@@ -164,7 +164,7 @@ void take_faces_of_one_mesh(std::vector<DrawnFace> faces, double millimetres, Dr
     for (const DrawnFace& face : faces) {
         if (face.shape.IsNull()) return;
         GProp_GProps properties;
-        BRepGProp::SurfaceProperties(face.shape, properties);
+        BRepGProp::SurfaceProperties(face.shape, properties, area_precision);
         area += std::abs(properties.Mass()) / (millimetres * millimetres);
     }
     const double stored = surface_area(object.faces.front().stored.mesh);

@@ -103,7 +103,7 @@ TEST(Cad, ABrepSaysNoUnitAndIsTakenAsAsked) {
 
 TEST(Cad, TheFacesOfRealFilesHaveTheAreaBoundaryAndBoxThatOpenCascadeSays) {
     for (const std::string name : {"base_interface_AP203", "base_interface_AP214", "featuretype"}) {
-        RIPSTOP_REQUIRE_SHARED(source, "step/" + name + ".STEP");
+        RIPSTOP_REQUIRE_SHARED(source, ("step/" + name + ".STEP"));
         SCOPED_TRACE(name);
         const testing::CadFigures figures = testing::step_figures(source.string());
         CadModel model = read(source.string(), {.chord_error = 1e-5, .edge_length = 2e-3});
