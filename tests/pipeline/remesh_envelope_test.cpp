@@ -163,8 +163,10 @@ TEST_F(Remeshing, OfACoarseOctantComesNearerToTheSphere) {
     // The chains are known to sixth order of their turn: 9 degrees to the sixth is 1.5e-5, over some thousand.
     EXPECT_NEAR(drawn_lengths(tile).sum(), 3 * edge, 3 * edge * 1e-6);
     EXPECT_LT(outline_difference(tile, fine), 0.1 * outline_difference(before, fine));
-    for (Eigen::Index v = 0; v < tile.mesh.positions.rows(); ++v)
-        EXPECT_NEAR(tile.mesh.positions.row(v).norm(), 1, 1e-4);
+    // The old triangles' middles lie 6e-3 within the sphere; a tenth of it near the corners, where normals are known least.
+    const Eigen::VectorXd off = tile.mesh.positions.rowwise().norm().array() - 1;
+    EXPECT_LT(off.cwiseAbs().maxCoeff(), 6e-4);
+    EXPECT_LT(off.cwiseAbs().mean(), 6e-5);
 }
 
 TEST_F(Remeshing, OfACoarseTorusComesNearerToTheFineOne) {
@@ -266,7 +268,7 @@ EnvelopeDesign small_design() {
 }
 
 TEST_F(Remeshing, GivesBothSidesOfEverySeamTheSameVerticesAndKeepsTheLengths) {
-    Envelope envelope = make_envelope(meshed_apart(small_design(), 3), {});
+    Envelope envelope = make_envelope(meshed_apart(small_design(), 3, 3), {});
     const Envelope before = envelope;
     remesh_envelope(envelope, at(0.6));
     ASSERT_EQ(envelope.seams.size(), before.seams.size());
@@ -325,7 +327,7 @@ TEST_F(Remeshing, LeavesADesignedEnvelopeBitByBit) {
 }
 
 TEST_F(Remeshing, IsTheSameOnAnyNumberOfThreads) {
-    const Envelope input = make_envelope(meshed_apart(small_design(), 3), {});
+    const Envelope input = make_envelope(meshed_apart(small_design(), 3, 3), {});
     Envelope one = input, four = input;
     RemeshOptions options = at(0.8);
     options.threads = 1;
@@ -352,8 +354,8 @@ TEST_F(Remeshing, LeavesWhatIsFlat) {
 }
 
 TEST_F(Remeshing, OfEqualTilesKeepsThemEqual) {
-    std::vector<NamedMesh> tiles = {
-        {"first", moved(octant(9))}, {"second", octant(9)}, {"mirror", mirrored(octant(9))}};
+    const TriangleMesh gore = lune(1, 6, 12);
+    std::vector<NamedMesh> tiles = {{"first", moved(gore)}, {"second", gore}, {"mirror", mirrored(gore)}};
     for (Eigen::Index v = 0; v < tiles[2].mesh.positions.rows(); ++v) tiles[2].mesh.positions(v, 0) -= 5;
     for (Eigen::Index v = 0; v < tiles[0].mesh.positions.rows(); ++v) tiles[0].mesh.positions(v, 0) += 20;
     Envelope envelope = make_envelope(tiles, {});
@@ -375,7 +377,7 @@ TEST_F(Remeshing, RefusesALengthThatMeansNothing) {
 TEST_F(Remeshing, AtALengthBeyondTheTileLeavesItSomeTriangles) {
     const Tile tile = remeshed(sphere_grid(half, 12, 12), at(50));
     EXPECT_GT(tile.mesh.triangle_count(), 8);
-    EXPECT_LT(tile.mesh.triangle_count(), 60);
+    EXPECT_LT(tile.mesh.triangle_count(), 100);
 }
 
 }  // namespace
