@@ -112,13 +112,20 @@ std::string binary(bool big) {
                         "property float z\r\nelement face 1\r\nproperty char tile\r\n"
                         "property list uint ushort vertex_index\r\nend_header\r\n";
     for (const std::uint16_t count : {std::uint16_t{0}, std::uint16_t{2}}) {
-        bytes += bytes_of<double>({0.5}, big) + bytes_of<std::uint16_t>({count}, big);
+        bytes += bytes_of<double>({0.5}, big);
+        bytes += bytes_of<std::uint16_t>({count}, big);
         for (int i = 0; i < count; ++i) bytes += bytes_of<float>({1}, big);
     }
-    for (const std::int16_t x : {std::int16_t{0}, std::int16_t{-300}, std::int16_t{300}})
-        bytes += "\n" + bytes_of<std::int16_t>({x}, big) + bytes_of<double>({x / 7.0}, big) +
-                 bytes_of<float>({x == 0 ? 0.5F : 0}, big);
-    return bytes + "\xFE" + bytes_of<std::uint32_t>({3}, big) + bytes_of<std::uint16_t>({0, 2, 1}, big);
+    for (const std::int16_t x : {std::int16_t{0}, std::int16_t{-300}, std::int16_t{300}}) {
+        bytes += '\n';  // red: any byte, such as the end of a line
+        bytes += bytes_of<std::int16_t>({x}, big);
+        bytes += bytes_of<double>({x / 7.0}, big);
+        bytes += bytes_of<float>({x == 0 ? 0.5F : 0}, big);
+    }
+    bytes += '\xFE';
+    bytes += bytes_of<std::uint32_t>({3}, big);
+    bytes += bytes_of<std::uint16_t>({0, 2, 1}, big);
+    return bytes;
 }
 
 TEST(PlyBinary, HoldsTheNumbersOfEitherOrderOfBytes) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -42,9 +43,8 @@ template <class Number>
 std::string bytes_of(std::initializer_list<Number> numbers, bool big = false) {
     std::string bytes;
     for (const Number number : numbers) {
-        std::string one;
-        append_little_endian<Number>(one, number);
-        bytes += big ? std::string(one.rbegin(), one.rend()) : one;
+        append_little_endian<Number>(bytes, number);
+        if (big) std::reverse(bytes.end() - static_cast<std::ptrdiff_t>(sizeof(Number)), bytes.end());
     }
     return bytes;
 }
