@@ -81,11 +81,12 @@ void add_remark(ConvertedModel& model, const EdgeSizes& sizes, const std::vector
         shortfall = std::max(shortfall, face.shortfall);
     }
     model.remarks.push_back("surfaces meshed with edges of at most " + format_fixed(sizes.longest * scale, 1) +
-                            " mm: at most " + format_fixed(chord_error * scale, 3) + " mm off the CAD's, edges at most " +
-                            percent_text(shortfall) + " short of its curves");
+                            " mm: at most " + format_fixed(chord_error * scale, 3) +
+                            " mm off the CAD's, edges at most " + percent_text(shortfall) + " short of its curves");
     if (plain)
         model.remarks.push_back(
-            "the surfaces were meshed by Open CASCADE, with poor triangles, because gmsh failed on one; repair the surfaces "
+            "the surfaces were meshed by Open CASCADE, with poor triangles, because gmsh failed on one; repair the "
+            "surfaces "
             "in the CAD");
 }
 
@@ -114,6 +115,7 @@ ConvertedModel convert(Drawing drawing, const MeshingOptions& asked) {
     if (tolerance > 0) faces = sewn(faces, tolerance);
     const EdgeSizes sizes = edge_sizes(faces, options);
     Meshes meshes = meshed(faces, sizes);
+    std::fill(figures.begin(), figures.end(), FaceFigures{});
     for (std::size_t i = 0; i < faces.size(); ++i) {
         if (meshes.faces[i].rows() == 0) continue;
         figures[i] = figures_of(drawn[i], meshes.positions, meshes.faces[i]);
@@ -144,8 +146,9 @@ ConvertedModel convert(Drawing drawing, const MeshingOptions& asked) {
     }
     if (meshed_faces > 0) add_remark(model, sizes, figures, meshes.plain, scale);
     if (turned_faces > 0)
-        model.remarks.push_back(std::string(turned_faces == 1 ? "1 face was" : std::to_string(turned_faces) + " faces were") +
-                                " turned over so that neighbours face the same way");
+        model.remarks.push_back(
+            std::string(turned_faces == 1 ? "1 face was" : std::to_string(turned_faces) + " faces were") +
+            " turned over so that neighbours face the same way");
     return model;
 }
 

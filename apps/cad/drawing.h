@@ -21,8 +21,8 @@ inline constexpr double area_precision = 1e-5;
 struct DrawnFace {
     std::string name = {};
     Attributes attributes = {};
-    TopoDS_Face shape;           ///< where the object stands, oriented as in the file; null: only `stored` is known
-    ConvertedFace stored = {};   ///< as the CAD had meshed it [file's unit]; without triangles: it had not
+    TopoDS_Face shape;          ///< where the object stands, oriented as in the file; null: only `stored` is known
+    ConvertedFace stored = {};  ///< as the CAD had meshed it [file's unit]; without triangles: it had not
 };
 
 struct DrawnObject {

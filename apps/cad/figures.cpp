@@ -1,6 +1,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_Surface.hxx>
@@ -8,7 +9,6 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -63,7 +63,8 @@ FaceFigures figures_of(const TopoDS_Face& face, const Points3& positions, const 
     double with = 0, against = 0;
     const Eigen::Index step = std::max<Eigen::Index>(1, triangles.rows() / samples);
     for (Eigen::Index t = 0; t < triangles.rows(); t += step) {
-        const Vec3 a = positions.row(triangles(t, 0)), b = positions.row(triangles(t, 1)), c = positions.row(triangles(t, 2));
+        const Vec3 a = positions.row(triangles(t, 0)), b = positions.row(triangles(t, 1)),
+                   c = positions.row(triangles(t, 2));
         const gp_Pnt2d uv = analysis.ValueOfUV(point((a + b + c) / 3), 1e-6);
         figures.chord_error = std::max(figures.chord_error, analysis.Gap());
         gp_Pnt on;

@@ -61,7 +61,8 @@ int failed(const char* message, ExitCode code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Meshes the surfaces of STEP, IGES and BREP files for ripstop, which calls it by itself.", "ripstop-cad");
+    CLI::App app("Meshes the surfaces of STEP, IGES and BREP files for ripstop, which calls it by itself.",
+                 "ripstop-cad");
     app.set_version_flag("--version", std::string("ripstop-cad ") + ripstop::version);
     Arguments given;
     app.add_option("INPUT", given.input, "A .step, .stp, .iges, .igs, .brep, .brp or .converted file")->required();

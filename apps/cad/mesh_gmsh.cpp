@@ -45,9 +45,10 @@ Samples samples_of(int dimension, int tag, const EdgeSizes& sizes) {
     gmsh::model::getCurvature(dimension, tag, parameters, curvatures);
     Samples samples;
     for (std::size_t i = 0; i < curvatures.size(); ++i)
-        samples.push_back({Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]), sizes.at(std::abs(curvatures[i]))});
-    const auto [least, most] = std::minmax_element(
-        samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.size < b.size; });
+        samples.push_back(
+            {Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]), sizes.at(std::abs(curvatures[i]))});
+    const auto [least, most] = std::minmax_element(samples.begin(), samples.end(),
+                                                   [](const Sample& a, const Sample& b) { return a.size < b.size; });
     if (dimension == 2 && !samples.empty() && most->size - least->size < 1e-9 * most->size) samples.resize(1);
     return samples;
 }
@@ -165,8 +166,9 @@ std::optional<Meshes> meshed_by_gmsh(const std::vector<TopoDS_Face>& faces, cons
         const std::vector<int> tags = imported(faces);
         const SizeField field(sizes);
         require_bearable(field, tags);
-        gmsh::model::mesh::setSizeCallback(
-            [&field](int dimension, int tag, double x, double y, double z) { return field.at(dimension, tag, {x, y, z}); });
+        gmsh::model::mesh::setSizeCallback([&field](int dimension, int tag, double x, double y, double z) {
+            return field.at(dimension, tag, {x, y, z});
+        });
         gmsh::model::mesh::generate(2);
         Meshes meshes = taken(tags);
         for (std::size_t i = 0; i < faces.size(); ++i)

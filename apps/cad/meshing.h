@@ -16,10 +16,10 @@ std::vector<TopoDS_Face> sewn(const std::vector<TopoDS_Face>& faces, double tole
 
 /// How long the edges of a mesh are to be [mm].
 struct EdgeSizes {
-    double longest = 0;         ///< everywhere
-    double turn = 0;            ///< between the ends of an edge [rad]; infinite: no matter
-    double chord_error = 0;     ///< infinite: no matter
-    double shortest = 0;        ///< however much the surface is bent
+    double longest = 0;                 ///< everywhere
+    double turn = 0;                    ///< between the ends of an edge [rad]; infinite: no matter
+    double chord_error = 0;             ///< infinite: no matter
+    double shortest = 0;                ///< however much the surface is bent
     double at(double curvature) const;  ///< [1/mm]
 };
 

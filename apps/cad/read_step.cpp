@@ -75,7 +75,8 @@ class Walk {
         TDF_Label product;
         if (shapes_->GetReferredShape(label, product)) {
             const std::string own = name_of(product);
-            visit(product, place * shapes_->GetLocation(label), own.empty() ? name_of(label) : own, attributes, depth + 1);
+            visit(product, place * shapes_->GetLocation(label), own.empty() ? name_of(label) : own, attributes,
+                  depth + 1);
             return;
         }
         if (shapes_->IsAssembly(label)) {
@@ -119,7 +120,8 @@ class Walk {
 
     void add(Attributes& attributes, const TDF_Label& label, const TopoDS_Shape& shape) {
         Handle(TColStd_HSequenceOfExtendedString) names = new TColStd_HSequenceOfExtendedString;
-        if (((!label.IsNull() && layers_->GetLayers(label, names)) || layers_->GetLayers(shape, names)) && !names->IsEmpty())
+        if (((!label.IsNull() && layers_->GetLayers(label, names)) || layers_->GetLayers(shape, names)) &&
+            !names->IsEmpty())
             attributes["layer"] = utf8(names->First());
         Quantity_Color colour;
         if (colours_->GetColor(shape, XCAFDoc_ColorSurf, colour) || colours_->GetColor(shape, XCAFDoc_ColorGen, colour))
@@ -140,7 +142,8 @@ Handle(TDocStd_Document) new_document() {
 
 /// The unit of a file by its name in STEP. Names beyond these leave the numbers in the kernel's millimetres.
 LengthUnit unit_called(std::string name, Drawing& drawing) {
-    std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
     if (name == "INCH" || name == "IN") return {"in", 0.0254};
     if (name == "FOOT" || name == "FT" || name == "FEET") return {"ft", 0.3048};
     if (name == "METRE" || name == "METER" || name == "M") return {"m", 1};
@@ -184,10 +187,11 @@ void add_failures(const Handle(XSControl_WorkSession) & session, Drawing& drawin
         const std::string place = model->StringLabel(entity)->ToCString();
         std::string name = !face.IsNull() && !face->Name().IsNull() ? face->Name()->ToCString() : "";
         if (!iges.IsNull() && iges->HasShortLabel()) name = iges->NameValue()->ToCString();
-        drawing.rest.unread.push_back({name.empty() ? place : name, face.IsNull() ? "IGES surface" : "STEP face",
-                                       "its surface or its edges (" + place +
-                                           " of the file) are faulty; repair it in the CAD and export again",
-                                       {}});
+        drawing.rest.unread.push_back(
+            {name.empty() ? place : name,
+             face.IsNull() ? "IGES surface" : "STEP face",
+             "its surface or its edges (" + place + " of the file) are faulty; repair it in the CAD and export again",
+             {}});
     }
 }
 

@@ -83,8 +83,9 @@ CLI::Validator known_unit() {
 }
 
 void add_meshing_options(CLI::App& command, std::string& chord, std::string& edge, std::string& tiles_are) {
-    command.add_option("--chord", chord,
-                       "CAD surfaces: how far they may lie off their triangles, as 0.3mm (else lengths are kept to 0.01 %)");
+    command.add_option(
+        "--chord", chord,
+        "CAD surfaces: how far they may lie off their triangles, as 0.3mm (else lengths are kept to 0.01 %)");
     command.add_option("--edge", edge, "CAD surfaces: how long the edges of triangles are at most, as 100mm");
     command.add_option("--tiles", tiles_are, "CAD surfaces: each of its faces a tile, or each object")
         ->capture_default_str()
@@ -100,7 +101,9 @@ MeshingOptions meshing_of(const std::string& chord, const std::string& edge, con
 }
 
 void add_input_options(CLI::App& command, InputArguments& given) {
-    command.add_option("INPUT", given.file, "The envelope: Wavefront OBJ, one object or group a tile; or STEP, IGES, BREP")->required();
+    command
+        .add_option("INPUT", given.file, "The envelope: Wavefront OBJ, one object or group a tile; or STEP, IGES, BREP")
+        ->required();
     command
         .add_option("--unit", given.unit,
                     "Unit of the file: mm, cm, m, in, ft (else the project's, else the file's own, else metres)")

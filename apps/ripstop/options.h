@@ -22,7 +22,7 @@ struct InputArguments {
     bool keep_area = false;
     double grain = 0;            ///< [degrees]
     std::string seam_tolerance;  ///< a length with its unit; empty: the project's, else half a millimetre
-    std::string chord, edge;     ///< lengths with their units, of the meshes made of a CAD's surfaces; empty: by accuracy
+    std::string chord, edge;  ///< lengths with their units, of the meshes made of a CAD's surfaces; empty: by accuracy
     std::string tiles_are = "faces";
     std::vector<std::string> tiles;
     std::vector<std::string> layers;

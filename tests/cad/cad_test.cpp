@@ -174,7 +174,7 @@ TEST(Cad, NeighboursThatFaceOppositeWaysAreMadeToAgreeAndItIsSaid) {
 TEST(Cad, TheFacesOfAnObjectAreOneTileWhereAsked) {
     const Workshop workshop;
     testing::write_cube(workshop.path("cube.step"), "MM");
-    EXPECT_THAT(workshop.ripstop("inspect cube.step --tiles objects").out, HasSubstr("1 surface"));
+    EXPECT_THAT(workshop.ripstop("inspect cube.step --tiles objects").out, HasSubstr("surfaces       1\n"));
     const auto closed = workshop.ripstop("check cube.step --tiles objects");
     EXPECT_EQ(closed.code, 3);
     EXPECT_THAT(closed.err, HasSubstr("cube"));
@@ -218,7 +218,8 @@ TEST(Cad, EveryTruncationGivesASentenceOrWhatIsThere) {
         const std::string whole = testing::content(scratch.path("whole" + extension));
         for (int i = 0; i < 6; ++i) {
             SCOPED_TRACE(extension + " cut at sixth " + std::to_string(i));
-            testing::write_text(scratch.path("cut" + extension), whole.substr(0, whole.size() * static_cast<std::size_t>(i) / 6));
+            testing::write_text(scratch.path("cut" + extension),
+                                whole.substr(0, whole.size() * static_cast<std::size_t>(i) / 6));
             const std::string fault = fault_of(scratch.path("cut" + extension));
             if (!fault.empty()) {
                 EXPECT_THAT(fault, AllOf(HasSubstr("cut" + extension), HasSubstr(";")));

@@ -39,7 +39,8 @@ std::vector<std::string> names(const CadModel& model) {
 
 TEST(Converted, ReadsBackTheSameBitsAndWords) {
     ConvertedModel model;
-    model.objects = {{"G 01", "Shell", {{"layer", "skin"}}, {face("a"), face("b", 1 / 3.0)}}, {"empty", "Brep", {}, {}}};
+    model.objects = {{"G 01", "Shell", {{"layer", "skin"}}, {face("a"), face("b", 1 / 3.0)}},
+                     {"empty", "Brep", {}, {}}};
     model.objects[0].faces[0].area = 0.1;
     model.curves = {{"GRAIN", (Points3(2, 3) << 0, 0, 0, 0, 0, 1).finished(), {{"layer", "WARP"}}}};
     model.unread = {{"p", "Point", "points are no surface", {}}};
@@ -58,7 +59,8 @@ TEST(Converted, RefusesEveryTruncation) {
     ConvertedModel model;
     model.objects = {{"G01", "Shell", {}, {face()}}};
     const std::string whole = written(model);
-    for (std::size_t size = 0; size < whole.size(); size += 7) EXPECT_THROW(read(whole.substr(0, size)), InputError) << size;
+    for (std::size_t size = 0; size < whole.size(); size += 7)
+        EXPECT_THROW(read(whole.substr(0, size)), InputError) << size;
     EXPECT_THROW(read(whole + "x"), InputError);
 }
 
@@ -87,7 +89,8 @@ TEST(Converted, SaysWhichMeshMissesItsArea) {
     ConvertedModel model;
     model.objects = {{"G01", "Shell", {}, {face()}}};
     model.objects[0].faces[0].area = 1.05;
-    EXPECT_THAT(as_surfaces(model, TilesAs::faces, "").remarks, ElementsAre(HasSubstr("G01: its mesh has -4.8 % more area")));
+    EXPECT_THAT(as_surfaces(model, TilesAs::faces, "").remarks,
+                ElementsAre(HasSubstr("G01: its mesh has -4.8 % more area")));
 }
 
 }  // namespace

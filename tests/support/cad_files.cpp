@@ -18,9 +18,9 @@
 #include <Bnd_Box.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <GProp_GProps.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_CylindricalSurface.hxx>
-#include <GeomAPI_PointsToBSpline.hxx>
 #include <IGESCAFControl_Writer.hxx>
 #include <IGESControl_Controller.hxx>
 #include <Interface_Static.hxx>
@@ -101,7 +101,8 @@ class Document {
 };
 
 TopoDS_Face plate(double x, double y, double width, double height) {
-    BRepBuilderAPI_MakePolygon outline({x, y, 0}, {x + width, y, 0}, {x + width, y + height, 0}, {x, y + height, 0}, true);
+    BRepBuilderAPI_MakePolygon outline({x, y, 0}, {x + width, y, 0}, {x + width, y + height, 0}, {x, y + height, 0},
+                                       true);
     return BRepBuilderAPI_MakeFace(outline.Wire());
 }
 
@@ -120,8 +121,7 @@ CadFigures step_figures(const std::string& file) {
         CadFace face{properties.Mass() * 1e-6, 0};
         for (TopExp_Explorer edges(faces.Current(), TopAbs_EDGE); edges.More(); edges.Next())
             if (!BRep_Tool::Degenerated(TopoDS::Edge(edges.Current())))
-                face.boundary +=
-                    GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(TopoDS::Edge(edges.Current()))) * 1e-3;
+                face.boundary += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(TopoDS::Edge(edges.Current()))) * 1e-3;
         result.faces.push_back(face);
     }
     Bnd_Box box;
@@ -156,7 +156,8 @@ void write_gores(const std::string& file, int count) {
         const TopoDS_Shape edge =
             BRepBuilderAPI_Transform(BRepBuilderAPI_MakeEdge(meridian).Edge(), turn, true).Shape();
         const TopoDS_Shape gore =
-            BRepPrimAPI_MakeRevol(edge, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, -1)), 2 * std::numbers::pi / count).Shape();
+            BRepPrimAPI_MakeRevol(edge, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, -1)), 2 * std::numbers::pi / count)
+                .Shape();
         document.add(gore, (i < 9 ? "G0" : "G") + std::to_string(i + 1), "skin");
     }
     document.write(file, "MM");

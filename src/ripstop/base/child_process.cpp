@@ -34,7 +34,8 @@ bool read_some(int descriptor, std::string& text) {
 /// Reads until the child has ended, which may be before the last holder of its standard error has: a program it left behind
 /// must not keep us.
 ChildEnd await(pid_t child, int errors, double timeout) {
-    const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout));
+    const auto deadline =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout));
     ChildEnd end;
     bool open = true;
     for (int status = 0;;) {

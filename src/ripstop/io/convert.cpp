@@ -68,7 +68,8 @@ fs::path find_mesher() {
 }
 
 fs::path find_rhino_script() {
-    return first_file({fs::path(RIPSTOP_RHINO_SOURCE) / "convert.mjs", fs::path(RIPSTOP_RHINO_INSTALL) / "convert.mjs"});
+    return first_file(
+        {fs::path(RIPSTOP_RHINO_SOURCE) / "convert.mjs", fs::path(RIPSTOP_RHINO_INSTALL) / "convert.mjs"});
 }
 
 /// What the child says is wrong: its last line, without its own name before it.
@@ -80,7 +81,8 @@ std::string reason_in(const std::string& complaints, const std::string& program)
 }
 
 /// `name`: what to call the program in a message. Throws InputError unless it ended well.
-void require_run(const std::vector<std::string>& arguments, const std::string& name, const fs::path& file, double timeout) {
+void require_run(const std::vector<std::string>& arguments, const std::string& name, const fs::path& file,
+                 double timeout) {
     const ChildEnd end = run_child(arguments, timeout);
     const std::string begin = file.string() + ": ";
     switch (end.how) {
@@ -92,12 +94,12 @@ void require_run(const std::vector<std::string>& arguments, const std::string& n
         case ChildEnd::How::killed:
             throw InputError(begin + name + " broke down on it (signal " + std::to_string(end.code) +
                              "); repair the surfaces in the CAD, or export them as meshes");
-        case ChildEnd::How::exited: break;
+        case ChildEnd::How::exited:
+            break;
     }
     if (end.code == 0) return;
     const std::string reason = reason_in(end.complaints, name + ": ");
-    if (end.code == 3 && !reason.empty())
-        throw InputError(reason.rfind(begin, 0) == 0 ? reason : begin + reason);
+    if (end.code == 3 && !reason.empty()) throw InputError(reason.rfind(begin, 0) == 0 ? reason : begin + reason);
     throw InputError(begin + name + " failed on it" + (reason.empty() ? "" : " (" + reason + ")") +
                      "; repair the surfaces in the CAD, or export them as meshes");
 }
@@ -148,7 +150,8 @@ CadModel convert_cad(const fs::path& file, const MeshingOptions& options) {
     require_file(file);
     const fs::path mesher = find_mesher();
     if (mesher.empty())
-        throw InputError(file.string() + ": the program ripstop-cad, which meshes CAD files, is not installed; " + say_where);
+        throw InputError(file.string() + ": the program ripstop-cad, which meshes CAD files, is not installed; " +
+                         say_where);
     const Workplace workplace;
     const fs::path output = workplace.file("meshes.converted");
     run_mesher(mesher, file, output, options, file);
@@ -160,11 +163,13 @@ ConvertedModel convert_rhino(const fs::path& file, const MeshingOptions& options
     require_file(file);
     const fs::path script = find_rhino_script();
     if (script.empty())
-        throw InputError(file.string() + ": the converter of Rhino's surfaces is not installed; run make setup, or mesh the "
-                                         "surfaces in Rhino (Mesh) and save again");
+        throw InputError(file.string() +
+                         ": the converter of Rhino's surfaces is not installed; run make setup, or mesh the "
+                         "surfaces in Rhino (Mesh) and save again");
     const Workplace workplace;
     const fs::path nurbs = workplace.file("nurbs.converted"), meshes = workplace.file("meshes.converted");
-    require_run({"node", script.string(), fs::absolute(file).string(), nurbs.string()}, "rhino3dm", file, options.timeout);
+    require_run({"node", script.string(), fs::absolute(file).string(), nurbs.string()}, "rhino3dm", file,
+                options.timeout);
     const fs::path mesher = find_mesher();
     if (!mesher.empty()) {
         run_mesher(mesher, nurbs, meshes, options, file);
@@ -177,11 +182,12 @@ ConvertedModel convert_rhino(const fs::path& file, const MeshingOptions& options
         std::erase_if(object.faces, [](const ConvertedFace& face) { return face.mesh.triangle_count() == 0; });
         for (const ConvertedFace& face : object.faces) chord_error = std::max(chord_error, face.chord_error);
         if (object.faces.size() < all)
-            model.unread.push_back({object.name, object.type,
-                                    std::to_string(all - object.faces.size()) + " of its " + std::to_string(all) +
-                                        " faces have no mesh stored with them; save in a shaded view or mesh them in Rhino "
-                                        "(Mesh), or install ripstop-cad",
-                                    object.attributes});
+            model.unread.push_back(
+                {object.name, object.type,
+                 std::to_string(all - object.faces.size()) + " of its " + std::to_string(all) +
+                     " faces have no mesh stored with them; save in a shaded view or mesh them in Rhino "
+                     "(Mesh), or install ripstop-cad",
+                 object.attributes});
     }
     if (!model.objects.empty())
         model.remarks.push_back("the surfaces are as Rhino had meshed them for the screen, some " +

@@ -16,8 +16,8 @@ inline constexpr double turn_of_accuracy = 0.04898979485566356;
 /// How the surfaces of a CAD become meshes and tiles. Where neither `chord_error` nor `edge_length` is given, edges turn by
 /// `turn_of_accuracy` at most and a tile is about twelve edges across.
 struct MeshingOptions {
-    std::optional<double> chord_error = {};      ///< how far a surface may lie off its triangles [m], instead of the turn
-    std::optional<double> edge_length = {};      ///< how long edges are at most [m]
+    std::optional<double> chord_error = {};  ///< how far a surface may lie off its triangles [m], instead of the turn
+    std::optional<double> edge_length = {};  ///< how long edges are at most [m]
     double sewing_tolerance = 0.5 * millimetre;  ///< faces are sewn where their edges lie within it [m]
     std::optional<double> metres_per_unit = {};  ///< of the file, whatever it says
     TilesAs tiles = TilesAs::faces;

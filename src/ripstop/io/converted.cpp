@@ -24,17 +24,13 @@ static_assert(std::endian::native == std::endian::little, "the arrays are writte
 constexpr double largest_coordinate = 1e12;
 
 json counts_of(const ConvertedFace& face) {
-    return {{"name", face.name},
-            {"vertices", face.mesh.vertex_count()},
-            {"triangles", face.mesh.triangle_count()},
-            {"area", face.area},
-            {"chord_error", face.chord_error},
-            {"attributes", face.attributes}};
+    return {{"name", face.name}, {"vertices", face.mesh.vertex_count()}, {"triangles", face.mesh.triangle_count()},
+            {"area", face.area}, {"chord_error", face.chord_error},      {"attributes", face.attributes}};
 }
 
 json header_of(const ConvertedModel& model) {
-    json header = {{"ripstop_converted", 1},     {"layers", model.layers},   {"remarks", model.remarks},
-                   {"objects", json::array()},   {"curves", json::array()}, {"unread", json::array()}};
+    json header = {{"ripstop_converted", 1},   {"layers", model.layers},  {"remarks", model.remarks},
+                   {"objects", json::array()}, {"curves", json::array()}, {"unread", json::array()}};
     if (model.unit) header["unit"] = {{"name", model.unit->name}, {"metres", model.unit->metres}};
     for (const ConvertedObject& object : model.objects) {
         json faces = json::array();
@@ -82,7 +78,8 @@ class Arrays {
 void require_sound(const TriangleMesh& mesh, const std::string& name) {
     if (!(mesh.positions.array().abs() < largest_coordinate).all())
         throw InputError(name + ": a coordinate is no finite number below 1e12");
-    if (mesh.triangle_count() > 0 && (mesh.triangles.minCoeff() < 0 || mesh.triangles.maxCoeff() >= mesh.vertex_count()))
+    if (mesh.triangle_count() > 0 &&
+        (mesh.triangles.minCoeff() < 0 || mesh.triangles.maxCoeff() >= mesh.vertex_count()))
         throw InputError(name + ": a triangle names a vertex that is not there");
 }
 
@@ -104,7 +101,8 @@ NamedCurve curve_of(const json& entry, const std::string& name) {
     NamedCurve curve{entry.value("name", ""), Points3(static_cast<Eigen::Index>(points.size()), 3),
                      entry.value("attributes", Attributes{})};
     for (std::size_t i = 0; i < points.size(); ++i)
-        for (int k = 0; k < 3; ++k) curve.points(static_cast<Eigen::Index>(i), k) = points[i][static_cast<std::size_t>(k)];
+        for (int k = 0; k < 3; ++k)
+            curve.points(static_cast<Eigen::Index>(i), k) = points[i][static_cast<std::size_t>(k)];
     if (!(curve.points.array().abs() < largest_coordinate).all())
         throw InputError(name + ": a curve has a coordinate that is no finite number below 1e12");
     return curve;
@@ -120,7 +118,8 @@ ConvertedModel model_of(const json& header, Arrays arrays, const std::string& na
         if (!(model.unit->metres > 0)) throw InputError(name + ": its unit has no length");
     }
     for (const json& entry : header.at("objects")) {
-        ConvertedObject object{entry.value("name", ""), entry.value("type", ""), entry.value("attributes", Attributes{}), {}};
+        ConvertedObject object{
+            entry.value("name", ""), entry.value("type", ""), entry.value("attributes", Attributes{}), {}};
         for (const json& face : entry.at("faces")) object.faces.push_back(face_of(face, arrays, name));
         model.objects.push_back(std::move(object));
     }

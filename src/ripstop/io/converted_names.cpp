@@ -87,8 +87,9 @@ CadModel as_surfaces(ConvertedModel model, TilesAs tiles, const std::string& ste
             name = unlike(name, taken);
             const double area = surface_area(face.mesh);
             if (face.area > 0 && std::abs(area / face.area - 1) > area_tolerance)
-                result.remarks.push_back(name + ": its mesh has " + format_fixed((area / face.area - 1) * 100, 1) +
-                                         " % more area than the surface of the CAD; mesh it finer with --chord or --edge");
+                result.remarks.push_back(
+                    name + ": its mesh has " + format_fixed((area / face.area - 1) * 100, 1) +
+                    " % more area than the surface of the CAD; mesh it finer with --chord or --edge");
             Attributes attributes = std::move(face.attributes);
             attributes.insert(object.attributes.begin(), object.attributes.end());
             result.surfaces.push_back({std::move(name), std::move(face.mesh), {}, {}, std::move(attributes)});

@@ -21,10 +21,9 @@ void take_names(ConvertedModel& model, const std::vector<UnreadObject>& unread) 
     std::vector<const UnreadObject*> known;
     for (const UnreadObject& object : unread)
         if (is_surface(object.type)) known.push_back(&object);
-    const bool paired =
-        known.size() == model.objects.size() &&
-        std::equal(known.begin(), known.end(), model.objects.begin(),
-                   [](const UnreadObject* a, const ConvertedObject& b) { return a->type == b.type; });
+    const bool paired = known.size() == model.objects.size() &&
+                        std::equal(known.begin(), known.end(), model.objects.begin(),
+                                   [](const UnreadObject* a, const ConvertedObject& b) { return a->type == b.type; });
     for (std::size_t i = 0; paired && i < known.size(); ++i) {
         const bool nameless = known[i]->name.rfind(no_name, 0) == 0;
         model.objects[i].name = nameless ? "" : known[i]->name;
