@@ -221,6 +221,16 @@ TEST(Rhino3dm, JoinsTheVerticesOfAnUnweldedMeshAndSaysSo) {
     EXPECT_THAT(model.remarks, ElementsAre(HasSubstr("2 vertices in one place with another were joined")));
 }
 
+TEST(Rhino3dm, SplitsAQuadSoThatBothTrianglesFaceOneWayAndLeavesOutFacesOfTwoCorners) {
+    // A dart: from its reflex corner, vertex 2, only one diagonal lies inside.
+    const CadModel model = read(content(RIPSTOP_SOURCE_DIR "/fuzz/corpus/rhino_3dm/narrow_v8.3dm"));
+    ASSERT_EQ(model.surfaces.size(), 1u);
+    Triangles expected(2, 3);
+    expected << 0, 1, 2, 0, 2, 3;
+    EXPECT_EQ(model.surfaces[0].mesh.triangles, expected);
+    EXPECT_THAT(model.remarks, ElementsAre("kite: 1 face without three different corners left out"));
+}
+
 /// The place in a file of the only bytes equal to `value`.
 template <class T>
 std::size_t place_of(const std::string& bytes, const T& value) {
@@ -291,6 +301,7 @@ void expect_as_rhino_says(const std::string& file) {
         const NamedMesh& found = model.surfaces[surface++];
         EXPECT_THAT(found.name, HasSubstr(object["name"])) << "or it has none";
         EXPECT_EQ(found.attributes.at("layer"), layer["path"]);
+        EXPECT_EQ(found.attributes.contains("group"), !object["groups"].empty());
         for (const auto& [key, value] : object["text"].items()) EXPECT_EQ(found.attributes.at(key), value);
         EXPECT_EQ(found.mesh.triangle_count(), object["triangles"]);
         // Joining coincident vertices is ours; every place a vertex is in must be there all the same.

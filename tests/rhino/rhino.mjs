@@ -19,8 +19,6 @@ const curves = {
     line: (o) => new rhino.LineCurve(o.points[0], o.points[1]),
     polyline: (o) => new rhino.PolylineCurve(o.points),
     arc: (o) => rhino.ArcCurve.createFromArc(rhino.Arc.createFromPoints(o.points[0], o.points[1], o.points[2])),
-    circle: (o) => rhino.ArcCurve.createFromCircle(rhino.Circle.createFromPoints
-        ? rhino.Circle.createFromPoints(...o.points) : new rhino.Circle(o.centre, o.radius)),
     nurbs: (o) => rhino.NurbsCurve.create(false, o.degree, o.points),
     rational: (o) => rhino.NurbsCurve.createFromArc(
         rhino.Arc.createFromPoints(o.points[0], o.points[1], o.points[2])),
@@ -99,23 +97,16 @@ const nameOf = (table, value) => Object.entries(table).find(([, v]) => v === val
 function described(object) {
     const { constructor: { name: type } } = object.geometry();
     const attributes = object.attributes(), geometry = object.geometry();
-    const says = { type, name: attributes.name, id: attributes.id, layer: attributes.layerIndex,
+    const says = { type, name: attributes.name, layer: attributes.layerIndex,
                    mode: attributes.mode.value, visible: attributes.visible, groups: [], text: {} };
-    for (let i = 0; i < attributes.groupCount; ++i) says.groups.push(attributes.getGroupList()[i]);
+    if (attributes.groupCount > 0) says.groups = [...attributes.getGroupList()];
     for (const of of [geometry, attributes])
         if (of.userStringCount > 0) for (const [key, value] of of.getUserStrings()) says.text[key] = value;
     const box = geometry.getBoundingBox();
     if (box) says.box = [box.min, box.max];
     if (type === 'Mesh') {
-        says.valid = geometry.isValid;
         says.vertices = geometry.vertices().count;
         says.triangles = geometry.faces().count + geometry.faces().quadCount;
-        says.points = geometry.vertices().toPoint3dArray?.();
-        if (says.vertices > 200) delete says.points;
-    }
-    if (type === 'InstanceReference') {
-        says.definition = geometry.parentIdefId;
-        says.xform = geometry.xform.toFloatArray(true);
     }
     if (geometry instanceof rhino.Curve) {
         says.start = geometry.pointAtStart;
@@ -127,16 +118,12 @@ function described(object) {
 function describe(path) {
     const file = rhino.File3dm.fromByteArray(new Uint8Array(fs.readFileSync(path)));
     const says = { version: file.archiveVersion, unit: nameOf(rhino.UnitSystem, file.settings().modelUnitSystem),
-                   layers: [], groups: [], definitions: [], objects: [] };
+                   layers: [], groups: [], objects: [] };
     for (let i = 0; i < file.layers().count; ++i) {
         const layer = file.layers().get(i);
         says.layers.push({ path: layer.fullPath, visible: layer.visible });
     }
     for (let i = 0; i < file.groups().count; ++i) says.groups.push(file.groups().get(i).name);
-    for (let i = 0; i < file.instanceDefinitions().count; ++i) {
-        const definition = file.instanceDefinitions().get(i);
-        says.definitions.push({ name: definition.name, id: definition.id, objects: definition.getObjectIds() });
-    }
     for (let i = 0; i < file.objects().count; ++i) says.objects.push(described(file.objects().get(i)));
     process.stdout.write(JSON.stringify(says, null, 1) + '\n');
 }

@@ -25,7 +25,7 @@ constexpr std::size_t deflate_ratio = 1100;  // deflate cannot do better than 10
 
 std::string all_bytes(std::istream& in, const std::string& name) {
     std::string bytes;
-    std::string part(1 << 20, '\0');
+    std::string part(1 << 16, '\0');
     while (in.read(part.data(), static_cast<std::streamsize>(part.size())) || in.gcount() > 0) {
         bytes.append(part, 0, static_cast<std::size_t>(in.gcount()));
         if (bytes.size() > most_bytes)
