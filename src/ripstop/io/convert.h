@@ -21,7 +21,8 @@ struct MeshingOptions {
     double sewing_tolerance = 0.5 * millimetre;  ///< faces are sewn where their edges lie within it [m]
     std::optional<double> metres_per_unit = {};  ///< of the file, whatever it says
     TilesAs tiles = TilesAs::faces;
-    double timeout = 1800;  ///< [s]
+    double timeout = 1800;              ///< [s]
+    std::filesystem::path mesher = {};  ///< the `ripstop-cad` to run; empty: beside this program, else installed
 };
 
 /// Throws InputError for lengths that are not positive.
@@ -35,8 +36,7 @@ struct CadFormat {
 std::span<const CadFormat> cad_formats();
 
 /// The surfaces of a STEP, IGES or BREP file, in the file's own numbers, by the program `ripstop-cad` in a process of its own.
-/// It is the one RIPSTOP_CAD names, else the one beside this program, else the installed one. Throws InputError in one sentence
-/// where it is absent, refuses the file, crashes, does not end in time, or answers with something else.
+/// Throws InputError in one sentence where it is absent, refuses the file, crashes, does not end in time, or answers with something else.
 CadModel convert_cad(const std::filesystem::path& file, const MeshingOptions& options);
 
 /// Everything in a Rhino file of any version that openNURBS gives surfaces of, in the file's own numbers: by Node.js with
