@@ -45,8 +45,8 @@ void add_curve(const std::vector<Vec3>& points, const std::string& name, const A
     drawing.rest.curves.push_back(std::move(curve));
 }
 
-/// Whether the last line is the reference to the whole shape, `+1 0`. The kernel reads on for ever behind the end of a file that
-/// was cut short.
+/// Whether the last line is the reference to the whole shape, `+1 0`. The kernel reads on for ever behind the end of
+/// a file that was cut short.
 bool is_whole_brep(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string line, last;
