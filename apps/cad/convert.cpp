@@ -115,6 +115,7 @@ ConvertedModel convert(Drawing drawing, const MeshingOptions& asked) {
     if (tolerance > 0) faces = sewn(faces, tolerance);
     const EdgeSizes sizes = edge_sizes(faces, options);
     Meshes meshes = meshed(faces, sizes);
+    std::fill(figures.begin(), figures.end(), FaceFigures{});
     for (std::size_t i = 0; i < faces.size(); ++i) {
         if (meshes.faces[i].rows() == 0) continue;
         figures[i] = figures_of(drawn[i], meshes.positions, meshes.faces[i]);

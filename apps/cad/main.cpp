@@ -1,5 +1,5 @@
-/// ripstop-cad: turns the surfaces of a CAD file into meshes for ripstop, in a process of its own: it holds what is under the
-/// GPL (gmsh), and what may crash on a faulty file.
+/// ripstop-cad: turns the surfaces of a CAD file into meshes for ripstop, in a process of its own: it holds what is
+/// under the GPL (gmsh), and what may crash on a faulty file.
 #include <fcntl.h>
 #include <unistd.h>
 

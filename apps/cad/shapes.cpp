@@ -11,6 +11,10 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 
+#include <Standard_Failure.hxx>
+#include <fstream>
+#include <regex>
+
 #include "drawing.h"
 #include "ripstop/base/error.h"
 
@@ -39,6 +43,16 @@ void add_curve(const std::vector<Vec3>& points, const std::string& name, const A
     for (std::size_t i = 0; i < points.size(); ++i)
         curve.points.row(static_cast<Eigen::Index>(i)) = points[i] / drawing.millimetres;
     drawing.rest.curves.push_back(std::move(curve));
+}
+
+/// Whether the last line is the reference to the whole shape, `+1 0`. The kernel reads on for ever behind the end of
+/// a file that was cut short.
+bool is_whole_brep(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string line, last;
+    while (std::getline(in, line))
+        if (line.find_first_not_of(" \r\t") != std::string::npos) last = line;
+    return std::regex_match(last, std::regex("[-+ie][0-9]+ [0-9]+[ \r\t]*"));
 }
 
 }  // namespace
@@ -79,7 +93,11 @@ std::vector<Part> parts_of(const TopoDS_Shape& shape) {
 
 Drawing read_brep(const std::filesystem::path& file) {
     TopoDS_Shape shape;
-    if (!BRepTools::Read(shape, file.c_str(), BRep_Builder()) || shape.IsNull())
+    try {
+        if (is_whole_brep(file)) BRepTools::Read(shape, file.c_str(), BRep_Builder());
+    } catch (const Standard_Failure&) {  // said below
+    }
+    if (shape.IsNull())
         throw InputError(file.string() + ": not a whole BREP file of Open CASCADE; write it again, or export STEP");
     Drawing drawing;
     for (const Part& part : parts_of(shape)) {
@@ -92,7 +110,8 @@ Drawing read_brep(const std::filesystem::path& file) {
 }
 
 Drawing read_drawing(const std::filesystem::path& file) {
-    const std::string extension = file.extension().string();
+    std::string extension = file.extension().string();
+    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     if (extension == ".step" || extension == ".stp") return read_step(file);
     if (extension == ".iges" || extension == ".igs") return read_iges(file);
     if (extension == ".brep" || extension == ".brp") return read_brep(file);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cstdlib>
 #include <fstream>
 
 #include "ripstop/base/error.h"
@@ -102,6 +103,7 @@ MeshingOptions meshing_of(const std::string& chord, const std::string& edge, con
     MeshingOptions options;
     if (!chord.empty()) options.chord_error = parse_length(chord, "--chord");
     if (!edge.empty()) options.edge_length = parse_length(edge, "--edge");
+    if (const char* mesher = std::getenv("RIPSTOP_CAD")) options.mesher = mesher;
     options.tiles = tiles_are == "objects" ? TilesAs::objects : TilesAs::faces;
     return options;
 }

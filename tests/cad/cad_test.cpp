@@ -4,7 +4,6 @@
 #ifdef RIPSTOP_CAD_PROGRAM
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -26,21 +25,13 @@ using ::testing::HasSubstr;
 using testing::ScratchDirectory;
 using testing::Workshop;
 
-/// The program of this build as the one that meshes, for as long as it lives.
-class Mesher {
-  public:
-    explicit Mesher(const std::string& program = RIPSTOP_CAD_PROGRAM) { ::setenv("RIPSTOP_CAD", program.c_str(), 1); }
-    ~Mesher() { ::unsetenv("RIPSTOP_CAD"); }
-    Mesher(const Mesher&) = delete;
-    Mesher& operator=(const Mesher&) = delete;
-};
-
-CadModel read(const std::string& file, const MeshingOptions& options = {}) {
-    const Mesher mesher;
+CadModel read(const std::string& file, MeshingOptions options = {}) {
+    options.mesher = RIPSTOP_CAD_PROGRAM;
     return read_model(file, options);
 }
 
-std::string fault_of(const std::string& file, const MeshingOptions& options = {}) {
+std::string fault_of(const std::string& file, MeshingOptions options = {}) {
+    if (options.mesher.empty()) options.mesher = RIPSTOP_CAD_PROGRAM;
     try {
         read_model(file, options);
     } catch (const InputError& error) {
@@ -90,8 +81,8 @@ TEST(Cad, ABrepSaysNoUnitAndIsTakenAsAsked) {
     const ScratchDirectory scratch;
     testing::write_cube(scratch.path("cube.brep"), "MM");
     EXPECT_FALSE(read(scratch.path("cube.brep")).unit.has_value());
-    const Mesher mesher;
     ReadOptions options{.unit = LengthUnit{"mm", 0.001}};
+    options.meshing.mesher = RIPSTOP_CAD_PROGRAM;
     options.meshing.edge_length = 0.25;
     const Envelope envelope = read_envelope(scratch.path("cube.brep"), options);
     ASSERT_EQ(envelope.tiles.size(), 6U);
@@ -126,8 +117,8 @@ TEST(Cad, NeighboursShareTheVerticesOfTheirSeam) {
     for (const std::string name : {"gores.step", "gores.iges"}) {
         SCOPED_TRACE(name);
         testing::write_gores(scratch.path(name), 8);
-        const Mesher mesher;
-        const EnvelopeInput input = read_input(scratch.path(name), {});
+        const EnvelopeInput input =
+            read_input(scratch.path(name), {.meshing = MeshingOptions{.mesher = RIPSTOP_CAD_PROGRAM}});
         EXPECT_EQ(input.unit.name, "mm");
         EXPECT_EQ(input.envelope.tiles.at(0).name, "G01");
         ASSERT_EQ(input.envelope.seams.size(), 8U);
@@ -174,7 +165,7 @@ TEST(Cad, NeighboursThatFaceOppositeWaysAreMadeToAgreeAndItIsSaid) {
 TEST(Cad, TheFacesOfAnObjectAreOneTileWhereAsked) {
     const Workshop workshop;
     testing::write_cube(workshop.path("cube.step"), "MM");
-    EXPECT_THAT(workshop.ripstop("inspect cube.step --tiles objects").out, HasSubstr("1 surface"));
+    EXPECT_THAT(workshop.ripstop("inspect cube.step --tiles objects").out, HasSubstr("surfaces       1\n"));
     const auto closed = workshop.ripstop("check cube.step --tiles objects");
     EXPECT_EQ(closed.code, 3);
     EXPECT_THAT(closed.err, HasSubstr("cube"));
@@ -205,14 +196,12 @@ TEST(Cad, AsFineAsAskedAndNoFinerThanCanBeBorne) {
     const double ratio = static_cast<double>(triangles({.chord_error = 1e-3, .edge_length = 10})) /
                          triangles({.chord_error = 4e-3, .edge_length = 10});
     EXPECT_NEAR(ratio, 4, 1);
-    const Mesher mesher;
     EXPECT_THAT(fault_of(scratch.path("gores.step"), {.edge_length = 1e-3}), HasSubstr("million triangles"));
     EXPECT_THAT(fault_of(scratch.path("gores.step"), {.edge_length = 0.0}), HasSubstr("--edge"));
 }
 
 TEST(Cad, EveryTruncationGivesASentenceOrWhatIsThere) {
     const ScratchDirectory scratch;
-    const Mesher mesher;
     for (const std::string extension : {".step", ".iges", ".brep"}) {
         testing::write_cube(scratch.path("whole" + extension), "MM");
         const std::string whole = testing::content(scratch.path("whole" + extension));
@@ -236,8 +225,7 @@ TEST(Cad, WhateverBecomesOfTheMesherIsOneSentence) {
     const std::string file = scratch.path("cube.step");
     testing::write_cube(file, "MM");
     const auto fault = [&](const std::string& body, double timeout = 60) {
-        const Mesher mesher(script(scratch, body));
-        return fault_of(file, {.timeout = timeout});
+        return fault_of(file, {.timeout = timeout, .mesher = script(scratch, body)});
     };
     EXPECT_THAT(fault("kill -KILL $$"), HasSubstr("broke down"));
     EXPECT_THAT(fault("for last; do :; done; echo rubbish > \"$last\""), HasSubstr("not a converted model"));
@@ -245,8 +233,7 @@ TEST(Cad, WhateverBecomesOfTheMesherIsOneSentence) {
     EXPECT_THAT(fault("echo 'ripstop-cad: it is round' >&2; exit 3"), ::testing::EndsWith("cube.step: it is round"));
     EXPECT_THAT(fault("exit 4"), HasSubstr("failed on it"));
     EXPECT_THAT(fault("sleep 60", 0.2), HasSubstr("did not end within 0.2 s"));
-    const Mesher absent("/nowhere/ripstop-cad");
-    EXPECT_THAT(fault_of(file), HasSubstr("cannot be started"));
+    EXPECT_THAT(fault_of(file, {.mesher = "/nowhere/ripstop-cad"}), HasSubstr("cannot be started"));
     const Workshop workshop;
     testing::write_cube(workshop.path("cube.step"), "MM");
     EXPECT_EQ(workshop.ripstop("check cube.step").code, 3);

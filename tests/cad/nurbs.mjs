@@ -28,7 +28,7 @@ function stored(brep, scale) {  // of a sheet at x = 0
     const mesh = new rhino.Mesh();
     for (const [x, y] of [[0, 0], [1, 0], [1, 1], [0, 1]]) mesh.vertices().add(x * 1000 * scale, y * 1000, 0);
     mesh.faces().addQuadFace(0, 1, 2, 3);
-    brep.faces().get(0).setMesh(rhino.MeshType.Render, mesh);
+    brep.faces().get(0).setMesh(mesh, rhino.MeshType.Render);
     return brep;
 }
 
@@ -37,7 +37,7 @@ if (kind === 'all') {
                        called('box', 0));
     file.objects().add(rhino.Brep.createFromCylinder(cylinder(), true, true), called('drum', 0, { tile: 'DRUM', k: 'v' }));
     file.objects().add(rhino.Extrusion.create(
-        new rhino.PolylineCurve([[0, 5000, 0], [1000, 5000, 0], [1000, 6000, 0]]), 700, false), called('strip', 0));
+        new rhino.PolylineCurve([[0, 5000, 0], [1000, 5000, 0]]), 700, false), called('strip', 0));
     file.objects().add(sheet(20000), called('', 1));
 } else if (kind === 'stored') {
     file.objects().add(stored(rhino.Brep.createFromSurface(sheet(0)), 1), called('true', 0));

@@ -13,8 +13,8 @@ struct ChildEnd {
     std::string complaints;  ///< the last 64 kB of what it wrote to standard error
 };
 
-/// Runs a program to its end: `arguments[0]` is its path, or a name looked up in PATH; no shell reads them. Standard input is
-/// empty and standard output discarded. After `timeout` seconds it is killed.
+/// Runs a program to its end: `arguments[0]` is its path, or a name looked up in PATH; no shell reads them. Standard
+/// input is empty and standard output discarded. After `timeout` seconds it is killed.
 ChildEnd run_child(const std::vector<std::string>& arguments, double timeout);
 
 }  // namespace ripstop

@@ -61,9 +61,8 @@ fs::path first_file(const std::vector<fs::path>& places) {
     return {};
 }
 
-fs::path find_mesher() {
-    const char* named = std::getenv("RIPSTOP_CAD");
-    if (named != nullptr && *named != '\0') return named;
+fs::path find_mesher(const MeshingOptions& options) {
+    if (!options.mesher.empty()) return options.mesher;
     return first_file({beside_this_program() / "ripstop-cad", fs::path(RIPSTOP_BIN_INSTALL) / "ripstop-cad"});
 }
 
@@ -148,7 +147,7 @@ std::span<const CadFormat> cad_formats() {
 CadModel convert_cad(const fs::path& file, const MeshingOptions& options) {
     require_sound(options);
     require_file(file);
-    const fs::path mesher = find_mesher();
+    const fs::path mesher = find_mesher(options);
     if (mesher.empty())
         throw InputError(file.string() + ": the program ripstop-cad, which meshes CAD files, is not installed; " +
                          say_where);
@@ -170,7 +169,7 @@ ConvertedModel convert_rhino(const fs::path& file, const MeshingOptions& options
     const fs::path nurbs = workplace.file("nurbs.converted"), meshes = workplace.file("meshes.converted");
     require_run({"node", script.string(), fs::absolute(file).string(), nurbs.string()}, "rhino3dm", file,
                 options.timeout);
-    const fs::path mesher = find_mesher();
+    const fs::path mesher = find_mesher(options);
     if (!mesher.empty()) {
         run_mesher(mesher, nurbs, meshes, options, file);
         return answer(meshes, file, "ripstop-cad");
