@@ -66,12 +66,12 @@ Points3 corners_of(const Tile& tile) {
 double outline_difference(const Tile& tile, const Tile& good) {
     const auto flat = [](const Tile& t) { return method_named("seam-exact").flatten(t, Fabric{}).positions; };
     const Points2 mine = flat(tile), theirs = flat(good);
-    Eigen::Matrix2Xd p(2, tile.chains.size()), q(2, tile.chains.size());
+    Eigen::MatrixXd p(2, tile.chains.size()), q(2, tile.chains.size());
     for (std::size_t c = 0; c < tile.chains.size(); ++c) {
         p.col(static_cast<Eigen::Index>(c)) = mine.row(tile.chains[c].vertices.front()).transpose();
         q.col(static_cast<Eigen::Index>(c)) = theirs.row(good.chains[c].vertices.front()).transpose();
     }
-    const Eigen::Matrix3d move = Eigen::umeyama(p, q, false);
+    const Eigen::MatrixXd move = Eigen::umeyama(p, q, false);
     Points2 outline(static_cast<Eigen::Index>(good.boundary.size()), 2);
     for (std::size_t i = 0; i < good.boundary.size(); ++i)
         outline.row(static_cast<Eigen::Index>(i)) = theirs.row(good.boundary[i]);
