@@ -31,9 +31,9 @@ double positive_length(const std::string& text, const std::string& option) {
 }
 
 void require_writable(const std::filesystem::path& file, bool force) {
-    require_written_format(file);
     if (std::filesystem::is_directory(file))
         throw InputError(file.string() + ": is a folder; name the file to write in it");
+    require_written_format(file);
     if (std::filesystem::exists(file) && !force)
         throw InputError(file.string() + ": exists; give another name, or --force to replace it");
     if (const auto folder = std::filesystem::absolute(file).parent_path(); !std::filesystem::is_directory(folder))

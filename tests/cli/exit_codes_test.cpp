@@ -89,7 +89,7 @@ TEST_F(ExitCode, Is3ForAFileThatCannotBeUsed) {
     expect_refused(3, "flatten . -o plan", ".: is a folder");
     workshop.write("envelope.blend", "no mesh");
     expect_refused(3, "flatten envelope.blend -o plan",
-                   "no format with the extension \".blend\", expected one of: .obj");
+                   "envelope.blend: a file of Blender, which is not read, expected one of: .obj");
     expect_refused_input("empty.obj", "", "empty.obj: no face");
     expect_refused_input("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "points.obj: no face");
     expect_refused_input("comma.obj", "v 0 0 0\nv 1 0,5 0\nv 0 1 0\nf 1 2 3\n",
