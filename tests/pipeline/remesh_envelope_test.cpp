@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "ripstop/assembly/find_seams.h"
 #include "ripstop/base/error.h"
@@ -365,6 +366,40 @@ TEST_F(Remeshing, OfEqualTilesKeepsThemEqual) {
     EXPECT_EQ(likeness[2].to, 0);
     EXPECT_FALSE(likeness[1].vertex.empty());
     EXPECT_FALSE(likeness[2].vertex.empty());
+}
+
+/// Every tile is either remeshed or as it was, and a remark counts the latter.
+void expect_failures_as_they_were(const Envelope& before, const Envelope& after,
+                                  const std::vector<std::string>& remarks, const std::string& why) {
+    int kept = 0;
+    for (std::size_t t = 0; t < before.tiles.size(); ++t) {
+        if (after.tiles[t].remeshed) continue;
+        ++kept;
+        EXPECT_EQ(after.tiles[t].mesh.positions, before.tiles[t].mesh.positions);
+        EXPECT_EQ(after.tiles[t].mesh.triangles, before.tiles[t].mesh.triangles);
+        EXPECT_EQ(after.tiles[t].boundary, before.tiles[t].boundary);
+    }
+    ASSERT_GT(kept, 0) << "nothing failed: nothing was shown";
+    EXPECT_THAT(remarks, ::testing::Contains(::testing::AllOf(HasSubstr("not remeshed"), HasSubstr(why))));
+}
+
+TEST_F(Remeshing, LeavesTilesWhoseSeamsWouldBeOthers) {
+    // So coarse that the sides of some seams lie beside each other for a part of their length only.
+    Envelope envelope = make_envelope(meshed_apart(small_design(), 3), {});
+    const Envelope before = envelope;
+    const std::vector<std::string> remarks = remesh_envelope(envelope, at(0.6));
+    expect_failures_as_they_were(before, envelope, remarks, "the seams were not found again");
+    EXPECT_EQ(envelope.seams.size(), before.seams.size());
+}
+
+TEST_F(Remeshing, LeavesATileThatWouldFold) {
+    // Cloth crumpled at the size of its triangles, on edges three times as long.
+    std::mt19937 random(3);
+    Envelope envelope = one_tile(grid(
+        30, 30, [&](double u, double v) { return Vec3(0.06 * static_cast<double>(random() % 1000) / 1000, u, v); }));
+    const Envelope before = envelope;
+    const std::vector<std::string> remarks = remesh_envelope(envelope, at(0.1));
+    expect_failures_as_they_were(before, envelope, remarks, "the new triangles would fold over");
 }
 
 TEST_F(Remeshing, RefusesALengthThatMeansNothing) {

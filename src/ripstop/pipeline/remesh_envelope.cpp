@@ -176,7 +176,7 @@ void remesh(Envelope& envelope, const FoundSeams& found, std::vector<Job>& jobs,
         for (std::size_t t = 0; t < jobs.size(); ++t) {
             if (!jobs[t].made || (round < most_rounds && !lost.empty() && !lost.contains(static_cast<int>(t))))
                 continue;
-            jobs[t].failure = "its seams were not found again";
+            jobs[t].failure = "the seams were not found again";
         }
         give_up_failed(jobs);
     }

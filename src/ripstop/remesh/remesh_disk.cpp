@@ -115,7 +115,7 @@ class Remesher {
             if (count_unwanted() == 0) return;
             remesh(1);
         }
-        throw std::runtime_error("its boundary is too crumpled to be divided anew");
+        throw std::runtime_error("the boundary is too crumpled to be divided anew");
     }
 
     void remesh(int count) {
@@ -157,7 +157,7 @@ class Remesher {
         DiskRemesh result;
         result.mesh.positions.resize(static_cast<Eigen::Index>(order.size()), 3);
         for (std::size_t i = 0; i < order.size(); ++i) {
-            if (order[i] == Mesh::null_vertex()) throw std::runtime_error("a vertex of its boundary was lost");
+            if (order[i] == Mesh::null_vertex()) throw std::runtime_error("a vertex of the boundary was lost");
             number[order[i]] = static_cast<int>(i);
             const Vec3 at = vector_of(mesh_.point(order[i]));
             result.mesh.positions.row(static_cast<Eigen::Index>(i)) = at;

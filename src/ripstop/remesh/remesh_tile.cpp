@@ -23,7 +23,7 @@ void require_upright(const TriangleMesh& old, const DiskRemesh& made, const std:
         const int origin = made.origin[static_cast<std::size_t>(t)];
         const double limit = at_crease[static_cast<std::size_t>(origin)] ? 0 : least_agreement;
         if (!(normal_of(made.mesh, t).dot(normal_of(old, origin)) > limit))
-            throw std::runtime_error("its new triangles would fold over");
+            throw std::runtime_error("the new triangles would fold over");
     }
 }
 
@@ -59,7 +59,7 @@ Tile tile_on_mesh(const Tile& tile, const NewBoundary& boundary, TriangleMesh me
     try {
         result.boundary = require_disk(mesh, Adjacency(mesh.triangles, mesh.vertex_count()), tile.name);
     } catch (const InputError&) {
-        throw std::runtime_error("its new mesh is no disk");
+        throw std::runtime_error("the new mesh is no disk");
     }
     result.chains = chains_of(boundary);
     if (tile.grain.field.rows() > 0) {
