@@ -1,4 +1,5 @@
 /// `ripstop inspect` as a user runs it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -74,8 +75,9 @@ TEST(InspectCommand, WritesJsonThatItsSchemaAccepts) {
                    "for report in reports: jsonschema.Draft202012Validator(schema).validate(report)\n");
     std::string files;
     for (const char* name : {"tiles_v5", "curves_v8"}) {
-        workshop.write(std::string(name) + ".json", workshop.ripstop("inspect --json " + fixtures + name + ".3dm").out);
-        files += " " + workshop.path(std::string(name) + ".json");
+        const std::string file = fmt::format("{}.json", name);
+        workshop.write(file, workshop.ripstop(fmt::format("inspect --json {}{}.3dm", fixtures, name)).out);
+        files += fmt::format(" {}", workshop.path(file));
     }
     const auto result = testing::run_command(python + " " + workshop.path("validate.py") +
                                              " " RIPSTOP_SOURCE_DIR "/docs/inspect.schema.json" + files);

@@ -1,4 +1,5 @@
 /// Rhino files through `ripstop flatten`.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -78,7 +79,7 @@ Json scene_of(const std::vector<NamedMesh>& gore) {
     Json parts = Json::array(), objects = Json::array();
     for (int i = 0; i < panels; ++i) {
         const auto& [name, mesh, drawn, warp, attributes] = gore[static_cast<std::size_t>(i)];
-        const std::string part = "P" + std::to_string(i + 1);
+        const std::string part = fmt::format("P{}", i + 1);
         parts.push_back({{"kind", "mesh"},
                          {"name", part},
                          {"layer", 0},
@@ -89,7 +90,7 @@ Json scene_of(const std::vector<NamedMesh>& gore) {
             {{"kind", "line"}, {"layer", 1}, {"points", {rows(line[0].transpose())[0], rows(line[1].transpose())[0]}}});
         const Eigen::Matrix4d place = turn(gores - 1);
         const Points3 moved = mesh.positions * place.topLeftCorner<3, 3>().transpose();
-        scene["layers"].push_back({{"name", "G12" + part}});
+        scene["layers"].push_back({{"name", fmt::format("G12{}", part)}});
         objects.push_back(
             {{"kind", "mesh"}, {"layer", 2 + i}, {"vertices", rows(moved)}, {"faces", rows(mesh.triangles)}});
         Points3 ends(2, 3);
@@ -104,7 +105,7 @@ Json scene_of(const std::vector<NamedMesh>& gore) {
         for (const Json& row : rows(turn(g))) map.insert(map.end(), row.begin(), row.end());
         objects.push_back({{"kind", "block"},
                            {"definition", "gore"},
-                           {"name", "G" + std::to_string(g + 1)},
+                           {"name", fmt::format("G{}", g + 1)},
                            {"layer", 0},
                            {"xform", map}});
     }
@@ -125,9 +126,9 @@ Twin twin_of(const std::vector<NamedMesh>& gore, bool single) {
     for (const int g : order)
         for (int i = 0; i < panels; ++i) {
             const bool in_block = g + 1 < gores;
-            const std::string part = "P" + std::to_string(i + 1);
+            const std::string part = fmt::format("P{}", i + 1);
             NamedMesh tile = gore[static_cast<std::size_t>(i)];
-            tile.name = in_block ? "G" + std::to_string(g + 1) + "/" + part : "G12" + part;
+            tile.name = in_block ? fmt::format("G{}/{}", g + 1, part) : fmt::format("G12{}", part);
             const Eigen::Matrix3d map = turn(g).topLeftCorner<3, 3>();
             tile.mesh.positions = (tile.mesh.positions * map.transpose()).eval();
             if (single && !in_block) tile.mesh.positions = tile.mesh.positions.cast<float>().cast<double>().eval();
@@ -154,7 +155,7 @@ void expect_same(const Json& a, const Json& b, const std::string& place) {
             if (key != "grain" && key != "seconds" && key != "iterations")
                 expect_same(value, b.value(key, Json()), place + "." + key);
     } else if (a.is_array()) {
-        for (std::size_t i = 0; i < a.size(); ++i) expect_same(a[i], b[i], place + "[" + std::to_string(i) + "]");
+        for (std::size_t i = 0; i < a.size(); ++i) expect_same(a[i], b[i], fmt::format("{}[{}]", place, i));
     } else {
         EXPECT_EQ(a, b) << place;
     }
@@ -178,7 +179,7 @@ TEST(RhinoFlatten, GivesTheCutPlanOfItsObjTwinInEveryVersion) {
     }
     for (const int version : {3, 4, 5, 6, 7, 8}) {
         const bool single = version < 5;
-        const std::string file = "envelope_v" + std::to_string(version) + ".3dm";
+        const std::string file = fmt::format("envelope_v{}.3dm", version);
         const ProgramRun run = workshop.ripstop("flatten " + file + " --quiet --force -o plan");
         ASSERT_LE(run.code, 1) << run.err;
         const Json report = Json::parse(workshop.read("plan/report.json"));
