@@ -117,8 +117,9 @@ TEST(Cad, NeighboursShareTheVerticesOfTheirSeam) {
     for (const std::string name : {"gores.step", "gores.iges"}) {
         SCOPED_TRACE(name);
         testing::write_gores(scratch.path(name), 8);
-        const EnvelopeInput input =
-            read_input(scratch.path(name), {.meshing = MeshingOptions{.mesher = RIPSTOP_CAD_PROGRAM}});
+        ReadOptions options;
+        options.meshing.mesher = RIPSTOP_CAD_PROGRAM;
+        const EnvelopeInput input = read_input(scratch.path(name), options);
         EXPECT_EQ(input.unit.name, "mm");
         EXPECT_EQ(input.envelope.tiles.at(0).name, "G01");
         ASSERT_EQ(input.envelope.seams.size(), 8U);
