@@ -152,7 +152,8 @@ void expect_same(const Json& a, const Json& b, const std::string& place) {
     ASSERT_EQ(a.size(), b.size()) << place;
     if (a.is_object()) {
         for (const auto& [key, value] : a.items())
-            if (key != "grain" && key != "seconds" && key != "iterations")
+            // Where a drift of rounding size is largest is chance.
+            if (key != "grain" && key != "seconds" && key != "iterations" && key != "drift_max_at_mm")
                 expect_same(value, b.value(key, Json()), place + "." + key);
     } else if (a.is_array()) {
         for (std::size_t i = 0; i < a.size(); ++i) expect_same(a[i], b[i], fmt::format("{}[{}]", place, i));
