@@ -1,15 +1,34 @@
 #!/bin/sh
-# Installs the Debian packages of packages.txt that are missing. Needs root or sudo only if any is.
+# Installs the Debian packages of packages.txt that are missing, and what apps/rhino has from npm. Needs root or sudo only if a
+# package is missing.
 set -eu
 cd "$(dirname "$0")"
+
+install_rhino3dm() {
+    cd ../apps/rhino
+    stamp=node_modules/.ripstop-setup
+    [ "$stamp" -nt package-lock.json ] && return
+    if ! npm ci --no-audit --no-fund --loglevel=error; then
+        echo "setup: npm could not install rhino3dm for apps/rhino; is there a connection to the registry?" >&2
+        exit 1
+    fi
+    touch "$stamp"
+}
+
 missing=""
 for package in $(sed 's/#.*//' packages.txt); do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing="$missing $package"
 done
-[ -n "$missing" ] || exit 0
+# Some distributions of Node.js bring npm along; Debian's does not.
+command -v npm > /dev/null || missing="$missing npm"
+if [ -z "$missing" ]; then
+    install_rhino3dm
+    exit 0
+fi
 as_root=""
 [ "$(id -u)" = 0 ] || as_root=sudo
 echo "Installing:$missing"
 $as_root apt-get update -q
 # shellcheck disable=SC2086
 $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=500 install -y -q --no-install-recommends $missing
+install_rhino3dm

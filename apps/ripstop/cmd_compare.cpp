@@ -89,6 +89,7 @@ void add_compare(CLI::App& app) {
     auto given = std::make_shared<Arguments>();
     CLI::App* command = app.add_subcommand("compare", "Every method on the same tiles: one table, one sheet of shapes");
     add_input_options(*command, given->input);
+    add_remesh_option(*command, given->input);
     command->add_option("--method", given->methods, "Only these methods; may be given more than once")
         ->check(known_method());
     command->add_option("--sheet", given->sheet, "An SVG to write: all the flat shapes with their colour maps");

@@ -9,7 +9,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/base/units.h"
 #include "ripstop/design/design_summary.h"
-#include "ripstop/io/obj.h"
+#include "ripstop/io/mesh_file.h"
 
 namespace ripstop::cli {
 namespace {
@@ -33,6 +33,7 @@ double positive_length(const std::string& text, const std::string& option) {
 void require_writable(const std::filesystem::path& file, bool force) {
     if (std::filesystem::is_directory(file))
         throw InputError(file.string() + ": is a folder; name the file to write in it");
+    require_written_format(file);
     if (std::filesystem::exists(file) && !force)
         throw InputError(file.string() + ": exists; give another name, or --force to replace it");
     if (const auto folder = std::filesystem::absolute(file).parent_path(); !std::filesystem::is_directory(folder))
@@ -42,7 +43,7 @@ void require_writable(const std::filesystem::path& file, bool force) {
 void write_file(const std::filesystem::path& file, const std::vector<NamedMesh>& tiles) {
     const std::filesystem::path partial = file.string() + ".partial";
     std::ofstream out(partial, std::ios::binary);
-    write_obj(out, tiles);
+    write_model(out, file, tiles);
     out.close();
     std::error_code error;
     if (out) std::filesystem::rename(partial, file, error);
@@ -95,8 +96,10 @@ void add_design(CLI::App& app) {
     auto given = std::make_shared<Arguments>();
     CLI::App* natural = shapes->add_subcommand("natural", "The natural shape: no hoop tension, gores by panels");
     natural
-        ->add_option("-o,--output", given->file,
-                     "The OBJ to write, in metres, a tile an object: G01P01 is gore 1, panel 1 from the mouth")
+        ->add_option(
+            "-o,--output", given->file,
+            "The file to write, in metres, by its extension: .obj, .ply, .stl, .off; tile G01P01 is gore 1, panel 1 "
+            "from the mouth (OFF keeps no names)")
         ->required();
     natural->add_option("--gores", given->design.gores, "Gores")->capture_default_str();
     auto* panels = natural->add_option("--panels", given->design.panels, "Panels a gore")->capture_default_str();

@@ -100,6 +100,7 @@ void add_flatten(CLI::App& app) {
     CLI::App* command = app.add_subcommand("flatten", "Flatten every tile, judge it, write the cut plan");
     add_input_options(*command, given->input);
     add_method_option(*command, given->input);
+    add_remesh_option(*command, given->input);
     command->add_option("-o,--output", given->directory, "The folder to write; must not exist or be empty")->required();
     command->add_flag("--force", given->force, "Replace the folder where it is not empty");
     command->add_option("-j,--jobs", given->jobs, "Threads (0: one a core)")->check(CLI::Range(0, 1024));

@@ -9,6 +9,7 @@ enum ExitCode { manufacturable = 0, not_manufacturable = 1, usage = 2, unusable_
 
 void add_flatten(CLI::App& app);
 void add_check(CLI::App& app);
+void add_inspect(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_methods(CLI::App& app);
 void add_design(CLI::App& app);

@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "ripstop/base/error.h"
 #include "ripstop/numeric/symmetric_solver.h"
+#include "ripstop/remesh/remesh_disk.h"
 #include "ripstop/version.h"
 #include "tell.h"
 
@@ -35,6 +36,11 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
     return fmt::format("ripstop: {}\n`{} --help` tells more\n", text, path);
 }
 
+std::string built_with() {
+    return numeric_libraries() + (can_remesh() ? "\nmeshes made by CGAL (GPL-3): the program as built is under the GPL"
+                                               : "\nbuilt without CGAL: tiles keep their meshes");
+}
+
 /// What was printed is a result: where it did not arrive, the run has failed.
 int arrived(int code) {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
@@ -49,13 +55,14 @@ int main(int argc, char** argv) {
     using namespace ripstop;
     CLI::App app("Ripstop turns a 3D envelope divided into tiles by its seams into flat cut patterns.", "ripstop");
     app.set_version_flag("--version",
-                         fmt::format("ripstop {}\nsources Apache-2.0; built with {}", version, numeric_libraries()));
+                         fmt::format("ripstop {}\nsources Apache-2.0; built with {}", version, cli::built_with()));
     app.require_subcommand(1);
     app.failure_message(cli::usage_message);
     app.footer(
         "Exit codes: 0 all manufacturable, 1 some not (all files written), 2 usage, 3 unusable input, 4 our fault.");
     cli::add_flatten(app);
     cli::add_check(app);
+    cli::add_inspect(app);
     cli::add_compare(app);
     cli::add_methods(app);
     cli::add_design(app);

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+#include <cstdlib>
 #include <fstream>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/flatten/method.h"
+#include "ripstop/io/mesh_file.h"
 #include "ripstop/measure/judge.h"
 #include "ripstop/pipeline/tile_fabrics.h"
 #include "tell.h"
@@ -50,6 +53,25 @@ Project read_project_file(const std::string& file) {
     return read_project(in, file);
 }
 
+/// What came flat is judged on the mesh it came with.
+RemeshOptions remesh_options(const InputArguments& given) {
+    RemeshOptions options;
+    if (given.remesh == "never") return options;
+    if (given.remesh == "auto") {
+        if (given.method != "given") options.mode = RemeshMode::automatic;
+        return options;
+    }
+    if (given.method == "given")
+        throw CLI::ValidationError("--remesh " + given.remesh +
+                                   " does not go with --method given: flat positions belong to the input's mesh");
+    if (!std::isdigit(static_cast<unsigned char>(given.remesh.front())) && given.remesh.front() != '.')
+        throw CLI::ValidationError("--remesh is \"" + given.remesh +
+                                   "\", expected auto, never or a length with its unit, as 50mm");
+    options.mode = RemeshMode::by_length;
+    options.edge_length = parse_length(given.remesh, "--remesh");
+    return options;
+}
+
 }  // namespace
 
 CLI::Validator known_method() {
@@ -67,8 +89,32 @@ CLI::Validator known_unit() {
     return known([](const std::string& unit) { metres_per_unit(unit); });
 }
 
+void add_meshing_options(CLI::App& command, std::string& chord, std::string& edge, std::string& tiles_are) {
+    command.add_option(
+        "--chord", chord,
+        "CAD surfaces: how far they may lie off their triangles, as 0.3mm (else lengths are kept to 0.01 %)");
+    command.add_option("--edge", edge, "CAD surfaces: how long the edges of triangles are at most, as 100mm");
+    command.add_option("--tiles", tiles_are, "CAD surfaces: each of its faces a tile, or each object")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"faces", "objects"}));
+}
+
+MeshingOptions meshing_of(const std::string& chord, const std::string& edge, const std::string& tiles_are) {
+    MeshingOptions options;
+    if (!chord.empty()) options.chord_error = parse_length(chord, "--chord");
+    if (!edge.empty()) options.edge_length = parse_length(edge, "--edge");
+    if (const char* mesher = std::getenv("RIPSTOP_CAD")) options.mesher = mesher;
+    options.tiles = tiles_are == "objects" ? TilesAs::objects : TilesAs::faces;
+    return options;
+}
+
 void add_input_options(CLI::App& command, InputArguments& given) {
-    command.add_option("INPUT", given.file, "The envelope: Wavefront OBJ, one object or group a tile")->required();
+    std::string formats;
+    for (const MeshFormat& format : mesh_formats())
+        formats += (formats.empty() ? "" : ", ") + std::string(format.extension);
+    for (const CadFormat& format : cad_formats()) formats += ", " + std::string(format.extension);
+    command.add_option("INPUT", given.file, "The envelope, one object, group, part or face a tile: " + formats)
+        ->required();
     command
         .add_option("--unit", given.unit,
                     "Unit of the file: mm, cm, m, in, ft (else the project's, else the file's own, else metres)")
@@ -86,6 +132,7 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         ->check(finite());
     command.add_option("--seam-tolerance", given.seam_tolerance,
                        "Edges to be sewn together lie within this length, as 0.5mm (else the project's, else 0.5mm)");
+    add_meshing_options(command, given.chord, given.edge, given.tiles_are);
     // One name at a time, else `--tile G01 envelope.obj` would take the input for a second name.
     command.add_option("--tile", given.tiles, "Only the tiles of this name; * and ? stand for others; may be repeated")
         ->allow_extra_args(false);
@@ -95,6 +142,15 @@ void add_input_options(CLI::App& command, InputArguments& given) {
                     "above; may be "
                     "repeated")
         ->allow_extra_args(false);
+}
+
+void add_remesh_option(CLI::App& command, InputArguments& given) {
+    given.remesh = "auto";
+    command
+        .add_option("--remesh", given.remesh,
+                    "Mesh tiles anew: auto (those too coarse, too bad or too fine), never, or all with edges of this "
+                    "length, as 50mm")
+        ->capture_default_str();
 }
 
 void add_method_option(CLI::App& command, InputArguments& given) {
@@ -126,8 +182,11 @@ Input resolve(const InputArguments& given) {
         input.read.seam_tolerance = parse_length(given.seam_tolerance, "--seam-tolerance");
     input.fabric = envelope_fabric(given.fabric, project);
     input.read.fabric = input.fabric;
+    input.read.meshing = meshing_of(given.chord, given.edge, given.tiles_are);
     input.tolerances = tolerances_of(input.fabric);
     if (project) input.tolerances = tolerances(*project, input.tolerances);
+    input.read.remesh = remesh_options(given);
+    input.read.remesh.length_tolerance = input.tolerances.length;
     return input;
 }
 

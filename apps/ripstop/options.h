@@ -22,8 +22,11 @@ struct InputArguments {
     bool keep_area = false;
     double grain = 0;            ///< [degrees]
     std::string seam_tolerance;  ///< a length with its unit; empty: the project's, else half a millimetre
+    std::string chord, edge;  ///< lengths with their units, of the meshes made of a CAD's surfaces; empty: by accuracy
+    std::string tiles_are = "faces";
     std::vector<std::string> tiles;
     std::vector<std::string> layers;
+    std::string remesh = "never";  ///< where the command has the option: `auto`, `never` or a length with its unit
 };
 
 /// What the arguments and the project file say together; the command line goes before the project.
@@ -34,6 +37,12 @@ struct Input {
 };
 
 void add_input_options(CLI::App& command, InputArguments& given);
+
+/// How the surfaces of a CAD are meshed: `--chord`, `--edge`, `--tiles`. The second throws InputError.
+void add_meshing_options(CLI::App& command, std::string& chord, std::string& edge, std::string& tiles_are);
+MeshingOptions meshing_of(const std::string& chord, const std::string& edge, const std::string& tiles_are);
+
+void add_remesh_option(CLI::App& command, InputArguments& given);
 void add_method_option(CLI::App& command, InputArguments& given);
 
 /// The method's name, `--keep-area` taken in. Throws a usage error where the method cannot keep the area.

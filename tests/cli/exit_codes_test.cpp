@@ -55,9 +55,9 @@ TEST_F(ExitCode, Is1WhereATileCannotBeMadeAndAllFilesAreThere) {
 }
 
 TEST_F(ExitCode, Is2ForAWrongCommandLine) {
-    expect_refused(2, "", "a command is missing; known: flatten, check, compare, methods, design");
+    expect_refused(2, "", "a command is missing; known: flatten, check, inspect, compare, methods, design");
     expect_refused(2, "flaten envelope.obj",
-                   "no command \"flaten\"; known commands: flatten, check, compare, methods, design");
+                   "no command \"flaten\"; known commands: flatten, check, inspect, compare, methods, design");
     expect_refused(2, "design", "a command is missing; known: natural");
     expect_refused(2, "design sphere -o x.obj", "no command \"sphere\"; known commands: natural");
     expect_refused(2, "--bogus", "no option \"--bogus\"; known commands: flatten");
@@ -89,7 +89,7 @@ TEST_F(ExitCode, Is3ForAFileThatCannotBeUsed) {
     expect_refused(3, "flatten . -o plan", ".: is a folder");
     workshop.write("envelope.blend", "no mesh");
     expect_refused(3, "flatten envelope.blend -o plan",
-                   "no format with the extension \".blend\", expected one of: .obj");
+                   "envelope.blend: a file of Blender, which is not read, expected one of: .obj");
     expect_refused_input("empty.obj", "", "empty.obj: no face");
     expect_refused_input("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "points.obj: no face");
     expect_refused_input("comma.obj", "v 0 0 0\nv 1 0,5 0\nv 0 1 0\nf 1 2 3\n",

@@ -65,6 +65,20 @@ TEST(DesignCommand, WritesTheTilesThatFlattenReads) {
     EXPECT_EQ(workshop.ripstop("flatten envelope.obj --tile G01P01 --method lscm -o plan").code, 1);
 }
 
+TEST(DesignCommand, WritesTheFormatOfTheExtension) {
+    const Workshop workshop;
+    for (const std::string extension : {".ply", ".stl", ".off"}) {
+        const ProgramRun run =
+            workshop.ripstop("design natural --gores 3 --panels 2 --edge 1m --volume 600 -o envelope" + extension);
+        EXPECT_EQ(run.code, 0) << run.err;
+        const ProgramRun check = workshop.ripstop("check envelope" + extension);
+        EXPECT_THAT(check.out, HasSubstr("6 tiles")) << check.err;
+    }
+    const ProgramRun run = workshop.ripstop("design natural -o envelope.fbx");
+    EXPECT_EQ(run.code, 3);
+    EXPECT_THAT(run.err, HasSubstr("envelope.fbx: no format that is written has the extension \".fbx\""));
+}
+
 TEST(DesignCommand, RefusesWhatMakesNoEnvelopeAndWritesNothing) {
     const Workshop workshop;
     for (const auto& [options, sentence] : {

@@ -1,7 +1,8 @@
 #include <gmock/gmock.h>
 
-#include <chrono>
+#include <algorithm>
 #include <clocale>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <locale>
@@ -10,6 +11,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/io/mesh_file.h"
 #include "support/shapes.h"
+#include "support/shared_data.h"
 
 namespace ripstop {
 
@@ -25,7 +27,12 @@ constexpr bool sanitized = true;
 constexpr bool sanitized = false;
 #endif
 
-/// What any format of the table must do. A format that keeps less (no names, no drawn positions) says so here when it comes.
+/// Of this process: what else the machine does is no fault of a reader's.
+double processor_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// What any format of the table that is written must do. What a format does not keep, the table says.
 class EveryFormat : public ::testing::TestWithParam<MeshFormat> {
   protected:
     static std::string written(const std::vector<NamedMesh>& surfaces) {
@@ -50,13 +57,33 @@ std::vector<NamedMesh> some_surfaces() {
     return surfaces;
 }
 
-void expect_equal(const std::vector<NamedMesh>& a, const std::vector<NamedMesh>& b) {
+/// #F x 9: the corners of each triangle, which every format keeps.
+Eigen::MatrixXd corners(const TriangleMesh& mesh) {
+    Eigen::MatrixXd all(mesh.triangle_count(), 9);
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        all.row(t) << mesh.corner(t, 0).transpose(), mesh.corner(t, 1).transpose(), mesh.corner(t, 2).transpose();
+    return all;
+}
+
+void expect_equal(const std::vector<NamedMesh>& a, const std::vector<NamedMesh>& b, const MeshKept& kept) {
     ASSERT_EQ(a.size(), b.size());
+    const auto has_drawn = [](const NamedMesh& surface) { return surface.drawn.has_value(); };
+    const bool drawn = kept.some_drawn || (kept.drawn && std::all_of(b.begin(), b.end(), has_drawn));
     for (std::size_t i = 0; i < a.size(); ++i) {
-        EXPECT_EQ(a[i].name, b[i].name);
-        EXPECT_EQ(a[i].mesh.positions, b[i].mesh.positions) << a[i].name;
-        EXPECT_EQ(a[i].mesh.triangles, b[i].mesh.triangles) << a[i].name;
-        EXPECT_EQ(a[i].drawn, b[i].drawn) << a[i].name;
+        if (kept.names) {
+            EXPECT_EQ(a[i].name, b[i].name);
+        }
+        EXPECT_EQ(corners(a[i].mesh), corners(b[i].mesh)) << b[i].name;
+        if (kept.vertices) {
+            EXPECT_EQ(a[i].mesh.positions, b[i].mesh.positions) << b[i].name;
+            EXPECT_EQ(a[i].mesh.triangles, b[i].mesh.triangles) << b[i].name;
+        }
+        if (drawn) {
+            EXPECT_EQ(a[i].drawn, b[i].drawn) << b[i].name;
+        }
+        if (kept.warp) {
+            EXPECT_EQ(a[i].warp, b[i].warp) << b[i].name;
+        }
     }
 }
 
@@ -74,17 +101,24 @@ void expect_sound(const std::vector<NamedMesh>& surfaces) {
     }
 }
 
-TEST_P(EveryFormat, GivesBackExactlyWhatWasWritten) {
-    const std::vector<NamedMesh> surfaces = some_surfaces();
-    expect_equal(read(written(surfaces)), surfaces);
+TEST_P(EveryFormat, GivesBackExactlyWhatItKeeps) {
+    std::vector<NamedMesh> surfaces = some_surfaces();
+    expect_equal(read(written(surfaces)), surfaces, GetParam().kept);
+    EXPECT_EQ(written(read(written(surfaces))), written(surfaces));
+    for (NamedMesh& surface : surfaces) surface.drawn = Points2(surface.mesh.positions.leftCols<2>() / 3);
+    surfaces[1].warp = Points3::Random(surfaces[1].mesh.triangle_count(), 3);
+    expect_equal(read(written(surfaces)), surfaces, GetParam().kept);
     EXPECT_EQ(written(read(written(surfaces))), written(surfaces));
 }
 
 TEST_P(EveryFormat, ScalesWhatItReadsToMetres) {
-    const std::vector<NamedMesh> surfaces = some_surfaces();
+    std::vector<NamedMesh> surfaces = some_surfaces();
+    for (NamedMesh& surface : surfaces) surface.drawn = Points2(surface.mesh.positions.leftCols<2>() / 3);
     const std::vector<NamedMesh> scaled = read(written(surfaces), 0.0254);
-    EXPECT_EQ(scaled[1].mesh.positions, surfaces[1].mesh.positions * 0.0254);
-    EXPECT_EQ(*scaled[1].drawn, *surfaces[1].drawn * 0.0254);
+    EXPECT_EQ(corners(scaled[1].mesh), corners(surfaces[1].mesh) * 0.0254);
+    if (GetParam().kept.drawn) {
+        EXPECT_EQ(*scaled[1].drawn, *surfaces[1].drawn * 0.0254);
+    }
 }
 
 TEST_P(EveryFormat, CutShortAnywhereIsASurfaceOrARefusal) {
@@ -97,17 +131,18 @@ TEST_P(EveryFormat, CutShortAnywhereIsASurfaceOrARefusal) {
         } catch (const InputError& error) {
             EXPECT_THAT(error.what(), ::testing::StartsWith("tiles" + std::string(GetParam().extension) + ":"));
         }
-    EXPECT_GT(read_all_the_same, 0) << "the first surface alone is a sound file";
     EXPECT_LT(read_all_the_same, static_cast<int>(bytes.size()) / 2);
 }
 
 TEST_P(EveryFormat, DoesNotCareHowLinesEnd) {
+    const std::string text = written(some_surfaces());
+    if (text.find('\0') != std::string::npos) GTEST_SKIP() << "written in binary";
     std::string bytes;
-    for (const char c : written(some_surfaces())) {
+    for (const char c : text) {
         if (c == '\n') bytes += '\r';
         bytes += c;
     }
-    expect_equal(read(bytes), some_surfaces());
+    expect_equal(read(bytes), some_surfaces(), GetParam().kept);
 }
 
 /// Decimal comma and grouped thousands, as in much of the world.
@@ -126,20 +161,21 @@ TEST_P(EveryFormat, DoesNotCareForTheLocale) {
     std::setlocale(LC_NUMERIC, "C");
     std::locale::global(before);
     EXPECT_EQ(bytes, expected);
-    expect_equal(again, some_surfaces());
+    expect_equal(again, some_surfaces(), GetParam().kept);
 }
 
 TEST_P(EveryFormat, ReadsAMillionTrianglesInASecond) {
     const int side = sanitized ? 100 : 708;  // 2 x 708^2 = 1,002,528 triangles
     const TriangleMesh mesh = testing::saddle(1, 3, side);
     const std::string bytes = written({{"large", mesh, std::nullopt}});
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processor_seconds();
     const std::vector<NamedMesh> surfaces = read(bytes);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    EXPECT_EQ(surfaces[0].mesh.triangles, mesh.triangles);
-    RecordProperty("milliseconds", static_cast<int>(1000 * seconds.count()));
+    const double seconds = processor_seconds() - start;
+    EXPECT_EQ(surfaces[0].mesh.triangle_count(), mesh.triangle_count());
+    EXPECT_EQ(surfaces[0].mesh.vertex_count(), mesh.vertex_count());
+    RecordProperty("milliseconds", static_cast<int>(1000 * seconds));
 #ifdef NDEBUG
-    EXPECT_LT(seconds.count(), 3.0) << "a second on an idle machine; three leave room for a busy one";
+    EXPECT_LT(seconds, 3.0) << "a second on an idle machine; three leave room for a busy one";
 #endif
 }
 
@@ -148,13 +184,19 @@ TEST_P(EveryFormat, ReadsManySmallSurfacesAsFastAsOneLarge) {
     std::vector<NamedMesh> surfaces;
     for (int i = 0; i < count; ++i) surfaces.push_back({std::to_string(i), testing::octant(1), std::nullopt});
     const std::string bytes = written(surfaces);
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processor_seconds();
     EXPECT_EQ(read(bytes).size(), surfaces.size());
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(seconds.count(), 3.0) << "quadratic would take minutes";
+    EXPECT_LT(processor_seconds() - start, 3.0) << "quadratic would take minutes";
 }
 
-INSTANTIATE_TEST_SUITE_P(, EveryFormat, ::testing::ValuesIn(mesh_formats().begin(), mesh_formats().end()),
+/// What is only read has tests of its own: rhino_3dm_test.cpp.
+std::vector<MeshFormat> written_formats() {
+    std::vector<MeshFormat> formats(mesh_formats().begin(), mesh_formats().end());
+    std::erase_if(formats, [](const MeshFormat& format) { return format.write == nullptr; });
+    return formats;
+}
+
+INSTANTIATE_TEST_SUITE_P(, EveryFormat, ::testing::ValuesIn(written_formats()),
                          [](const auto& format) { return std::string(format.param.extension + 1); });
 
 std::string refusal(const std::filesystem::path& path) {
@@ -168,8 +210,11 @@ std::string refusal(const std::filesystem::path& path) {
 
 TEST(MeshFile, RefusesWhatItCannotOpenOrDoesNotKnow) {
     EXPECT_THAT(refusal("no/such/tile.obj"), ::testing::StartsWith("no/such/tile.obj: the file cannot be opened"));
-    EXPECT_THAT(refusal("tile.blend"),
-                ::testing::HasSubstr("no format with the extension \".blend\", expected one of: .obj"));
+    EXPECT_THAT(refusal("tile.xyz"),
+                ::testing::HasSubstr("no format with the extension \".xyz\", expected one of: .obj"));
+    EXPECT_THAT(refusal("tile.Blend"),
+                ::testing::HasSubstr("tile.Blend: a file of Blender, which is not read, expected one of: .obj"));
+    EXPECT_THAT(refusal("tile.glb"), ::testing::HasSubstr("a file of binary glTF, which is not read, expected one of"));
     EXPECT_THAT(refusal("tile"), ::testing::HasSubstr("expected one of: .obj"));
     const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "ripstop_folder.obj";
     std::filesystem::create_directory(folder);
@@ -185,13 +230,18 @@ TEST(MeshFile, ReadsAndHashesAFileOfAnyCase) {
     EXPECT_EQ(read_model(path).surfaces.at(0).name, "ripstop_tile");
 }
 
+std::string in_lower_case(std::string text) {
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
+}
+
 std::vector<std::filesystem::path> shared_files(const std::string& folder) {
     std::vector<std::filesystem::path> files;
     std::error_code absent;
     const std::filesystem::path root = std::filesystem::path(RIPSTOP_SHARED_DATA) / folder;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root, absent))
         for (const MeshFormat& format : mesh_formats())
-            if (entry.path().extension() == format.extension) files.push_back(entry.path());
+            if (in_lower_case(entry.path().extension().string()) == format.extension) files.push_back(entry.path());
     return files;
 }
 
@@ -203,6 +253,31 @@ TEST(FilesOfOthers, NastyOnesAreAMeshOrASentenceThatNamesThem) {
         } catch (const InputError& error) {
             EXPECT_THAT(error.what(), ::testing::StartsWith(file.string() + ":"));
         }
+}
+
+/// Area and count of triangles of a whole file.
+std::pair<double, int> measured(const std::filesystem::path& file) {
+    std::pair<double, int> sum;
+    for (const NamedMesh& surface : read_model(file).surfaces) {
+        sum.first += surface_area(surface.mesh);
+        sum.second += surface.mesh.triangle_count();
+    }
+    return sum;
+}
+
+TEST(FilesOfOthers, SameShapeInTwoFormatsIsReadAlike) {
+    RIPSTOP_REQUIRE_SHARED(folder, "nasty/assimp");
+    const auto spider = measured(folder / "STL__Spider_binary.stl");
+    EXPECT_EQ(measured(folder / "STL__Spider_ascii.stl").second, spider.second);
+    EXPECT_NEAR(measured(folder / "STL__Spider_ascii.stl").first, spider.first, 1e-6 * spider.first)
+        << "single precision";
+    const auto boar = measured(folder / "OFF__Wuson.off");
+    for (const char* other : {"OBJ__WusonOBJ.obj", "STL__Wuson.stl"}) {
+        EXPECT_EQ(measured(folder / other).second, boar.second) << other;
+        EXPECT_NEAR(measured(folder / other).first, boar.first, 1e-5 * boar.first) << other << ": six digits";
+    }
+    for (const char* cube : {"PLY__cube_binary.ply", "PLY__cube_binary_header_with_RN_newline.ply"})
+        EXPECT_EQ(measured(folder / cube), measured(folder / "PLY__cube.ply")) << cube;
 }
 
 TEST(FilesOfOthers, SoundOnesAreReadInFull) {

@@ -148,6 +148,56 @@ TEST(ObjDrawn, IsFilledOnlyWhereEachVertexHasOnePlace) {
     EXPECT_TRUE(read(square + "vt 0\nvt 1\nvt 2 # a\nf 1/1 2/2 3/3\n")[0].drawn) << "v is 0 where absent";
 }
 
+CadModel model_of(const std::string& text) {
+    std::istringstream in(text);
+    return read_obj(in, "folder/hull.obj");
+}
+
+TEST(ObjCurves, AreThePolylinesUnderTheirObjectAndGroup) {
+    const CadModel model = model_of(square + "f 1 2 3\no GRAIN\nl 1/4 2 -2\no hull\ng WARP\nl 4 1\nl 3 2\n");
+    ASSERT_EQ(model.curves.size(), 3U);
+    EXPECT_EQ(model.curves[0].name, "GRAIN");
+    EXPECT_EQ(model.curves[0].attributes.at("layer"), "GRAIN");
+    EXPECT_EQ(model.curves[1].name, "hull/WARP");
+    EXPECT_EQ(model.curves[1].attributes.at("layer"), "hull::WARP");
+    EXPECT_EQ(model.curves[1].points.row(0), Eigen::RowVector3d(0, 1, 0));
+    EXPECT_THAT(names(model.surfaces), ElementsAre("hull")) << "a name without faces is none";
+}
+
+TEST(ObjCurves, GoOnWhereTheNextStartsAtTheirEnd) {
+    const CadModel model = model_of(square + "f 1 2 3\nl 1 2\nl 2 3\nl 4 1\ng a\nl 1 2\n");
+    ASSERT_EQ(model.curves.size(), 3U);
+    EXPECT_EQ(model.curves[0].points.rows(), 3);
+    EXPECT_EQ(model.curves[0].name, "hull");
+    EXPECT_TRUE(model.curves[0].attributes.empty());
+}
+
+TEST(ObjCurves, WithOnePointAreLeftOutWithARemark) {
+    const CadModel model = model_of(square + "f 1 2 3\nl 1\n");
+    EXPECT_TRUE(model.curves.empty());
+    EXPECT_THAT(model.remarks,
+                ElementsAre("the polyline in line 6 of folder/hull.obj left out: it has fewer than two points"));
+}
+
+TEST(ObjUnread, AreSurfacesAndCurvesByEquations) {
+    const CadModel model = model_of(square + "o tile\nf 1 2 3\no nurbs\nsurf 0 1 0 1 1 2 3 4\ncurv 0 1 1 2\n");
+    ASSERT_EQ(model.unread.size(), 2U);
+    EXPECT_EQ(model.unread[0].name, "nurbs");
+    EXPECT_EQ(model.unread[0].type, "Surface");
+    EXPECT_THAT(model.unread[0].reason,
+                HasSubstr("(surf in line 8), which are not read from OBJ; export it as a mesh"));
+    EXPECT_THAT(refusal(square + "surf 0 1 0 1 1 2 3 4\n"),
+                HasSubstr("(surf, curv) are not read; export the surfaces"));
+}
+
+TEST(ObjMaterial, IsKeptWhereAllFacesOfASurfaceHaveOne) {
+    const auto surfaces =
+        read(square + "usemtl red  cloth\no a\nf 1 2 3\nf 1 3 4\no b\nf 1 2 4\nusemtl blue\nf 2 3 4\no c\nf 1 2 3\n");
+    EXPECT_EQ(surfaces[0].attributes.at("material"), "red  cloth");
+    EXPECT_EQ(surfaces[1].attributes.count("material"), 0U);
+    EXPECT_EQ(surfaces[2].attributes.at("material"), "blue");
+}
+
 TEST(ObjLines, MayBeContinued) {
     EXPECT_THAT(corners(read(square + "f 1 \\\n 2 \\\n3\n")[0]), ElementsAre(0, 1, 2));
     EXPECT_THAT(refusal(square + "f 1 \\\n 2 \\\n3\nf 1 \\\n9 3"), StartsWith("folder/hull.obj:8:"));
@@ -187,6 +237,9 @@ TEST(ObjRefusal, NamesFileLineFaultAndRemedy) {
                 HasSubstr(":5: found \"1/1/1/1\" as a corner of a face, expected at most three"));
     EXPECT_THAT(refusal(square + "f 1 2 3 2\n"), HasSubstr(":5: a face has vertex 2 twice"));
     EXPECT_THAT(refusal(square + "f 1 3 2 4\n"), HasSubstr(":5: a face with 4 corners has no area or folds over"));
+    EXPECT_THAT(refusal(square + "f 1 2 3\nl 1 5\n"),
+                HasSubstr(":6: a polyline names vertex 5, expected one of the 4"));
+    EXPECT_THAT(refusal(square + "f 1 2 3\nl 1 x\n"), HasSubstr(":6: found \"x\" as a corner of a polyline"));
 }
 
 TEST(ObjRefusal, SaysWhatAFileIsThatIsNoObj) {

@@ -260,6 +260,7 @@ FoundSeams find_seams(const std::vector<Tile>& tiles, const SeamOptions& options
         found.seams.push_back(make_seam(chains, run, tolerance));
         found.seams.back().id = seam_id(places.size(), sewn.size());
         places.push_back({run.a, run.b, ends_of(chains, run, tolerance)});
+        found.places.push_back(places.back().ends);
     }
     found.loose = loose_runs_of(tiles, chains, places, tolerance);
     found.curve_lengths = curve_lengths_of(tiles, chains, found.seams, places, tolerance);

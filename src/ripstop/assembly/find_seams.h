@@ -18,10 +18,17 @@ struct LooseRun {
     double start = 0, end = 0;  ///< on the boundary: edge k from k to k + 1; past the last one it begins again
 };
 
+/// Where a seam begins and ends on its two chains, as places on their curves (`ChainCurve`). Loops go on past theirs.
+struct RunEnds {
+    double start_a = 0, end_a = 0;  ///< ascending
+    double start_b = 0, end_b = 0;  ///< ascending; b's start lies beside a's end
+};
+
 /// What lies beside what.
 struct FoundSeams {
     std::vector<Seam> seams;  ///< `S0001`, … in the order of tile a and the place along its boundary
     std::vector<Eigen::VectorXd> curve_lengths;  ///< of each tile, as `Tile::curve_lengths`
+    std::vector<RunEnds> places;                 ///< of each seam
     std::vector<LooseRun> loose;                 ///< longer than a tolerance, in the order of the tiles
     std::vector<NearMiss> near_misses;           ///< loose edges beside each other, beyond the tolerance
     std::vector<NearMiss> same_way;  ///< loose edges on edges that run the same way: one tile is turned over

@@ -31,18 +31,6 @@ bool is_vertex(double at) {
     return at == std::round(at);
 }
 
-/// Do both sides have the same vertices?
-bool conforms(const ChainCurve& a, const ChainCurve& b, const RunEnds& ends) {
-    const double count = ends.end_a - ends.start_a;
-    if (!is_vertex(ends.start_a) || !is_vertex(ends.end_a) || !is_vertex(ends.start_b) || !is_vertex(ends.end_b) ||
-        count != ends.end_b - ends.start_b)
-        return false;
-    const double near = same_place * (station_at(a, ends.end_a) - station_at(a, ends.start_a));
-    for (double k = 0; k <= count; ++k)
-        if ((point_at(a, ends.start_a + k) - point_at(b, ends.end_b - k)).norm() > near) return false;
-    return true;
-}
-
 int local_edge(const ChainCurve& curve, double at) {
     const int count = curve.edge_count();
     return ((static_cast<int>(std::floor(at)) % count) + count) % count;
@@ -133,6 +121,21 @@ std::vector<double> steps(const std::vector<double>& stations) {
 }
 
 }  // namespace
+
+bool conforms(const ChainCurve& a, const ChainCurve& b, const RunEnds& ends) {
+    const double count = ends.end_a - ends.start_a;
+    if (!is_vertex(ends.start_a) || !is_vertex(ends.end_a) || !is_vertex(ends.start_b) || !is_vertex(ends.end_b) ||
+        count != ends.end_b - ends.start_b)
+        return false;
+    const double near = same_place * (station_at(a, ends.end_a) - station_at(a, ends.start_a));
+    for (double k = 0; k <= count; ++k)
+        if ((point_at(a, ends.start_a + k) - point_at(b, ends.end_b - k)).norm() > near) return false;
+    return true;
+}
+
+double open_length(const ChainCurve& curve, double low, double high) {
+    return openness(curve, low, high).estimate;
+}
 
 RunEnds ends_of(const std::vector<PlacedChain>& chains, const Run& run, double tolerance) {
     const ChainCurve& a = chain_of(chains, run.a).curve;

@@ -10,13 +10,14 @@ namespace ripstop {
 /// The seam of a run, both sides measured on one curve (`find_seams`); without an id.
 Seam make_seam(const std::vector<PlacedChain>& chains, const Run& run, double tolerance);
 
-/// Where a run begins and ends on each side: at a vertex where there is one within the tolerance. Loops go on past
-/// theirs.
-struct RunEnds {
-    double start_a, end_a;  ///< ascending
-    double start_b, end_b;  ///< ascending; b's start lies beside a's end
-};
+/// Where a run begins and ends on each side: at a vertex where there is one within the tolerance.
 RunEnds ends_of(const std::vector<PlacedChain>& chains, const Run& run, double tolerance);
+
+/// Do both sides of a seam have the same vertices, within 1e-6 of its length?
+bool conforms(const ChainCurve& a, const ChainCurve& b, const RunEnds& ends);
+
+/// What the vertices leave open of a curve's smooth length between two places (`find_seams`) [m].
+double open_length(const ChainCurve& curve, double low, double high);
 
 /// The chains of a seam, and from where to where.
 struct RunOnSeam {

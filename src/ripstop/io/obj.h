@@ -8,7 +8,8 @@
 
 namespace ripstop {
 
-/// The surfaces of a Wavefront OBJ: `v`, `vt`, `f`, `o` and `g` records; everything else is skipped.
+/// The surfaces and polylines of a Wavefront OBJ: `v`, `vt`, `f`, `l`, `o`, `g` and `usemtl` records; everything else is
+/// skipped.
 ///
 /// Surfaces. The faces under one name are one surface, in the order of their first faces; a name that comes back goes on with
 /// its surface, and a name without faces is none. An `o` starts an object without group, a `g` a group in the object; the
@@ -20,6 +21,14 @@ namespace ripstop {
 /// be the two sides of a closed dart. Polygons are fanned (`fan_corner`): from the first corner where convex. Indices count
 /// from 1, or from the end where negative; a face may come before its vertices. Weights and colours behind x y z are
 /// skipped. `drawn` is filled from `vt` where every corner has one and each vertex has one alone.
+///
+/// Polylines. Each `l` is a curve with the name a face there would have and the attribute `layer`: the object, the group, or
+/// `OBJECT::GROUP`. One that starts at the vertex where the one before it ends, under the same name, goes on with it; one
+/// with a single point is left out with a remark.
+///
+/// What is given by equations (`surf`, `curv`) is named in `unread`.
+///
+/// Material. What `usemtl` says, as the attribute `material`, where all faces of a surface have the same.
 ///
 /// Throws InputError `NAME:LINE: what was found, what was expected, what to do` for anything but finite coordinates below
 /// 1e12, indices that hold and faces of three or more different corners, and where there is no face at all. Linear in the

@@ -6,34 +6,32 @@
 #include <optional>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/number_text.h"
 #include "ripstop/io/text.h"
 
 namespace ripstop {
 namespace {
 
-constexpr double largest_coordinate = 1e12;  // beyond it squares and products lose what they are compared with
 constexpr int none = -1;
-
-std::string stem_of(const std::string& name) {
-    std::string stem = name.substr(name.find_last_of("/\\") + 1);
-    const std::size_t dot = stem.rfind('.');
-    if (dot != 0 && dot != std::string::npos) {
-        std::string ending = stem.substr(dot);
-        for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        if (ending == ".obj") stem.resize(dot);
-    }
-    return stem.empty() ? "surface" : readable_name(stem);
-}
 
 /// Reads the records of the file, line by line.
 class Parser {
   public:
-    Parser(std::string_view text, const std::string& name) : lines_(text) { file_.name = name; }
+    Parser(std::string_view text, const std::string& name) : lines_(text) {
+        mesh_.name = name;
+        mesh_.stem = stem_of(name, ".obj");
+        mesh_.first_index = 1;
+        mesh_.apart = true;
+    }
 
     ObjFile parse() {
         while (lines_.next()) read_line();
-        require_indices();
+        require_curves();
+        if (mesh_.faces.empty())
+            throw InputError(
+                mesh_.name + ": no face (a line that starts with f) in " + std::to_string(lines_.number()) +
+                " lines, expected a triangulated surface; " +
+                (file_.unread.empty() ? "" : "surfaces and curves by equations (surf, curv) are not read; ") +
+                "export the surfaces as meshes");
         return std::move(file_);
     }
 
@@ -46,61 +44,90 @@ class Parser {
             (key == "o" ? object_ : group_) = readable_name(trimmed(rest));
             if (key == "o") group_.clear();
             surface_ = none;
-        } else if (key == "v" || key == "vt" || key == "f") {
+        } else if (key == "usemtl") {
+            material_ = number_of(readable_name(trimmed(rest)), materials_, mesh_.materials);
+        } else if (key == "surf" || key == "curv") {
+            file_.unread.push_back({name_or_stem(), key == "surf" ? "Surface" : "Curve",
+                                    std::string("it is given by equations (") + std::string(key) + " in line " +
+                                        std::to_string(lines_.number()) +
+                                        "), which are not read from OBJ; export it as a " +
+                                        (key == "surf" ? "mesh" : "polyline")});
+        } else if (key == "v" || key == "vt" || key == "f" || key == "l") {
             rest = lines_.joined();
             next_word(rest);
             if (key == "v") {
                 const double x = coordinate(rest), y = coordinate(rest), z = coordinate(rest);
-                file_.vertices.emplace_back(x, y, z);
+                mesh_.vertices.emplace_back(x, y, z);
             } else if (key == "vt") {
                 const double u = coordinate(rest);
                 const std::string_view ahead = trimmed(rest);
-                file_.textures.emplace_back(u, ahead.empty() || ahead.front() == '#' ? 0 : coordinate(rest));
-            } else {
+                mesh_.textures.emplace_back(u, ahead.empty() || ahead.front() == '#' ? 0 : coordinate(rest));
+            } else if (key == "f") {
                 read_face(rest);
+            } else {
+                read_curve(rest);
             }
         }
     }
 
-    double coordinate(std::string_view& rest) const {
-        const std::string_view word = next_word(rest);
-        const std::optional<double> value = parse_double(word);
-        if (!value)
-            file_.refuse(lines_.number(), (word.empty() ? "a coordinate is missing" : "found " + shown(word)) +
-                                              ", expected a finite number with a decimal point; export the file again");
-        if (std::abs(*value) > largest_coordinate)
-            file_.refuse(lines_.number(), "the coordinate " + shown(word) +
-                                              " is too far out, expected at most 1e12; check the unit and the model");
-        return *value;
+    /// The place of a name in `names`, where it is put if it is new.
+    static int number_of(const std::string& name, std::map<std::string, int>& numbers,
+                         std::vector<std::string>& names) {
+        if (name.empty()) return none;
+        const auto [entry, is_new] = numbers.try_emplace(name, static_cast<int>(names.size()));
+        if (is_new) names.push_back(name);
+        return entry->second;
     }
 
+    double coordinate(std::string_view& rest) const { return mesh_.coordinate(next_word(rest), lines_.number()); }
+
     void read_face(std::string_view rest) {
-        ObjFace face{file_.corners.size(), 0, current_surface(), lines_.number()};
+        RecordedFace face{mesh_.corners.size(), 0, current_surface(), material_, lines_.number()};
         for (;;) {
             const std::string_view word = next_word(rest);
             if (word.empty() || word.front() == '#') break;
-            file_.corners.push_back(corner(word));
+            mesh_.corners.push_back(corner(word, "face"));
             ++face.count;
         }
-        if (face.count < 3)
-            file_.refuse(face.line, "a face with " + std::to_string(face.count) +
-                                        (face.count == 1 ? " corner" : " corners") +
-                                        ", expected at least 3; remove it or mesh the surface again");
-        file_.faces.push_back(face);
+        mesh_.faces.push_back(face);
+    }
+
+    /// Blender writes a polyline as its segments, a record each: what starts where the curve before it ends goes on with it.
+    void read_curve(std::string_view rest) {
+        ObjCurve curve{name_or_stem(), object_, {}, lines_.number()};
+        if (!group_.empty() && group_ != object_) curve.layer += (curve.layer.empty() ? "" : "::") + group_;
+        for (;;) {
+            const std::string_view word = next_word(rest);
+            if (word.empty() || word.front() == '#') break;
+            curve.vertices.push_back(corner(word, "polyline").vertex);
+        }
+        if (curve.vertices.size() < 2) {
+            file_.remarks.push_back("the polyline in line " + std::to_string(curve.line) + " of " + mesh_.name +
+                                    " left out: it has fewer than two points");
+            return;
+        }
+        if (!file_.curves.empty()) {
+            ObjCurve& last = file_.curves.back();
+            if (last.name == curve.name && last.layer == curve.layer &&
+                last.vertices.back() == curve.vertices.front()) {
+                last.vertices.insert(last.vertices.end(), curve.vertices.begin() + 1, curve.vertices.end());
+                return;
+            }
+        }
+        file_.curves.push_back(std::move(curve));
     }
 
     /// `v`, `v/vt`, `v//vn` or `v/vt/vn`; a slash with nothing behind it is tolerated.
-    ObjCorner corner(std::string_view word) const {
+    RecordedCorner corner(std::string_view word, const char* what) const {
         const char* at = word.data();
         const char* const end = at + word.size();
         const auto number = [&](bool required) {
             long value = 0;
             const auto [stop, error] = std::from_chars(at, end, value);
             if ((error != std::errc{} && (required || stop != at)) || (stop != end && *stop != '/'))
-                file_.refuse(lines_.number(),
-                             "found " + shown(word) +
-                                 " as a corner of a face, expected indices such as 12, 12/7 or 12/7/3; "
-                                 "export the file again");
+                mesh_.refuse(lines_.number(), "found " + shown(word) + " as a corner of a " + what +
+                                                  ", expected indices such as 12, 12/7 or 12/7/3; "
+                                                  "export the file again");
             const bool given = stop != at;
             at = stop;
             return given ? std::optional<long>(value) : std::nullopt;
@@ -116,76 +143,57 @@ class Parser {
             number(false);
         }
         if (at != end)
-            file_.refuse(lines_.number(), "found " + shown(word) +
-                                              " as a corner of a face, expected at most three indices (12/7/3); "
-                                              "export the file again");
-        return {index(vertex, file_.vertices.size(), "vertex"),
-                texture ? index(*texture, file_.textures.size(), "texture coordinate") : none};
+            mesh_.refuse(lines_.number(), "found " + shown(word) + " as a corner of a " + what +
+                                              ", expected at most three indices (12/7/3); export the file again");
+        return {index(vertex, mesh_.vertices.size(), "vertex"),
+                texture ? index(*texture, mesh_.textures.size(), "texture coordinate") : none};
     }
 
     /// From 0. Positive indices are checked at the end, since the vertices may follow.
     int index(long given, std::size_t count, const char* what) const {
         const long from_zero = given > 0 ? given - 1 : given + static_cast<long>(count);
         if (given == 0 || from_zero < 0 || from_zero > std::numeric_limits<int>::max())
-            refuse_index(lines_.number(), given, count, what);
+            mesh_.refuse_index(lines_.number(), given, count, what);
         return static_cast<int>(from_zero);
     }
 
-    [[noreturn]] void refuse_index(long line, long given, std::size_t count, const char* what) const {
-        file_.refuse(line, std::string("a face names ") + what + " " + std::to_string(given) +
-                               ", expected one of the " + std::to_string(count) +
-                               " there are, counted from 1 (or from the end, negative); the file "
-                               "is cut short or damaged, so export it again");
+    std::string current_name() const {
+        return object_.empty() ? group_ : group_.empty() || group_ == object_ ? object_ : object_ + "/" + group_;
+    }
+
+    std::string name_or_stem() const {
+        const std::string name = current_name();
+        return name.empty() ? mesh_.stem : name;
     }
 
     int current_surface() {
         if (surface_ != none) return surface_;
-        std::string name = object_.empty()                       ? group_
-                           : group_.empty() || group_ == object_ ? object_
-                                                                 : object_ + "/" + group_;
-        if (!name.empty()) file_.named = true;
-        if (name.empty()) name = stem_of(file_.name);
-        const auto [entry, is_new] = surface_of_name_.try_emplace(name, static_cast<int>(file_.surfaces.size()));
-        if (is_new) file_.surfaces.push_back(name);
-        return surface_ = entry->second;
+        const std::string name = current_name();
+        if (!name.empty()) mesh_.apart = false;
+        return surface_ = number_of(name.empty() ? mesh_.stem : name, surfaces_, mesh_.surfaces);
     }
 
-    void require_indices() const {
-        std::vector<std::size_t> last_face(file_.vertices.size(), file_.faces.size());
-        for (std::size_t f = 0; f < file_.faces.size(); ++f) {
-            const ObjFace& face = file_.faces[f];
-            for (std::size_t c = face.first; c < face.first + static_cast<std::size_t>(face.count); ++c) {
-                const auto vertex = static_cast<std::size_t>(file_.corners[c].vertex);
-                if (vertex >= file_.vertices.size())
-                    refuse_index(face.line, static_cast<long>(vertex) + 1, file_.vertices.size(), "vertex");
-                if (file_.corners[c].texture >= static_cast<long>(file_.textures.size()))
-                    refuse_index(face.line, file_.corners[c].texture + 1L, file_.textures.size(), "texture coordinate");
-                if (last_face[vertex] == f)
-                    file_.refuse(face.line, "a face has vertex " + std::to_string(vertex + 1) +
-                                                " twice, expected different corners; triangulate the face in the CAD, "
-                                                "or remove it if it has no area");
-                last_face[vertex] = f;
-            }
-        }
-        if (file_.faces.empty())
-            throw InputError(file_.name + ": no face (a line that starts with f) in " +
-                             std::to_string(lines_.number()) +
-                             " lines, expected a triangulated surface; export the surfaces as meshes");
+    void require_curves() const {
+        for (const ObjCurve& curve : file_.curves)
+            for (const int vertex : curve.vertices)
+                if (static_cast<std::size_t>(vertex) >= mesh_.vertices.size())
+                    mesh_.refuse(curve.line, "a polyline names vertex " + std::to_string(vertex + 1L) +
+                                                 ", expected one of the " + std::to_string(mesh_.vertices.size()) +
+                                                 " there are; the file is cut short or damaged, so export it again");
     }
 
     Lines lines_;
     ObjFile file_;
+    MeshRecords& mesh_ = file_.mesh;
     std::string object_;
     std::string group_;
     int surface_ = none;
-    std::map<std::string, int> surface_of_name_;
+    int material_ = none;
+    std::map<std::string, int> surfaces_;
+    std::map<std::string, int> materials_;
 };
 
 }  // namespace
-
-void ObjFile::refuse(long line, const std::string& what) const {
-    throw InputError(name + ":" + std::to_string(line) + ": " + what);
-}
 
 ObjFile parse_obj(std::string_view text, const std::string& name) {
     return Parser(text, name).parse();

@@ -40,9 +40,8 @@ struct Project {
 /// to 1 m, a surface named in two ways or by a pattern, and a name given twice.
 Project read_project(std::istream& in, const std::string& name);
 
-/// What the project says about the shape of one tile, corners in metres. The entry with exactly the tile's name goes first; among patterns
-/// the later goes before the earlier, so general ones stand above special ones. Warp, corners and compensation are looked up each
-/// by itself: one entry may give the warp and another the corners.
+/// What the project says about the shape of one tile, corners in metres. Warp, corners and compensation are looked up each by
+/// itself (`deciding_entry`): one entry may give the warp and another the corners.
 TileOptions tile_options(const Project& project, const std::string& tile_name, double metres_per_unit);
 
 /// `defaults` with the project's own tolerances in their place; its strain and shear hold for every fabric.

@@ -1,5 +1,6 @@
 #include "ripstop/io/text.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <istream>
 
@@ -9,6 +10,10 @@ namespace ripstop {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\f\v";
+constexpr bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
+
 constexpr std::size_t largest_file = std::size_t{1} << 31;
 
 /// Length of the UTF-8 character at the start of `text`, 0 where there is none [RFC 3629].
@@ -34,13 +39,25 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
+/// How many bytes the stream has still to give, where it can tell; else a first guess.
+std::size_t rest_of(std::istream& in) {
+    const auto here = in.tellg();
+    if (here < 0) return 1 << 16;
+    in.seekg(0, std::ios::end);
+    const auto end = in.tellg();
+    in.clear();
+    if (end < here) return 1 << 16;
+    in.seekg(here);
+    return static_cast<std::size_t>(end - here);
+}
+
 }  // namespace
 
-std::string read_text(std::istream& in, const std::string& name) {
+std::string read_bytes(std::istream& in, const std::string& name) {
     std::string text;
     std::size_t size = 0;
     while (in) {
-        text.resize(size == 0 ? 1 << 16 : 2 * size);
+        text.resize(size == 0 ? std::min(rest_of(in), largest_file) + 1 : 2 * size);
         in.read(text.data() + size, static_cast<std::streamsize>(text.size() - size));
         size += static_cast<std::size_t>(in.gcount());
         if (size > largest_file)
@@ -48,6 +65,10 @@ std::string read_text(std::istream& in, const std::string& name) {
     }
     if (in.bad()) throw InputError(name + ": the file cannot be read to its end; check that it is a file and complete");
     text.resize(size);
+    return text;
+}
+
+std::string text_of(std::string text, const std::string& name) {
     if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE"))
         throw InputError(name + ":1: the text is UTF-16, expected UTF-8 or ASCII; save it as UTF-8");
     if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
@@ -59,6 +80,10 @@ std::string read_text(std::istream& in, const std::string& name) {
     }
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
     return text;
+}
+
+std::string read_text(std::istream& in, const std::string& name) {
+    return text_of(read_bytes(in, name), name);
 }
 
 Lines::Lines(std::string_view text) : rest_(text), end_(text.find('\n') == std::string_view::npos ? '\r' : '\n') {}
@@ -96,15 +121,13 @@ std::string_view Lines::joined() {
 }
 
 std::string_view next_word(std::string_view& rest) {
-    const std::size_t start = rest.find_first_not_of(blanks);
-    if (start == std::string_view::npos) {
-        rest = {};
-        return {};
-    }
-    const std::size_t end = rest.find_first_of(blanks, start);
-    const std::string_view word = rest.substr(start, end == std::string_view::npos ? end : end - start);
-    rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end);
-    return word;
+    const char* const end = rest.data() + rest.size();
+    const char* start = rest.data();
+    while (start != end && is_blank(*start)) ++start;
+    const char* stop = start;
+    while (stop != end && !is_blank(*stop)) ++stop;
+    rest = {stop, static_cast<std::size_t>(end - stop)};
+    return {start, static_cast<std::size_t>(stop - start)};
 }
 
 std::string_view trimmed(std::string_view text) {

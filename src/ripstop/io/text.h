@@ -6,6 +6,12 @@
 
 namespace ripstop {
 
+/// The whole of a file, read in one go. Throws InputError where the stream cannot be read or holds more than 2 GiB.
+std::string read_bytes(std::istream& in, const std::string& name);
+
+/// The same as text: without the byte order mark of UTF-8. Throws InputError for what is no text: UTF-16, or a zero byte.
+std::string text_of(std::string bytes, const std::string& name);
+
 /// The whole of a text file, read in one go. A byte order mark of UTF-8 is dropped. Throws InputError where the stream cannot
 /// be read, holds more than 2 GiB, or is no text: UTF-16, or a zero byte in it.
 std::string read_text(std::istream& in, const std::string& name);

@@ -8,6 +8,7 @@
 #include "ripstop/mesh/triangle_mesh.h"
 #include "ripstop/model/cad_model.h"
 #include "ripstop/model/fabric.h"
+#include "ripstop/model/remeshed.h"
 #include "ripstop/model/seam_type.h"
 
 namespace ripstop {
@@ -55,7 +56,8 @@ struct Tile {
     Eigen::VectorXd curve_lengths;  ///< of each boundary edge on the curve its seam follows [m]; empty: the edge's own
     Attributes attributes = {};     ///< what the file says of it
     std::vector<SurfaceLine> lines = {};
-    std::optional<Fabric> fabric = {};  ///< where it is not the envelope's
+    std::optional<Fabric> fabric = {};      ///< where it is not the envelope's
+    std::optional<Remeshed> remeshed = {};  ///< where its mesh is not the input's
 
     const Fabric& fabric_or(const Fabric& of_envelope) const { return fabric ? *fabric : of_envelope; }
 };

@@ -9,6 +9,7 @@
 #include "ripstop/pipeline/grain_lines.h"
 #include "ripstop/pipeline/name_tiles.h"
 #include "ripstop/pipeline/seam_rules.h"
+#include "ripstop/pipeline/surface_lines.h"
 #include "ripstop/pipeline/tile_fabrics.h"
 
 namespace ripstop {
@@ -104,7 +105,10 @@ Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& optio
 }
 
 EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& options) {
-    CadModel model = read_model(file);
+    MeshingOptions meshing = options.meshing;
+    meshing.sewing_tolerance = options.seam_tolerance;
+    if (options.unit) meshing.metres_per_unit = options.unit->metres;
+    CadModel model = read_model(file, meshing);
     EnvelopeInput input;
     input.unit_assumed = !options.unit && !model.unit;
     input.unit = options.unit ? *options.unit : model.unit.value_or(LengthUnit{});
@@ -125,6 +129,11 @@ EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& o
     in_this_unit.unit = input.unit;
     input.envelope = make_envelope(std::move(model.surfaces), in_this_unit, input.remarks);
     if (options.project && options.only.empty()) input.unused = unused_entries(*options.project, input.envelope);
+    RemeshOptions remesh = options.remesh;
+    remesh.seam_tolerance = options.seam_tolerance;
+    for (std::string& remark : remesh_envelope(input.envelope, remesh)) input.remarks.push_back(std::move(remark));
+    if (options.project)
+        give_seam_types(input.envelope, *options.project);  // remeshed tiles have seams and chains anew
     return input;
 }
 

@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "ripstop/base/units.h"
+#include "ripstop/io/convert.h"
 #include "ripstop/io/project_json.h"
 #include "ripstop/model/cad_model.h"
 #include "ripstop/model/envelope.h"
+#include "ripstop/pipeline/remesh_envelope.h"
 
 namespace ripstop {
 
@@ -20,6 +22,8 @@ struct ReadOptions {
     std::optional<Project> project = {};
     double seam_tolerance = 0.5 * millimetre;  ///< edges to be sewn together lie within this [m]
     Fabric fabric = {};                        ///< of the envelope: tiles of it have none of their own
+    MeshingOptions meshing = {};  ///< of a CAD's surfaces; its unit and sewing tolerance are the ones above
+    RemeshOptions remesh = {};    ///< by `read_input`, at this seam tolerance; never unless asked for
 };
 
 /// An envelope with what its file said of it.
@@ -37,9 +41,10 @@ struct EnvelopeInput {
 /// fabric (`give_fabrics`), each seam its type (`give_seam_types`). The project's entries that fit nothing are named, unless
 /// only some tiles are read.
 ///
-/// The warp of a tile is, in this order: the project's; the line on a layer called GRAIN or WARP that lies on the tile (or on one of the project's `grain_layers`); the
-/// file's own for the surface, in its triangles or as the attribute `warp` (x, y, z); the longest axis. Objects that give no
-/// surface become remarks.
+/// The warp of a tile is, in this order: the project's; the line that lies on the tile, on a layer called GRAIN or WARP or on
+/// one of the project's `grain_layers`; the file's own for the surface, in its triangles or as the attribute `warp`
+/// (x, y, z); the longest axis. Objects that give no surface become remarks. Last, tiles are
+/// remeshed where `remesh` says so (`remesh_envelope`); `make_envelope` never does.
 ///
 /// Throws InputError for a file that cannot be read or holds no surface, and for surfaces that are no tiles: one sentence
 /// each, all of them at once; and for a glob in `only` or `layers` that fits nothing.

@@ -256,6 +256,13 @@ void add_accuracy(Json& json, const Accuracy& accuracy) {
     json["overlaps"] = accuracy.overlaps;
 }
 
+Json remeshed_json(const Remeshed& remeshed) {
+    return {{"reason", remeshed.reason},
+            {"triangles_before", remeshed.triangles_before},
+            {"edge_length_mm", in_millimetres(remeshed.edge_length)},
+            {"turn_max_deg", in_degrees(remeshed.turn_max)}};
+}
+
 Json tile_json(const FlatTile& tile, const std::string& stem, const Json& chains, bool reproducible) {
     const SolveSummary& summary = tile.flattening.summary;
     const Vec3& warp = tile.tile.grain.direction;
@@ -267,6 +274,7 @@ Json tile_json(const FlatTile& tile, const std::string& stem, const Json& chains
         {"grain",
          {{"direction", {figure(warp.x()), figure(warp.y()), figure(warp.z())}}, {"source", tile.tile.grain.source}}},
         {"method", tile.method}};
+    if (tile.tile.remeshed) json["remeshed"] = remeshed_json(*tile.tile.remeshed);
     if (!reproducible) json["seconds"] = figure(tile.seconds);
     json["iterations"] = summary.iterations;
     json["factorizations"] = summary.factorizations;

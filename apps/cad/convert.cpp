@@ -1,0 +1,155 @@
+#include <BRepBndLib.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <Bnd_Box.hxx>
+#include <algorithm>
+#include <cmath>
+
+#include "meshing.h"
+#include "ripstop/base/error.h"
+#include "ripstop/base/number_text.h"
+
+namespace ripstop::cad {
+namespace {
+
+constexpr double finest_sewing = 2e-5;  // of the drawing's diagonal: wider than this would close small tiles
+
+double diagonal_of(const std::vector<TopoDS_Face>& faces) {
+    Bnd_Box box;
+    for (const TopoDS_Face& face : faces)
+        if (!face.IsNull()) BRepBndLib::AddOptimal(face, box, false, false);
+    return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
+}
+
+std::string called(const DrawnObject& object, std::size_t face) {
+    const std::string name = object.name.empty() ? object.type : object.name;
+    return object.faces.size() > 1 ? name + ", face " + std::to_string(face + 1) : name;
+}
+
+/// A mesh of its own from the vertices its triangles use.
+TriangleMesh own_mesh(const Points3& positions, const Triangles& triangles, double millimetres) {
+    std::vector<int> number(static_cast<std::size_t>(positions.rows()), -1), used;
+    TriangleMesh mesh{{}, triangles};
+    for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            int& own = number[static_cast<std::size_t>(triangles(t, k))];
+            if (own < 0) {
+                own = static_cast<int>(used.size());
+                used.push_back(triangles(t, k));
+            }
+            mesh.triangles(t, k) = own;
+        }
+    mesh.positions.resize(static_cast<Eigen::Index>(used.size()), 3);
+    for (std::size_t i = 0; i < used.size(); ++i)
+        mesh.positions.row(static_cast<Eigen::Index>(i)) = positions.row(used[i]) / millimetres;
+    return mesh;
+}
+
+/// Faces whose stored mesh says otherwise than the surface are taken as stored: `shape` becomes null.
+void trust_stored(Drawing& drawing, const std::vector<FaceFigures>& figures, std::vector<TopoDS_Face>& faces) {
+    std::size_t i = 0;
+    for (DrawnObject& object : drawing.objects)
+        for (std::size_t f = 0; f < object.faces.size(); ++f, ++i) {
+            const ConvertedFace& stored = object.faces[f].stored;
+            if (faces[i].IsNull() || stored.mesh.triangle_count() == 0) continue;
+            const double unit = drawing.millimetres * drawing.millimetres;
+            const double area = surface_area(stored.mesh) * unit;
+            if (std::abs(figures[i].area / area - 1) <= area_agreement) continue;
+            faces[i] = {};
+            drawing.rest.remarks.push_back(called(object, f) + ": its surface has " +
+                                           format_fixed((figures[i].area / area - 1) * 100, 1) +
+                                           " % more area than the mesh stored with it; the stored mesh was taken");
+        }
+}
+
+std::vector<TopoDS_Face> faces_of(const Drawing& drawing) {
+    std::vector<TopoDS_Face> faces;
+    for (const DrawnObject& object : drawing.objects)
+        for (const DrawnFace& face : object.faces) faces.push_back(face.shape);
+    return faces;
+}
+
+std::string percent_text(double ratio) {
+    return format_fixed(ratio * 100, 4) + " %";
+}
+
+/// What the meshes came to.
+void add_remark(ConvertedModel& model, const EdgeSizes& sizes, const std::vector<FaceFigures>& figures, bool plain,
+                double scale) {
+    double chord_error = 0, shortfall = 0;
+    for (const FaceFigures& face : figures) {
+        chord_error = std::max(chord_error, face.chord_error);
+        shortfall = std::max(shortfall, face.shortfall);
+    }
+    model.remarks.push_back("surfaces meshed with edges of at most " + format_fixed(sizes.longest * scale, 1) +
+                            " mm: at most " + format_fixed(chord_error * scale, 3) +
+                            " mm off the CAD's, edges at most " + percent_text(shortfall) + " short of its curves");
+    if (plain)
+        model.remarks.push_back(
+            "the surfaces were meshed by Open CASCADE, with poor triangles, because gmsh failed on one; repair the "
+            "surfaces "
+            "in the CAD");
+}
+
+/// What the lengths asked for are in the kernel's millimetres, `scale` of which are one of the world's: they differ where the
+/// file says no unit, or is said to have another.
+MeshingOptions in_kernel(MeshingOptions options, double scale) {
+    options.sewing_tolerance /= scale;
+    if (options.chord_error) *options.chord_error /= scale;
+    if (options.edge_length) *options.edge_length /= scale;
+    return options;
+}
+
+}  // namespace
+
+ConvertedModel convert(Drawing drawing, const MeshingOptions& asked) {
+    const double metres_per_unit = asked.metres_per_unit.value_or(drawing.rest.unit.value_or(LengthUnit{}).metres);
+    const double scale = metres_per_unit / (drawing.millimetres * millimetre);
+    const MeshingOptions options = in_kernel(asked, scale);
+    std::vector<TopoDS_Face> faces = faces_of(drawing);
+    std::vector<FaceFigures> figures(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (!faces[i].IsNull()) figures[i] = figures_of(faces[i], Points3(0, 3), Triangles(0, 3));
+    trust_stored(drawing, figures, faces);
+    const double tolerance = std::min(options.sewing_tolerance / millimetre, finest_sewing * diagonal_of(faces));
+    const std::vector<TopoDS_Face> drawn = faces;
+    if (tolerance > 0) faces = sewn(faces, tolerance);
+    const EdgeSizes sizes = edge_sizes(faces, options);
+    Meshes meshes = meshed(faces, sizes);
+    std::fill(figures.begin(), figures.end(), FaceFigures{});
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (meshes.faces[i].rows() == 0) continue;
+        figures[i] = figures_of(drawn[i], meshes.positions, meshes.faces[i]);
+        if (figures[i].turned) meshes.faces[i].col(1).swap(meshes.faces[i].col(2));
+    }
+    const std::vector<bool> turned = agree(meshes.positions, meshes.faces);
+    ConvertedModel model = std::move(drawing.rest);
+    std::size_t i = 0, meshed_faces = 0, turned_faces = 0;
+    for (DrawnObject& object : drawing.objects) {
+        ConvertedObject converted{object.name, object.type, object.attributes, {}};
+        for (std::size_t f = 0; f < object.faces.size(); ++f, ++i) {
+            DrawnFace& face = object.faces[f];
+            if (meshes.faces[i].rows() > 0) {
+                const double mm = drawing.millimetres;
+                converted.faces.push_back({face.name, own_mesh(meshes.positions, meshes.faces[i], mm),
+                                           figures[i].area / (mm * mm), figures[i].chord_error / mm, face.attributes});
+                ++meshed_faces;
+                turned_faces += turned[i] ? 1 : 0;
+            } else if (face.stored.mesh.triangle_count() > 0) {
+                converted.faces.push_back(std::move(face.stored));
+            } else {
+                model.unread.push_back({called(object, f), object.type,
+                                        "this face could not be meshed; repair it in the CAD, or mesh it there",
+                                        object.attributes});
+            }
+        }
+        model.objects.push_back(std::move(converted));
+    }
+    if (meshed_faces > 0) add_remark(model, sizes, figures, meshes.plain, scale);
+    if (turned_faces > 0)
+        model.remarks.push_back(
+            std::string(turned_faces == 1 ? "1 face was" : std::to_string(turned_faces) + " faces were") +
+            " turned over so that neighbours face the same way");
+    return model;
+}
+
+}  // namespace ripstop::cad

@@ -1,0 +1,86 @@
+/// ripstop-cad: turns the surfaces of a CAD file into meshes for ripstop, in a process of its own: it holds what is
+/// under the GPL (gmsh), and what may crash on a faulty file.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <Standard_Failure.hxx>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+
+#include "meshing.h"
+#include "ripstop/base/error.h"
+#include "ripstop/version.h"
+
+namespace {
+
+enum ExitCode { done = 0, usage = 2, unusable_input = 3, our_fault = 4 };
+
+struct Arguments {
+    std::filesystem::path input, output;
+    std::string chord, edge, tolerance;
+    std::optional<double> metres_per_unit;
+};
+
+/// The kernels print banners and statistics; standard output is nobody's place for them.
+void silence_stdout() {
+    std::fflush(stdout);
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    if (nowhere >= 0) ::dup2(nowhere, STDOUT_FILENO);
+}
+
+ripstop::MeshingOptions options_of(const Arguments& given) {
+    ripstop::MeshingOptions options;
+    if (!given.chord.empty()) options.chord_error = ripstop::parse_length(given.chord, "--chord");
+    if (!given.edge.empty()) options.edge_length = ripstop::parse_length(given.edge, "--edge");
+    if (!given.tolerance.empty()) options.sewing_tolerance = ripstop::parse_length(given.tolerance, "--tolerance");
+    options.metres_per_unit = given.metres_per_unit;
+    ripstop::require_sound(options);
+    return options;
+}
+
+int run(const Arguments& given) {
+    using namespace ripstop;
+    const MeshingOptions options = options_of(given);
+    silence_stdout();
+    const ConvertedModel model = cad::convert(cad::read_drawing(given.input), options);
+    std::ofstream out(given.output, std::ios::binary);
+    write_converted(out, model);
+    out.flush();
+    if (!out) throw InputError(given.output.string() + ": cannot be written; is there room on the disk?");
+    return done;
+}
+
+int failed(const char* message, ExitCode code) {
+    std::fprintf(stderr, "ripstop-cad: %s\n", message);
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Meshes the surfaces of STEP, IGES and BREP files for ripstop, which calls it by itself.",
+                 "ripstop-cad");
+    app.set_version_flag("--version", std::string("ripstop-cad ") + ripstop::version);
+    Arguments given;
+    app.add_option("INPUT", given.input, "A .step, .stp, .iges, .igs, .brep, .brp or .converted file")->required();
+    app.add_option("OUTPUT", given.output, "The meshes, as ripstop reads them")->required();
+    app.add_option("--chord", given.chord, "How far the surface may lie off its triangles, as 0.2mm");
+    app.add_option("--edge", given.edge, "How long edges are at most, as 100mm");
+    app.add_option("--tolerance", given.tolerance, "Faces are sewn where their edges lie within this length (0.5mm)");
+    app.add_option("--metres-per-unit", given.metres_per_unit, "Of the file's numbers, whatever the file says");
+    try {
+        app.parse(argc, argv);
+        return run(given);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? done : usage;
+    } catch (const ripstop::InputError& error) {
+        return failed(error.what(), unusable_input);
+    } catch (const Standard_Failure& error) {
+        return failed(error.GetMessageString(), our_fault);
+    } catch (const std::exception& error) {
+        return failed(error.what(), our_fault);
+    }
+}

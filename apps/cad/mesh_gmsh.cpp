@@ -1,0 +1,186 @@
+#include <gmsh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+#include "meshing.h"
+#include "ripstop/base/error.h"
+
+namespace ripstop::cad {
+namespace {
+
+constexpr double most_triangles = 1e7;
+constexpr int samples_across = 16;
+
+/// How long edges are to be here and there on a curve or surface of the model.
+struct Sample {
+    Vec3 at;
+    double size;
+};
+using Samples = std::vector<Sample>;
+
+double size_at(const Samples& samples, const Vec3& p, double otherwise) {
+    double nearest = -1, size = otherwise;
+    for (const Sample& sample : samples) {
+        const double distance = (sample.at - p).squaredNorm();
+        if (nearest >= 0 && distance >= nearest) continue;
+        nearest = distance;
+        size = sample.size;
+    }
+    return size;
+}
+
+Samples samples_of(int dimension, int tag, const EdgeSizes& sizes) {
+    std::vector<double> low, high, parameters, points, curvatures;
+    gmsh::model::getParametrizationBounds(dimension, tag, low, high);
+    for (int i = 0; i <= samples_across; ++i)
+        for (int j = 0; j <= (dimension == 2 ? samples_across : 0); ++j) {
+            // Off the ends, where poles are bent without end.
+            parameters.push_back(low[0] + (high[0] - low[0]) * (i + 0.5) / (samples_across + 1));
+            if (dimension == 2) parameters.push_back(low[1] + (high[1] - low[1]) * (j + 0.5) / (samples_across + 1));
+        }
+    gmsh::model::getValue(dimension, tag, parameters, points);
+    gmsh::model::getCurvature(dimension, tag, parameters, curvatures);
+    Samples samples;
+    for (std::size_t i = 0; i < curvatures.size(); ++i)
+        samples.push_back(
+            {Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]), sizes.at(std::abs(curvatures[i]))});
+    const auto [least, most] = std::minmax_element(samples.begin(), samples.end(),
+                                                   [](const Sample& a, const Sample& b) { return a.size < b.size; });
+    if (dimension == 2 && !samples.empty() && most->size - least->size < 1e-9 * most->size) samples.resize(1);
+    return samples;
+}
+
+class SizeField {
+  public:
+    explicit SizeField(const EdgeSizes& sizes) : sizes_(sizes) {
+        gmsh::vectorpair entities;
+        gmsh::model::getEntities(entities, 2);
+        for (const auto& [dimension, tag] : entities) faces_[tag] = samples_of(2, tag, sizes);
+        gmsh::model::getEntities(entities, 1);
+        for (const auto& [dimension, tag] : entities) add_curve(tag);
+    }
+
+    double at(int dimension, int tag, const Vec3& p) const {
+        const auto& known = dimension == 2 ? faces_ : curves_;
+        const auto found = known.find(tag);
+        return found == known.end() ? sizes_.longest : size_at(found->second, p, sizes_.longest);
+    }
+
+    double finest_area(int tag) const {
+        double sum = 0;
+        for (const Sample& sample : faces_.at(tag)) sum += 1 / (sample.size * sample.size);
+        return faces_.at(tag).empty() ? sizes_.longest * sizes_.longest
+                                      : static_cast<double>(faces_.at(tag).size()) / sum;
+    }
+
+  private:
+    /// A curve is divided for its own bend and for that of the faces it bounds.
+    void add_curve(int tag) {
+        Samples samples = samples_of(1, tag, sizes_);
+        std::vector<int> up, down;
+        gmsh::model::getAdjacencies(1, tag, up, down);
+        for (Sample& sample : samples)
+            for (const int face : up)
+                sample.size = std::min(sample.size, size_at(faces_[face], sample.at, sizes_.longest));
+        curves_[tag] = std::move(samples);
+    }
+
+    const EdgeSizes& sizes_;
+    std::map<int, Samples> faces_, curves_;
+};
+
+void require_bearable(const SizeField& field, const std::vector<int>& tags) {
+    double triangles = 0;
+    for (const int tag : tags) {
+        double area = 0;
+        if (tag > 0) gmsh::model::occ::getMass(2, tag, area);
+        if (tag > 0) triangles += area / (0.433 * field.finest_area(tag));  // an equilateral triangle
+    }
+    if (triangles > most_triangles)
+        throw InputError("so fine a mesh would have " + std::to_string(std::lround(triangles / 1e6)) +
+                         " million triangles, at most 10 million are made; ask for less with --chord or --edge");
+}
+
+Meshes taken(const std::vector<int>& tags) {
+    Meshes result;
+    std::vector<std::size_t> node_tags;
+    std::vector<double> coordinates, parameters;
+    gmsh::model::mesh::getNodes(node_tags, coordinates, parameters, -1, -1, false, false);
+    std::unordered_map<std::size_t, int> number;
+    result.positions.resize(static_cast<Eigen::Index>(node_tags.size()), 3);
+    for (std::size_t i = 0; i < node_tags.size(); ++i) {
+        number[node_tags[i]] = static_cast<int>(i);
+        for (std::size_t k = 0; k < 3; ++k)
+            result.positions(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = coordinates[3 * i + k];
+    }
+    for (const int tag : tags) {
+        std::vector<std::size_t> elements, corners;
+        constexpr int triangle = 2;
+        if (tag > 0) gmsh::model::mesh::getElementsByType(triangle, elements, corners, tag);
+        Triangles triangles(static_cast<Eigen::Index>(elements.size()), 3);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            triangles(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) = number.at(corners[i]);
+        result.faces.push_back(std::move(triangles));
+    }
+    return result;
+}
+
+std::vector<int> imported(const std::vector<TopoDS_Face>& faces) {
+    std::vector<int> tags;
+    for (const TopoDS_Face& face : faces) {
+        gmsh::vectorpair made;
+        if (!face.IsNull()) gmsh::model::occ::importShapesNativePointer(&face, made);
+        tags.push_back(made.size() == 1 && made[0].first == 2 ? made[0].second : -1);
+    }
+    gmsh::model::occ::synchronize();
+    return tags;
+}
+
+/// gmsh holds one state for the whole process.
+struct Session {
+    Session() { gmsh::initialize(0, nullptr, false); }
+    ~Session() { gmsh::finalize(); }
+};
+
+void set_options(const EdgeSizes& sizes) {
+    const auto set = [](const char* name, double value) { gmsh::option::setNumber(name, value); };
+    set("General.Terminal", 0);
+    set("Mesh.Algorithm", 6);  // frontal: the best shaped triangles
+    set("Mesh.MeshSizeFromPoints", 0);
+    set("Mesh.MeshSizeExtendFromBoundary", 0);
+    set("Mesh.MeshSizeMin", sizes.shortest);
+    set("Mesh.MeshSizeMax", sizes.longest);
+    set("General.NumThreads", 1);
+    set("Mesh.RandomFactor", 1e-9);
+}
+
+}  // namespace
+
+std::optional<Meshes> meshed_by_gmsh(const std::vector<TopoDS_Face>& faces, const EdgeSizes& sizes) {
+    const Session session;
+    try {
+        set_options(sizes);
+        const std::vector<int> tags = imported(faces);
+        const SizeField field(sizes);
+        require_bearable(field, tags);
+        gmsh::model::mesh::setSizeCallback([&field](int dimension, int tag, double x, double y, double z) {
+            return field.at(dimension, tag, {x, y, z});
+        });
+        gmsh::model::mesh::generate(2);
+        Meshes meshes = taken(tags);
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            if (!faces[i].IsNull() && meshes.faces[i].rows() == 0) return {};
+        return meshes;
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::string&) {  // how gmsh fails
+        return {};
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
+}  // namespace ripstop::cad

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <TopoDS_Face.hxx>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "drawing.h"
+#include "ripstop/io/convert.h"
+
+namespace ripstop::cad {
+
+/// Sews neighbours whose edges lie within `tolerance` [mm], so that they share these edges. Gives each face as it is then, in
+/// the order of `faces`; a null face where it was too small to be kept.
+std::vector<TopoDS_Face> sewn(const std::vector<TopoDS_Face>& faces, double tolerance);
+
+/// How long the edges of a mesh are to be [mm].
+struct EdgeSizes {
+    double longest = 0;                 ///< everywhere
+    double turn = 0;                    ///< between the ends of an edge [rad]; infinite: no matter
+    double chord_error = 0;             ///< infinite: no matter
+    double shortest = 0;                ///< however much the surface is bent
+    double at(double curvature) const;  ///< [1/mm]
+};
+
+/// From what is asked for; the longest is else a twelfth of the size of the faces that hold the middle of the area.
+EdgeSizes edge_sizes(const std::vector<TopoDS_Face>& faces, const MeshingOptions& asked);
+
+/// The faces meshed, all in one numbering of vertices: neighbours share those of their common edges. Empty triangles for a null
+/// face. Throws InputError where that would be more than ten million triangles.
+struct Meshes {
+    Points3 positions;  ///< [mm]
+    std::vector<Triangles> faces;
+    bool plain = false;  ///< by the kernel's own mesher, because the better one refused
+};
+Meshes meshed(const std::vector<TopoDS_Face>& faces, const EdgeSizes& sizes);
+
+/// The same by gmsh, and by Open CASCADE. gmsh gives nothing where it fails on a face.
+std::optional<Meshes> meshed_by_gmsh(const std::vector<TopoDS_Face>& faces, const EdgeSizes& sizes);
+Meshes meshed_by_kernel(const std::vector<TopoDS_Face>& faces, const EdgeSizes& sizes);
+
+/// What a mesh makes of a face.
+struct FaceFigures {
+    double area = 0;         ///< of the face itself [mm²]
+    double chord_error = 0;  ///< [mm], at samples
+    double shortfall = 0;    ///< of its edges' length, as a ratio; 0 where it is closed on itself
+    bool turned = false;     ///< the triangles run against the face
+};
+FaceFigures figures_of(const TopoDS_Face& face, const Points3& positions, const Triangles& triangles);
+
+/// Turns faces so that all that hang together agree, and closed bodies point outward; else as most of their area already is.
+/// Gives which were turned.
+std::vector<bool> agree(const Points3& positions, std::vector<Triangles>& faces);
+
+/// Everything of a drawing as a converted model. Throws InputError.
+ConvertedModel convert(Drawing drawing, const MeshingOptions& options);
+
+}  // namespace ripstop::cad

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "ripstop/base/error.h"
+#include "ripstop/io/mesh_file.h"
+
+namespace ripstop::fuzzing {
+
+inline void require(bool holds) {
+    if (!holds) std::abort();
+}
+
+inline void require_sound(const CadModel& model) {
+    require(!model.surfaces.empty());
+    for (const auto& [name, mesh, drawn, warp, attributes] : model.surfaces) {
+        require(!name.empty() && mesh.triangle_count() > 0);
+        require(mesh.triangles.minCoeff() >= 0 && mesh.triangles.maxCoeff() < mesh.vertex_count());
+        require(mesh.positions.allFinite());
+        require(!drawn || (drawn->rows() == mesh.vertex_count() && drawn->allFinite()));
+        require(warp.rows() == 0 || (warp.rows() == mesh.triangle_count() && warp.allFinite()));
+    }
+    for (const NamedCurve& curve : model.curves)
+        require(!curve.name.empty() && curve.points.rows() >= 2 && curve.points.allFinite());
+}
+
+inline void require_equal(const NamedMesh& a, const NamedMesh& b, const MeshKept& kept) {
+    require(!kept.names || a.name == b.name);
+    require(a.mesh.triangle_count() == b.mesh.triangle_count());
+    for (int t = 0; t < a.mesh.triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k) require(a.mesh.corner(t, k) == b.mesh.corner(t, k));
+    require(!kept.vertices || (a.mesh.positions == b.mesh.positions && a.mesh.triangles == b.mesh.triangles));
+    require(!kept.some_drawn || a.drawn == b.drawn);
+    require(!kept.warp || a.warp == b.warp);
+}
+
+/// Any bytes are either sound surfaces or an InputError that names the file; and what was read is read again from what
+/// is written of it, as far as the format keeps it.
+inline int check_reader(std::string_view extension, const std::uint8_t* data, std::size_t size) {
+    for (const MeshFormat& format : mesh_formats()) {
+        if (format.extension != extension) continue;
+        std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
+        CadModel model;
+        try {
+            model = format.read(in, "fuzz");
+        } catch (const InputError& error) {
+            require(std::string_view(error.what()).starts_with("fuzz:"));
+            return 0;
+        }
+        require_sound(model);
+        std::stringstream written;
+        format.write(written, model.surfaces);
+        const std::vector<NamedMesh> again = format.read(written, "fuzz").surfaces;
+        require(again.size() == model.surfaces.size());
+        for (std::size_t i = 0; i < again.size(); ++i) require_equal(model.surfaces[i], again[i], format.kept);
+        return 0;
+    }
+    std::abort();
+}
+
+}  // namespace ripstop::fuzzing

@@ -1,0 +1,272 @@
+#include "ripstop/io/mesh_records.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "ripstop/base/error.h"
+#include "ripstop/base/number_text.h"
+#include "ripstop/io/text.h"
+#include "ripstop/mesh/components.h"
+#include "ripstop/mesh/fan.h"
+
+namespace ripstop {
+namespace {
+
+constexpr double largest_coordinate = 1e12;  // beyond it squares and products lose what they are compared with
+constexpr int none = -1;
+
+/// The corners of all triangles, three a triangle, and the face each triangle comes from.
+struct TriangleList {
+    std::vector<std::size_t> corners;
+    std::vector<std::size_t> faces;
+};
+
+void require_faces(const MeshRecords& file) {
+    if (file.faces.empty())
+        throw InputError(file.name + ": no face, expected a triangulated surface; export the surfaces as meshes");
+    std::vector<std::size_t> last_face(file.vertices.size(), file.faces.size());
+    for (std::size_t f = 0; f < file.faces.size(); ++f) {
+        const RecordedFace& face = file.faces[f];
+        if (face.count < 3)
+            file.refuse(face.place, "a face with " + std::to_string(face.count) +
+                                        (face.count == 1 ? " corner" : " corners") +
+                                        ", expected at least 3; remove it or mesh the surface again");
+        for (std::size_t c = face.first; c < face.first + static_cast<std::size_t>(face.count); ++c) {
+            const auto vertex = static_cast<std::size_t>(file.corners[c].vertex);
+            if (vertex >= file.vertices.size())
+                file.refuse_index(face.place, static_cast<long>(vertex) + file.first_index, file.vertices.size());
+            if (file.corners[c].texture >= static_cast<long>(file.textures.size()))
+                file.refuse_index(face.place, static_cast<long>(file.corners[c].texture) + file.first_index,
+                                  file.textures.size(), "texture coordinate");
+            if (last_face[vertex] == f)
+                file.refuse(face.place, "a face has vertex " +
+                                            std::to_string(static_cast<long>(vertex) + file.first_index) +
+                                            " twice, expected different corners; triangulate the face in the CAD, "
+                                            "or remove it if it has no area");
+            last_face[vertex] = f;
+        }
+    }
+}
+
+/// From which corner a face is fanned.
+std::size_t apex_of(const MeshRecords& file, const RecordedFace& face, std::vector<Vec3>& polygon) {
+    if (face.count == 3) return 0;
+    polygon.clear();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(face.count); ++k)
+        polygon.push_back(file.vertices[static_cast<std::size_t>(file.corners[face.first + k].vertex)]);
+    const int apex = fan_corner(polygon);
+    if (apex < 0)
+        file.refuse(face.place, "a face with " + std::to_string(face.count) +
+                                    " corners has no area or folds over itself when it is fanned into triangles, "
+                                    "expected a plain polygon; triangulate it in the CAD");
+    return static_cast<std::size_t>(apex);
+}
+
+TriangleList triangulated(const MeshRecords& file) {
+    TriangleList list;
+    list.corners.reserve(3 * file.faces.size());
+    list.faces.reserve(file.faces.size());
+    std::vector<Vec3> polygon;
+    for (std::size_t f = 0; f < file.faces.size(); ++f) {
+        const RecordedFace& face = file.faces[f];
+        const auto count = static_cast<std::size_t>(face.count);
+        const std::size_t apex = apex_of(file, face, polygon);
+        for (std::size_t k = 1; k + 1 < count; ++k) {
+            for (const std::size_t step : {std::size_t{0}, k, k + 1})
+                list.corners.push_back(face.first + (apex + step) % count);
+            list.faces.push_back(f);
+        }
+    }
+    return list;
+}
+
+/// Renames the faces by the connected part they are in. A part lies in one surface.
+void name_parts(MeshRecords& file, const TriangleList& list) {
+    TriangleMesh whole;
+    whole.positions.resize(static_cast<Eigen::Index>(file.vertices.size()), 3);
+    whole.triangles.resize(static_cast<Eigen::Index>(list.faces.size()), 3);
+    for (std::size_t c = 0; c < list.corners.size(); ++c)
+        whole.triangles(static_cast<Eigen::Index>(c / 3), static_cast<Eigen::Index>(c % 3)) =
+            file.corners[list.corners[c]].vertex;
+    const std::vector<int> parts = connected_parts(whole);
+    std::vector<int> surface_of_part;
+    std::vector<int> count(file.surfaces.size(), 0);
+    for (std::size_t t = 0; t < parts.size(); ++t) {
+        RecordedFace& face = file.faces[list.faces[t]];
+        if (static_cast<std::size_t>(parts[t]) ==
+            surface_of_part.size()) {  // parts are numbered by their first triangle
+            surface_of_part.push_back(face.surface);
+            ++count[static_cast<std::size_t>(face.surface)];
+        }
+    }
+    for (std::size_t t = 0; t < parts.size(); ++t) file.faces[list.faces[t]].surface = parts[t];
+    std::set<std::string> taken(file.surfaces.begin(), file.surfaces.end());
+    std::vector<int> last(count.size(), 0);
+    std::vector<std::string> names;
+    for (const int surface : surface_of_part) {
+        const auto s = static_cast<std::size_t>(surface);
+        std::string name = file.surfaces[s];
+        const std::size_t digits = std::max<std::size_t>(2, std::to_string(count[s]).size());
+        while (count[s] > 1 && !taken.insert(name).second) {
+            const std::string number = std::to_string(++last[s]);
+            const std::string zeros(digits - std::min(digits, number.size()), '0');
+            name = file.surfaces[s] + "_" + zeros + number;
+        }
+        names.push_back(name);
+    }
+    file.surfaces = std::move(names);
+}
+
+/// Makes surfaces of a file's corners, each with its own vertices. Keeps one table over all vertices of the file, so that
+/// many small surfaces cost no more than one large.
+class SurfaceMaker {
+  public:
+    SurfaceMaker(const MeshRecords& file, const TriangleList& list)
+        : file_(file), list_(list), local_(file.vertices.size(), none) {}
+
+    /// `triangles` of the list.
+    NamedMesh make(const std::string& name, const std::vector<std::size_t>& triangles) {
+        const std::vector<int> used = number_vertices(triangles);
+        NamedMesh surface{name, {}};
+        surface.mesh.positions.resize(static_cast<Eigen::Index>(used.size()), 3);
+        for (std::size_t i = 0; i < used.size(); ++i)
+            surface.mesh.positions.row(static_cast<Eigen::Index>(i)) =
+                file_.vertices[static_cast<std::size_t>(used[i])].transpose();
+        surface.mesh.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+        for (std::size_t i = 0; i < triangles.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                surface.mesh.triangles(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
+                    local_[vertex(list_.corners[3 * triangles[i] + k])];
+        surface.drawn = drawn(triangles, static_cast<Eigen::Index>(used.size()));
+        surface.warp = warp(name, triangles);
+        if (const int m = material(triangles); m != none)
+            surface.attributes["material"] = file_.materials[static_cast<std::size_t>(m)];
+        for (const int v : used) local_[static_cast<std::size_t>(v)] = none;
+        return surface;
+    }
+
+  private:
+    std::size_t vertex(std::size_t corner) const { return static_cast<std::size_t>(file_.corners[corner].vertex); }
+    const RecordedFace& face(std::size_t triangle) const { return file_.faces[list_.faces[triangle]]; }
+
+    /// The vertices of the triangles in the file's order, numbered so in `local_`.
+    std::vector<int> number_vertices(const std::vector<std::size_t>& triangles) {
+        std::vector<int> used;
+        for (const std::size_t t : triangles)
+            for (std::size_t c = 3 * t; c < 3 * t + 3; ++c)
+                if (int& local = local_[vertex(list_.corners[c])]; local == none) {
+                    local = 0;
+                    used.push_back(file_.corners[list_.corners[c]].vertex);
+                }
+        std::sort(used.begin(), used.end());
+        for (std::size_t i = 0; i < used.size(); ++i) local_[static_cast<std::size_t>(used[i])] = static_cast<int>(i);
+        return used;
+    }
+
+    std::optional<Points2> drawn(const std::vector<std::size_t>& triangles, Eigen::Index count) const {
+        if (file_.textures.empty()) return std::nullopt;
+        Points2 points(count, 2);
+        std::vector<bool> has(static_cast<std::size_t>(count), false);
+        for (const std::size_t t : triangles)
+            for (std::size_t k = 3 * t; k < 3 * t + 3; ++k) {
+                const std::size_t c = list_.corners[k];
+                if (file_.corners[c].texture == none) return std::nullopt;
+                const Vec2& point = file_.textures[static_cast<std::size_t>(file_.corners[c].texture)];
+                const int v = local_[vertex(c)];
+                if (has[static_cast<std::size_t>(v)] && points.row(v) != point.transpose()) return std::nullopt;
+                points.row(v) = point.transpose();
+                has[static_cast<std::size_t>(v)] = true;
+            }
+        return points;
+    }
+
+    Points3 warp(const std::string& name, const std::vector<std::size_t>& triangles) const {
+        Points3 field;
+        if (file_.warps.empty()) return field;
+        const auto of = [this](std::size_t t) -> const Vec3& { return file_.warps[list_.faces[t]]; };
+        const auto given = [&of](std::size_t t) { return of(t).norm() > 0; };
+        if (std::none_of(triangles.begin(), triangles.end(), given)) return field;
+        field.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            if (!given(triangles[i]))
+                file_.refuse(face(triangles[i]).place,
+                             "a face of " + name +
+                                 " has the warp 0 0 0 where others have a direction, expected one on " +
+                                 "every face or on none; give the missing ones");
+            field.row(static_cast<Eigen::Index>(i)) = of(triangles[i]).transpose();
+        }
+        return field;
+    }
+
+    int material(const std::vector<std::size_t>& triangles) const {
+        const int first = face(triangles.front()).material;
+        const bool alike =
+            std::all_of(triangles.begin(), triangles.end(), [&](std::size_t t) { return face(t).material == first; });
+        return alike ? first : none;
+    }
+
+    const MeshRecords& file_;
+    const TriangleList& list_;
+    std::vector<int> local_;
+};
+
+}  // namespace
+
+void MeshRecords::refuse(long place, const std::string& what) const {
+    throw InputError(name + (binary ? ": byte " : ":") + std::to_string(place) + ": " + what);
+}
+
+void MeshRecords::refuse_index(long place, long given, std::size_t count, const char* what) const {
+    refuse(place, std::string("a face names ") + what + " " + std::to_string(given) + ", expected one of the " +
+                      std::to_string(count) + " there are, counted from " +
+                      (first_index == 1 ? "1 (or from the end, negative)" : "0") +
+                      "; the file is cut short or damaged, so export it again");
+}
+
+double MeshRecords::coordinate(std::string_view word, long place) const {
+    const std::optional<double> value = parse_double(word);
+    if (!value)
+        refuse(place, (word.empty() ? "a coordinate is missing" : "found " + shown(word)) +
+                          ", expected a finite number with a decimal point; export the file again");
+    if (std::abs(*value) > largest_coordinate)
+        refuse(place, "the coordinate " + shown(word) +
+                          " is too far out, expected at most 1e12; check the unit and the model");
+    return *value;
+}
+
+double MeshRecords::coordinate(double value, long place) const {
+    if (!(std::abs(value) <= largest_coordinate))
+        refuse(place, std::isfinite(value)
+                          ? "the coordinate " + format_shortest(value) +
+                                " is too far out, expected at most 1e12; check the unit and the model"
+                          : "found a number that is not finite, expected a coordinate; export the file again");
+    return value;
+}
+
+std::vector<NamedMesh> make_surfaces(MeshRecords file) {
+    require_faces(file);
+    const TriangleList list = triangulated(file);
+    if (file.apart) name_parts(file, list);
+    std::vector<std::vector<std::size_t>> triangles(file.surfaces.size());
+    for (std::size_t t = 0; t < list.faces.size(); ++t)
+        triangles[static_cast<std::size_t>(file.faces[list.faces[t]].surface)].push_back(t);
+    std::vector<NamedMesh> surfaces;
+    SurfaceMaker maker(file, list);
+    for (std::size_t s = 0; s < triangles.size(); ++s)
+        if (!triangles[s].empty()) surfaces.push_back(maker.make(file.surfaces[s], triangles[s]));
+    return surfaces;
+}
+
+std::string stem_of(const std::string& name, std::string_view extension) {
+    std::string stem = name.substr(name.find_last_of("/\\") + 1);
+    const std::size_t dot = stem.rfind('.');
+    if (dot != 0 && dot != std::string::npos) {
+        std::string ending = stem.substr(dot);
+        for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        if (ending == extension) stem.resize(dot);
+    }
+    return stem.empty() ? "surface" : readable_name(stem);
+}
+
+}  // namespace ripstop

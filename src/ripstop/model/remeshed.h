@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace ripstop {
+
+/// How a tile came by another mesh than the input's.
+struct Remeshed {
+    std::string reason;        ///< a few words: `edges turn by up to 14 degrees`
+    int triangles_before = 0;  ///< of the input's mesh
+    double edge_length = 0;    ///< aimed at [m]
+    double turn_max = 0;       ///< largest turn of the input's mesh from edge to edge or triangle to triangle [rad]
+};
+
+}  // namespace ripstop

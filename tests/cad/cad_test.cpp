@@ -1,0 +1,246 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#ifdef RIPSTOP_CAD_PROGRAM
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "ripstop/base/error.h"
+#include "ripstop/io/mesh_file.h"
+#include "ripstop/pipeline/read_envelope.h"
+#include "support/cad_files.h"
+#include "support/outside.h"
+#include "support/program.h"
+#include "support/shared_data.h"
+
+namespace ripstop {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Each;
+using ::testing::HasSubstr;
+using testing::ScratchDirectory;
+using testing::Workshop;
+
+CadModel read(const std::string& file, MeshingOptions options = {}) {
+    options.mesher = RIPSTOP_CAD_PROGRAM;
+    return read_model(file, options);
+}
+
+std::string fault_of(const std::string& file, MeshingOptions options = {}) {
+    if (options.mesher.empty()) options.mesher = RIPSTOP_CAD_PROGRAM;
+    try {
+        read_model(file, options);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// A stand-in for `ripstop-cad`.
+std::string script(const ScratchDirectory& scratch, const std::string& body) {
+    const std::string path = scratch.path("mesher.sh");
+    testing::write_text(path, "#!/bin/sh\n" + body + "\n");
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    return path;
+}
+
+double area(const CadModel& model) {
+    double sum = 0;
+    for (const NamedMesh& surface : model.surfaces) sum += surface_area(surface.mesh);
+    return sum;
+}
+
+TEST(Cad, TheSameCubeInInchMillimetreAndMetreIsTheSameCube) {
+    const ScratchDirectory scratch;
+    for (const std::string extension : {".step", ".iges"})
+        for (const auto& [writers, ours] : {std::pair("MM", "mm"), std::pair("INCH", "in"), std::pair("M", "m")}) {
+            SCOPED_TRACE(extension + " in " + ours);
+            const std::string file = scratch.path(std::string("cube_") + ours + extension);
+            testing::write_cube(file, writers);
+            CadModel model = read(file);
+            ASSERT_TRUE(model.unit.has_value());
+            EXPECT_EQ(model.unit->name, ours);
+            model = in_metres(std::move(model), model.unit->metres);
+            EXPECT_EQ(model.surfaces.size(), 6U);
+            EXPECT_NEAR(area(model), 6, 1e-9);
+            for (const NamedMesh& surface : model.surfaces) {
+                EXPECT_EQ(surface.name.rfind("cube_0", 0), 0U) << surface.name;
+                EXPECT_GE(surface.mesh.positions.minCoeff(), -1e-9);
+                EXPECT_LE(surface.mesh.positions.maxCoeff(), 1 + 1e-9);
+                // Outward: away from the middle of the cube.
+                EXPECT_GT(area_vector(surface.mesh).dot(centroid(surface.mesh) - Vec3(0.5, 0.5, 0.5)), 0.4);
+            }
+        }
+}
+
+TEST(Cad, ABrepSaysNoUnitAndIsTakenAsAsked) {
+    const ScratchDirectory scratch;
+    testing::write_cube(scratch.path("cube.brep"), "MM");
+    EXPECT_FALSE(read(scratch.path("cube.brep")).unit.has_value());
+    ReadOptions options{.unit = LengthUnit{"mm", 0.001}};
+    options.meshing.mesher = RIPSTOP_CAD_PROGRAM;
+    options.meshing.edge_length = 0.25;
+    const Envelope envelope = read_envelope(scratch.path("cube.brep"), options);
+    ASSERT_EQ(envelope.tiles.size(), 6U);
+    EXPECT_EQ(envelope.seams.size(), 12U);
+    EXPECT_NEAR(surface_area(envelope.tiles[0].mesh), 1, 1e-9);
+    // A quarter of a metre on a square of a metre: some 40 triangles, not some thousands.
+    EXPECT_LT(envelope.tiles[0].mesh.triangle_count(), 100);
+}
+
+TEST(Cad, TheFacesOfRealFilesHaveTheAreaBoundaryAndBoxThatOpenCascadeSays) {
+    for (const std::string name : {"base_interface_AP203", "base_interface_AP214", "featuretype"}) {
+        RIPSTOP_REQUIRE_SHARED(source, ("step/" + name + ".STEP"));
+        SCOPED_TRACE(name);
+        const testing::CadFigures figures = testing::step_figures(source.string());
+        CadModel model = read(source.string(), {.chord_error = 1e-5, .edge_length = 2e-3});
+        model = in_metres(std::move(model), model.unit.value_or(LengthUnit{}).metres);
+        ASSERT_EQ(model.surfaces.size(), figures.faces.size());
+        Vec3 low = model.surfaces[0].mesh.positions.row(0), high = low;
+        for (std::size_t i = 0; i < figures.faces.size(); ++i) {
+            const TriangleMesh& mesh = model.surfaces[i].mesh;
+            // A chord error of 0.01 mm all along the edges, twice for holes and rounding.
+            EXPECT_NEAR(surface_area(mesh), figures.faces[i].area, 2e-5 * figures.faces[i].boundary) << i;
+            low = low.cwiseMin(mesh.positions.colwise().minCoeff().transpose());
+            high = high.cwiseMax(mesh.positions.colwise().maxCoeff().transpose());
+        }
+        EXPECT_LT((low - figures.low).norm() + (high - figures.high).norm(), 1e-4);
+    }
+}
+
+TEST(Cad, NeighboursShareTheVerticesOfTheirSeam) {
+    const ScratchDirectory scratch;
+    for (const std::string name : {"gores.step", "gores.iges"}) {
+        SCOPED_TRACE(name);
+        testing::write_gores(scratch.path(name), 8);
+        ReadOptions options;
+        options.meshing.mesher = RIPSTOP_CAD_PROGRAM;
+        const EnvelopeInput input = read_input(scratch.path(name), options);
+        EXPECT_EQ(input.unit.name, "mm");
+        EXPECT_EQ(input.envelope.tiles.at(0).name, "G01");
+        ASSERT_EQ(input.envelope.seams.size(), 8U);
+        for (const Seam& seam : input.envelope.seams) {
+            EXPECT_EQ(seam.gap, 0) << "edges of one seam lie apart";
+        }
+        // An inscribed polyline that turns by 2.8 degrees an edge is 0.01 % short.
+        EXPECT_THAT(input.remarks, ::testing::Contains(HasSubstr("short of its curves")));
+    }
+}
+
+TEST(Cad, AGoredEnvelopeIsSoundAndItsSeamsMatchWhenFlattened) {
+    const Workshop workshop;
+    testing::write_gores(workshop.path("gores.step"), 12);
+    const auto check = workshop.ripstop("check gores.step --json");
+    EXPECT_EQ(check.code, 0) << check.err;
+    const auto flat = workshop.ripstop("flatten gores.step -o out --quiet");
+    EXPECT_LE(flat.code, 1) << flat.err;
+    const auto report = nlohmann::json::parse(workshop.read("out/report.json"));
+    ASSERT_EQ(report.at("seams").size(), 12U);
+    for (const auto& seam : report["seams"]) EXPECT_LE(std::abs(seam.at("mismatch_pct").get<double>()), 0.001);
+}
+
+TEST(Cad, PartsOfAnAssemblyStandInTheirPlacesWithNamesOfTheirOwn) {
+    const ScratchDirectory scratch;
+    testing::write_assembly(scratch.path("assembly.step"));
+    CadModel model = in_metres(read(scratch.path("assembly.step")), 0.001);
+    ASSERT_EQ(model.surfaces.size(), 2U);
+    EXPECT_EQ(model.surfaces[0].name, "panel");
+    EXPECT_EQ(model.surfaces[1].name, "panel_2");
+    EXPECT_LT((centroid(model.surfaces[0].mesh) - Vec3(1, 0.5, 0)).norm(), 1e-9);
+    EXPECT_LT((centroid(model.surfaces[1].mesh) - Vec3(1, 5, 0.5)).norm(), 1e-9);
+}
+
+TEST(Cad, NeighboursThatFaceOppositeWaysAreMadeToAgreeAndItIsSaid) {
+    const ScratchDirectory scratch;
+    testing::write_opposed(scratch.path("opposed.brep"));
+    const CadModel model = read(scratch.path("opposed.brep"));
+    ASSERT_EQ(model.surfaces.size(), 2U);
+    for (const NamedMesh& surface : model.surfaces) EXPECT_GT(area_vector(surface.mesh).z(), 0) << surface.name;
+    EXPECT_THAT(model.remarks, ::testing::Contains(HasSubstr("1 face was turned over")));
+}
+
+TEST(Cad, TheFacesOfAnObjectAreOneTileWhereAsked) {
+    const Workshop workshop;
+    testing::write_cube(workshop.path("cube.step"), "MM");
+    EXPECT_THAT(workshop.ripstop("inspect cube.step --tiles objects").out, HasSubstr("surfaces       1\n"));
+    const auto closed = workshop.ripstop("check cube.step --tiles objects");
+    EXPECT_EQ(closed.code, 3);
+    EXPECT_THAT(closed.err, HasSubstr("cube"));
+}
+
+TEST(Cad, AFaceSewnToItselfIsNoTileAndAFileWithoutFacesHasNone) {
+    const Workshop workshop;
+    testing::write_tube(workshop.path("tube.step"));
+    testing::write_line(workshop.path("line.step"));
+    const auto tube = workshop.ripstop("check tube.step"), line = workshop.ripstop("check line.step");
+    EXPECT_EQ(tube.code, 3);
+    EXPECT_THAT(tube.err, HasSubstr("tube: has 2 boundary loops"));
+    EXPECT_EQ(line.code, 3);
+    EXPECT_THAT(line.err, HasSubstr("no surface that could be read"));
+    EXPECT_EQ(read(workshop.path("line.step")).curves.at(0).name, "GRAIN");
+}
+
+TEST(Cad, AsFineAsAskedAndNoFinerThanCanBeBorne) {
+    const ScratchDirectory scratch;
+    testing::write_gores(scratch.path("gores.step"), 8);
+    const auto triangles = [&](const MeshingOptions& options) {
+        int sum = 0;
+        for (const NamedMesh& surface : read(scratch.path("gores.step"), options).surfaces)
+            sum += surface.mesh.triangle_count();
+        return sum;
+    };
+    // The chord error goes with the square of the edge: four times as many triangles for a quarter of it.
+    const double ratio = static_cast<double>(triangles({.chord_error = 1e-3, .edge_length = 10})) /
+                         triangles({.chord_error = 4e-3, .edge_length = 10});
+    EXPECT_NEAR(ratio, 4, 1);
+    EXPECT_THAT(fault_of(scratch.path("gores.step"), {.edge_length = 1e-3}), HasSubstr("million triangles"));
+    EXPECT_THAT(fault_of(scratch.path("gores.step"), {.edge_length = 0.0}), HasSubstr("--edge"));
+}
+
+TEST(Cad, EveryTruncationGivesASentenceOrWhatIsThere) {
+    const ScratchDirectory scratch;
+    for (const std::string extension : {".step", ".iges", ".brep"}) {
+        testing::write_cube(scratch.path("whole" + extension), "MM");
+        const std::string whole = testing::content(scratch.path("whole" + extension));
+        for (int i = 0; i < 6; ++i) {
+            SCOPED_TRACE(extension + " cut at sixth " + std::to_string(i));
+            testing::write_text(scratch.path("cut" + extension),
+                                whole.substr(0, whole.size() * static_cast<std::size_t>(i) / 6));
+            const std::string fault = fault_of(scratch.path("cut" + extension));
+            if (!fault.empty()) {
+                EXPECT_THAT(fault, AllOf(HasSubstr("cut" + extension), HasSubstr(";")));
+            }
+        }
+    }
+    testing::write_text(scratch.path("garbage.step"), "garbage");
+    EXPECT_THAT(fault_of(scratch.path("garbage.step")), HasSubstr("not a whole STEP file"));
+    EXPECT_THAT(fault_of(scratch.path("absent.step")), HasSubstr("cannot be opened"));
+}
+
+TEST(Cad, WhateverBecomesOfTheMesherIsOneSentence) {
+    const ScratchDirectory scratch;
+    const std::string file = scratch.path("cube.step");
+    testing::write_cube(file, "MM");
+    const auto fault = [&](const std::string& body, double timeout = 60) {
+        return fault_of(file, {.timeout = timeout, .mesher = script(scratch, body)});
+    };
+    EXPECT_THAT(fault("kill -KILL $$"), HasSubstr("broke down"));
+    EXPECT_THAT(fault("for last; do :; done; echo rubbish > \"$last\""), HasSubstr("not a converted model"));
+    EXPECT_THAT(fault("exit 0"), HasSubstr("gave no answer"));
+    EXPECT_THAT(fault("echo 'ripstop-cad: it is round' >&2; exit 3"), ::testing::EndsWith("cube.step: it is round"));
+    EXPECT_THAT(fault("exit 4"), HasSubstr("failed on it"));
+    EXPECT_THAT(fault("sleep 60", 0.2), HasSubstr("did not end within 0.2 s"));
+    EXPECT_THAT(fault_of(file, {.mesher = "/nowhere/ripstop-cad"}), HasSubstr("cannot be started"));
+    const Workshop workshop;
+    testing::write_cube(workshop.path("cube.step"), "MM");
+    EXPECT_EQ(workshop.ripstop("check cube.step").code, 3);
+}
+
+}  // namespace
+}  // namespace ripstop
+
+#endif

@@ -1,0 +1,419 @@
+#include "ripstop/pipeline/remesh_envelope.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "ripstop/assembly/find_seams.h"
+#include "ripstop/base/error.h"
+#include "ripstop/design/gores.h"
+#include "ripstop/flatten/method.h"
+#include "ripstop/geometry/polygon.h"
+#include "ripstop/measure/equal_tiles.h"
+#include "ripstop/mesh/disk.h"
+#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/remesh/mesh_state.h"
+#include "ripstop/remesh/remesh_disk.h"
+#include "support/envelopes.h"
+#include "support/poor_meshes.h"
+#include "support/shapes.h"
+
+namespace ripstop {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+constexpr double half = 0.35;  // of the sphere patch [rad]
+
+class Remeshing : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        if (!can_remesh()) GTEST_SKIP() << "built without CGAL";
+    }
+};
+
+Envelope one_tile(const TriangleMesh& mesh) {
+    Envelope envelope{{make_tile("tile", mesh, {.warp = Vec3(0, 0, 1)})}};
+    add_seams(envelope);
+    return envelope;
+}
+
+RemeshOptions at(double length) {
+    return {.mode = RemeshMode::by_length, .edge_length = length};
+}
+const RemeshOptions automatic{.mode = RemeshMode::automatic};
+
+Tile remeshed(const TriangleMesh& mesh, const RemeshOptions& options) {
+    Envelope envelope = one_tile(mesh);
+    remesh_envelope(envelope, options);
+    EXPECT_TRUE(envelope.tiles[0].remeshed) << "stayed as it was";
+    return envelope.tiles[0];
+}
+
+/// Where the first vertices of the chains lie.
+Points3 corners_of(const Tile& tile) {
+    Points3 corners(static_cast<Eigen::Index>(tile.chains.size()), 3);
+    for (std::size_t c = 0; c < tile.chains.size(); ++c)
+        corners.row(static_cast<Eigen::Index>(c)) = tile.mesh.positions.row(tile.chains[c].vertices.front());
+    return corners;
+}
+
+/// How far the flat outline of a tile lies from that of another, laid on it by its corners; over the tile's size.
+double outline_difference(const Tile& tile, const Tile& good) {
+    const auto flat = [](const Tile& t) { return method_named("seam-exact").flatten(t, Fabric{}).positions; };
+    const Points2 mine = flat(tile), theirs = flat(good);
+    Eigen::MatrixXd p(2, tile.chains.size()), q(2, tile.chains.size());
+    for (std::size_t c = 0; c < tile.chains.size(); ++c) {
+        p.col(static_cast<Eigen::Index>(c)) = mine.row(tile.chains[c].vertices.front()).transpose();
+        q.col(static_cast<Eigen::Index>(c)) = theirs.row(good.chains[c].vertices.front()).transpose();
+    }
+    const Eigen::MatrixXd move = Eigen::umeyama(p, q, false);
+    Points2 outline(static_cast<Eigen::Index>(good.boundary.size()), 2);
+    for (std::size_t i = 0; i < good.boundary.size(); ++i)
+        outline.row(static_cast<Eigen::Index>(i)) = theirs.row(good.boundary[i]);
+    double worst = 0;
+    for (const int v : tile.boundary) {
+        const Vec2 laid = move.topLeftCorner<2, 2>() * Vec2(mine.row(v)) + move.topRightCorner<2, 1>();
+        worst = std::max(worst, distance_to_outline(outline, laid));
+    }
+    return worst / bounding_diagonal(good.mesh);
+}
+
+/// What holds of every remeshed tile.
+void expect_sound(const Tile& before, const Tile& after, double least_degrees) {
+    EXPECT_NO_THROW(require_disk(after.mesh, Adjacency(after.mesh.triangles, after.mesh.vertex_count()), "tile"));
+    EXPECT_EQ(locked_edges(after.mesh), 0);
+    EXPECT_GT(least_angle(after.mesh) / degree, least_degrees);
+    ASSERT_EQ(after.chains.size(), before.chains.size());
+    EXPECT_EQ(corners_of(after), corners_of(before));
+    EXPECT_EQ(after.grain.direction, before.grain.direction);
+    EXPECT_EQ(after.grain.source, before.grain.source);
+    // Two triangles on one smooth surface, the old one beneath the new one's middle: no fold.
+    for (int t = 0; t < after.mesh.triangle_count(); ++t) {
+        const Vec3 middle = (after.mesh.corner(t, 0) + after.mesh.corner(t, 1) + after.mesh.corner(t, 2)) / 3;
+        const Vec3 normal = (after.mesh.corner(t, 1) - after.mesh.corner(t, 0))
+                                .cross(after.mesh.corner(t, 2) - after.mesh.corner(t, 0));
+        ASSERT_GT(normal.dot(middle), 0) << "triangle " << t << " of a sphere looks inward";
+    }
+}
+
+// An inscribed mesh of 40 x 40 cells lacks 1e-4 of the sphere's area, so its shape is known to about that.
+Tile good_tile() {
+    return one_tile(sphere_grid(half, 40, 40)).tiles[0];
+}
+
+TEST_F(Remeshing, OfSliversLandsOnTheGoodMeshesShape) {
+    const TriangleMesh slivers = sphere_grid(half, 300, 12);
+    Envelope envelope = one_tile(slivers);
+    const Tile before = envelope.tiles[0];
+    const std::vector<std::string> remarks = remesh_envelope(envelope, automatic);
+    ASSERT_TRUE(envelope.tiles[0].remeshed);
+    EXPECT_THAT(remarks, ::testing::ElementsAre(HasSubstr("slivers")));
+    expect_sound(before, envelope.tiles[0], 15);
+    EXPECT_LT(outline_difference(envelope.tiles[0], good_tile()), 1e-4);
+}
+
+TEST_F(Remeshing, OfRandomDiagonalsLandsOnTheGoodMeshesShape) {
+    const TriangleMesh mesh = random_diagonals(half, 24, 24, 5);
+    const Tile tile = remeshed(mesh, at(0.03));
+    expect_sound(one_tile(mesh).tiles[0], tile, 15);
+    EXPECT_LT(outline_difference(tile, good_tile()), 1e-4);
+}
+
+TEST_F(Remeshing, OfJumbledVerticesLandsOnTheGoodMeshesShape) {
+    const TriangleMesh mesh = jumbled(half, 24, 24, 0.3, 5);
+    const Tile tile = remeshed(mesh, at(0.03));
+    expect_sound(one_tile(mesh).tiles[0], tile, 15);
+    EXPECT_LT(outline_difference(tile, good_tile()), 1e-4);
+}
+
+TEST_F(Remeshing, OfADenseBoundaryThinsItAlongTheCurve) {
+    const TriangleMesh mesh = with_dense_boundary(half, 20, 20, 9);
+    const Tile before = one_tile(mesh).tiles[0], tile = remeshed(mesh, at(0.035));
+    EXPECT_LT(tile.boundary.size(), before.boundary.size() / 4);
+    expect_sound(before, tile, 15);
+    EXPECT_LT(outline_difference(tile, good_tile()), 1e-4);
+}
+
+TEST_F(Remeshing, OfTooFineAMeshKeepsItsShape) {
+    const TriangleMesh mesh = sphere_grid(half, 168, 168);
+    Envelope envelope = one_tile(mesh);
+    const Tile before = envelope.tiles[0];
+    remesh_envelope(envelope, automatic);
+    ASSERT_TRUE(envelope.tiles[0].remeshed);
+    EXPECT_EQ(envelope.tiles[0].remeshed->triangles_before, 2 * 168 * 168);
+    EXPECT_LT(envelope.tiles[0].mesh.triangle_count(), 4000);
+    expect_sound(before, envelope.tiles[0], 15);
+    EXPECT_LT(outline_difference(envelope.tiles[0], before), 1e-4);
+}
+
+TEST_F(Remeshing, OfACoarseOctantComesNearerToTheSphere) {
+    const TriangleMesh coarse = octant(10);  // 100 triangles, 9 degrees an edge
+    const Tile before = one_tile(coarse).tiles[0], tile = remeshed(coarse, automatic);
+    const Tile fine = one_tile(octant(64)).tiles[0];
+    expect_sound(before, tile, 15);
+    const double area = std::numbers::pi / 2, edge = std::numbers::pi / 2;
+    const double area_before = surface_area(before.mesh) / area - 1, area_after = surface_area(tile.mesh) / area - 1;
+    EXPECT_LT(std::abs(area_after), 0.1 * std::abs(area_before));
+    EXPECT_LT(std::abs(area_after), 1e-3);
+    // The chains are known to sixth order of their turn: 9 degrees to the sixth is 1.5e-5, over some thousand.
+    EXPECT_NEAR(drawn_lengths(tile).sum(), 3 * edge, 3 * edge * 1e-6);
+    EXPECT_LT(outline_difference(tile, fine), 0.1 * outline_difference(before, fine));
+    // The old triangles' middles lie 6e-3 within the sphere; a tenth of it near the corners, where normals are known least.
+    const Eigen::VectorXd off = tile.mesh.positions.rowwise().norm().array() - 1;
+    EXPECT_LT(off.cwiseAbs().maxCoeff(), 6e-4);
+    EXPECT_LT(off.cwiseAbs().mean(), 1e-4);
+}
+
+TEST_F(Remeshing, OfACoarseTorusComesNearerToTheFineOne) {
+    const TriangleMesh coarse = torus_patch(3, 1, 0.5, 2.6, 3.7, 7, 7);
+    const Tile before = one_tile(coarse).tiles[0], tile = remeshed(coarse, automatic);
+    const Tile fine = one_tile(torus_patch(3, 1, 0.5, 2.6, 3.7, 64, 64)).tiles[0];
+    EXPECT_LT(std::abs(surface_area(tile.mesh) - surface_area(fine.mesh)),
+              0.2 * std::abs(surface_area(before.mesh) - surface_area(fine.mesh)));
+    EXPECT_LT(outline_difference(tile, fine), 0.3 * outline_difference(before, fine));
+}
+
+TEST_F(Remeshing, KeepsACreaseSharp) {
+    // A roof: two planes that meet at 60 degrees along x = 0.
+    const TriangleMesh roof = grid(10, 6, [](double u, double v) {
+        const double x = 2 * u - 1;
+        return Vec3(x, 2 * v, -std::abs(x) * std::tan(30 * degree));
+    });
+    Envelope envelope{{make_tile("roof", roof, {.warp = Vec3::UnitY()})}};
+    add_seams(envelope);
+    remesh_envelope(envelope, at(0.15));
+    const TriangleMesh& mesh = envelope.tiles[0].mesh;
+    ASSERT_TRUE(envelope.tiles[0].remeshed);
+    double ridge = 0;
+    const Adjacency adjacency(mesh.triangles, mesh.vertex_count());
+    for (const int h : adjacency.edges())
+        if (std::abs(mesh.positions(adjacency.from(h), 0)) < 1e-12 &&
+            std::abs(mesh.positions(adjacency.to(h), 0)) < 1e-12)
+            ridge += (mesh.positions.row(adjacency.to(h)) - mesh.positions.row(adjacency.from(h))).norm();
+    EXPECT_NEAR(ridge, 2, 1e-12);
+    EXPECT_NEAR(surface_area(mesh), surface_area(roof), 1e-9);
+}
+
+TEST_F(Remeshing, CarriesTheWarpOfEachTriangle) {
+    const TriangleMesh mesh = sphere_grid(half, 12, 12);
+    Points3 field(mesh.triangle_count(), 3);
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        const Vec3 middle = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
+        field.row(t) = Vec3(0, middle.y(), 1).normalized();
+    }
+    Envelope envelope{{make_tile("tile", mesh, {.warp_field = field})}};
+    add_seams(envelope);
+    remesh_envelope(envelope, at(0.03));
+    const Tile& tile = envelope.tiles[0];
+    ASSERT_TRUE(tile.remeshed);
+    ASSERT_EQ(tile.grain.field.rows(), tile.mesh.triangle_count());
+    for (int t = 0; t < tile.mesh.triangle_count(); ++t) {
+        const Vec3 middle = (tile.mesh.corner(t, 0) + tile.mesh.corner(t, 1) + tile.mesh.corner(t, 2)) / 3;
+        // The field changes by as much as its argument, over the 0.06 m of an old triangle.
+        EXPECT_LT((Vec3(tile.grain.field.row(t)) - Vec3(0, middle.y(), 1).normalized()).norm(), 0.06);
+    }
+}
+
+std::vector<double> chain_lengths(const Tile& tile) {
+    const Eigen::VectorXd drawn = drawn_lengths(tile);
+    std::vector<double> lengths;
+    for (const Chain& chain : tile.chains) {
+        double sum = 0;
+        for (int e = 0; e < chain.edge_count(); ++e)
+            sum += drawn[std::find(tile.boundary.begin(), tile.boundary.end(),
+                                   chain.vertices[static_cast<std::size_t>(e)]) -
+                         tile.boundary.begin()];
+        lengths.push_back(sum);
+    }
+    return lengths;
+}
+
+/// The vertices of a side of a seam, in the order of side a.
+std::vector<Vec3> vertices_of(const Envelope& envelope, const SeamSide& side, bool reversed) {
+    const Tile& tile = envelope.tiles[static_cast<std::size_t>(side.tile)];
+    std::vector<Vec3> points;
+    for (const SeamPart& part : side.parts)
+        points.push_back(tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>(part.edge)]));
+    const std::size_t last = static_cast<std::size_t>(side.parts.back().edge + 1) % tile.boundary.size();
+    points.push_back(tile.mesh.positions.row(tile.boundary[last]));
+    if (reversed) std::reverse(points.begin(), points.end());
+    return points;
+}
+
+void expect_same_vertices(const Envelope& envelope, double corners) {
+    for (const Seam& seam : envelope.seams) {
+        const std::vector<Vec3> a = vertices_of(envelope, seam.a, false), b = vertices_of(envelope, seam.b, true);
+        ASSERT_EQ(a.size(), b.size()) << seam.id;
+        for (std::size_t k = 1; k + 1 < a.size(); ++k) EXPECT_EQ(a[k], b[k]) << seam.id;
+        EXPECT_LT((a.front() - b.front()).norm(), corners) << seam.id;
+        EXPECT_LT((a.back() - b.back()).norm(), corners) << seam.id;
+        double length_a = 0, length_b = 0;
+        for (const SeamPart& part : seam.a.parts) length_a += part.length;
+        for (const SeamPart& part : seam.b.parts) length_b += part.length;
+        EXPECT_NEAR(length_a, seam.length, 1e-9 * seam.length);
+        EXPECT_NEAR(length_b, seam.length, 1e-9 * seam.length);
+    }
+}
+
+EnvelopeDesign small_design() {
+    EnvelopeDesign design;
+    design.gores = 6;
+    design.panels = 3;
+    return design;
+}
+
+TEST_F(Remeshing, GivesBothSidesOfEverySeamTheSameVerticesAndKeepsTheLengths) {
+    Envelope envelope = make_envelope(meshed_apart(small_design(), 3, 6), {});
+    const Envelope before = envelope;
+    remesh_envelope(envelope, at(0.6));
+    ASSERT_EQ(envelope.seams.size(), before.seams.size());
+    for (const Tile& tile : envelope.tiles) EXPECT_TRUE(tile.remeshed) << tile.name;
+    expect_same_vertices(envelope, 1e-6);
+    for (std::size_t s = 0; s < before.seams.size(); ++s) {
+        EXPECT_EQ(envelope.seams[s].id, before.seams[s].id);
+        EXPECT_NEAR(envelope.seams[s].length, before.seams[s].length, 1e-9 * before.seams[s].length);
+    }
+    for (std::size_t t = 0; t < before.tiles.size(); ++t) {
+        EXPECT_EQ(corners_of(envelope.tiles[t]), corners_of(before.tiles[t]));
+        EXPECT_LE(locked_edges(envelope.tiles[t].mesh), 0) << before.tiles[t].name;
+    }
+}
+
+TEST_F(Remeshing, FindsTheCornersInABrickWall) {
+    Envelope envelope = make_envelope(brick_wall(3, 6), {});
+    const Envelope before = envelope;
+    remesh_envelope(envelope, at(0.05));
+    for (const Tile& tile : envelope.tiles) EXPECT_TRUE(tile.remeshed) << tile.name;
+    ASSERT_EQ(envelope.seams.size(), before.seams.size());
+    expect_same_vertices(envelope, 0.5 * millimetre);
+    for (std::size_t t = 0; t < before.tiles.size(); ++t) {
+        const std::vector<double> was = chain_lengths(before.tiles[t]), is = chain_lengths(envelope.tiles[t]);
+        for (std::size_t c = 0; c < was.size(); ++c)
+            EXPECT_NEAR(is[c], was[c], 2 * millimetre) << before.tiles[t].name;  // open edges: smooth for polyline
+    }
+}
+
+TEST_F(Remeshing, OfATileSewnToItselfKeepsItsSeam) {
+    // A cone cut open along a ruling: both its straight edges are one seam.
+    const TriangleMesh mesh = grid(16, 4, [](double u, double v) {
+        const double slant = 0.5 + 1.5 * v, turn = 2 * std::numbers::pi * u;
+        return Vec3(slant * std::sin(0.4) * std::cos(turn), slant * std::sin(0.4) * std::sin(turn),
+                    slant * std::cos(0.4));
+    });
+    Envelope envelope = make_envelope({{"cone", mesh}}, {});
+    ASSERT_EQ(envelope.seams.size(), 1u);
+    const double length = envelope.seams[0].length;
+    remesh_envelope(envelope, automatic);
+    ASSERT_TRUE(envelope.tiles[0].remeshed);
+    ASSERT_EQ(envelope.seams.size(), 1u);
+    EXPECT_NEAR(envelope.seams[0].length, length, 1e-9 * length);
+    expect_same_vertices(envelope, 1e-9);
+}
+
+TEST_F(Remeshing, LeavesADesignedEnvelopeBitByBit) {
+    Envelope envelope = make_envelope(design_natural({}), {});
+    const Envelope before = envelope;
+    EXPECT_TRUE(remesh_envelope(envelope, automatic).empty());
+    for (std::size_t t = 0; t < before.tiles.size(); ++t) {
+        EXPECT_EQ(envelope.tiles[t].mesh.positions, before.tiles[t].mesh.positions);
+        EXPECT_EQ(envelope.tiles[t].mesh.triangles, before.tiles[t].mesh.triangles);
+        EXPECT_FALSE(envelope.tiles[t].remeshed);
+    }
+}
+
+TEST_F(Remeshing, IsTheSameOnAnyNumberOfThreads) {
+    const Envelope input = make_envelope(meshed_apart(small_design(), 3, 6), {});
+    Envelope one = input, four = input;
+    RemeshOptions options = at(0.8);
+    options.threads = 1;
+    remesh_envelope(one, options);
+    options.threads = 4;
+    remesh_envelope(four, options);
+    for (std::size_t t = 0; t < input.tiles.size(); ++t) {
+        EXPECT_EQ(one.tiles[t].mesh.positions, four.tiles[t].mesh.positions);
+        EXPECT_EQ(one.tiles[t].mesh.triangles, four.tiles[t].mesh.triangles);
+    }
+}
+
+TEST_F(Remeshing, IsNotAskedForTwice) {
+    for (const TriangleMesh& mesh : {octant(10), lune(std::numbers::pi / 2, 6, 12), sphere_grid(half, 300, 12)}) {
+        Envelope envelope = one_tile(mesh);
+        EXPECT_EQ(remesh_envelope(envelope, automatic).size(), 1u);
+        EXPECT_TRUE(remesh_envelope(envelope, automatic).empty());
+    }
+}
+
+TEST_F(Remeshing, LeavesWhatIsFlat) {
+    Envelope envelope = one_tile(grid(40, 1, [](double u, double v) { return Vec3(0, 4 * u, v); }));
+    EXPECT_TRUE(remesh_envelope(envelope, automatic).empty());
+}
+
+TEST_F(Remeshing, OfEqualTilesKeepsThemEqual) {
+    const TriangleMesh gore = lune(1, 6, 12);
+    std::vector<NamedMesh> tiles = {{"first", moved(gore)}, {"second", gore}, {"mirror", mirrored(gore)}};
+    for (Eigen::Index v = 0; v < tiles[2].mesh.positions.rows(); ++v) tiles[2].mesh.positions(v, 0) -= 5;
+    for (Eigen::Index v = 0; v < tiles[0].mesh.positions.rows(); ++v) tiles[0].mesh.positions(v, 0) += 20;
+    Envelope envelope = make_envelope(tiles, {});
+    remesh_envelope(envelope, automatic);
+    const std::vector<Likeness> likeness = find_equal_tiles(envelope.tiles);
+    EXPECT_EQ(likeness[1].to, 0);
+    EXPECT_EQ(likeness[2].to, 0);
+    EXPECT_FALSE(likeness[1].vertex.empty());
+    EXPECT_FALSE(likeness[2].vertex.empty());
+}
+
+/// Every tile is either remeshed or as it was, and a remark counts the latter.
+void expect_failures_as_they_were(const Envelope& before, const Envelope& after,
+                                  const std::vector<std::string>& remarks, const std::string& why) {
+    int kept = 0;
+    for (std::size_t t = 0; t < before.tiles.size(); ++t) {
+        if (after.tiles[t].remeshed) continue;
+        ++kept;
+        EXPECT_EQ(after.tiles[t].mesh.positions, before.tiles[t].mesh.positions);
+        EXPECT_EQ(after.tiles[t].mesh.triangles, before.tiles[t].mesh.triangles);
+        EXPECT_EQ(after.tiles[t].boundary, before.tiles[t].boundary);
+    }
+    ASSERT_GT(kept, 0) << "nothing failed: nothing was shown";
+    EXPECT_THAT(remarks, ::testing::Contains(::testing::AllOf(HasSubstr("not remeshed"), HasSubstr(why))));
+}
+
+TEST_F(Remeshing, LeavesTilesWhoseSeamsWouldBeOthers) {
+    // So coarse that the sides of some seams lie beside each other for a part of their length only.
+    Envelope envelope = make_envelope(meshed_apart(small_design(), 3), {});
+    const Envelope before = envelope;
+    const std::vector<std::string> remarks = remesh_envelope(envelope, at(0.6));
+    expect_failures_as_they_were(before, envelope, remarks, "the seams were not found again");
+    EXPECT_EQ(envelope.seams.size(), before.seams.size());
+}
+
+TEST_F(Remeshing, LeavesATileThatWouldFold) {
+    // Cloth crumpled at the size of its triangles, on edges three times as long.
+    std::mt19937 random(3);
+    Envelope envelope = one_tile(grid(
+        30, 30, [&](double u, double v) { return Vec3(0.06 * static_cast<double>(random() % 1000) / 1000, u, v); }));
+    const Envelope before = envelope;
+    const std::vector<std::string> remarks = remesh_envelope(envelope, at(0.1));
+    expect_failures_as_they_were(before, envelope, remarks, "the new triangles would fold over");
+}
+
+TEST_F(Remeshing, RefusesALengthThatMeansNothing) {
+    Envelope envelope = one_tile(octant(10));
+    EXPECT_THROW(remesh_envelope(envelope, at(0)), InputError);
+    EXPECT_THROW(remesh_envelope(envelope, at(std::nan(""))), InputError);
+    EXPECT_THROW(remesh_envelope(envelope, at(1e-6)), InputError);
+}
+
+TEST_F(Remeshing, AtALengthBeyondTheTileLeavesItSomeTriangles) {
+    const Tile tile = remeshed(sphere_grid(half, 12, 12), at(50));
+    EXPECT_GT(tile.mesh.triangle_count(), 8);
+    EXPECT_LT(tile.mesh.triangle_count(), 100);
+}
+
+}  // namespace
+}  // namespace ripstop

@@ -1,0 +1,205 @@
+#include "support/cad_files.h"
+
+#ifdef RIPSTOP_CAD_PROGRAM
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <GProp_GProps.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <IGESCAFControl_Writer.hxx>
+#include <IGESControl_Controller.hxx>
+#include <Interface_Static.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_LayerTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <gp_Ax1.hxx>
+#include <gp_Ax3.hxx>
+#include <gp_Trsf.hxx>
+#include <iostream>
+#include <numbers>
+#include <sstream>
+
+namespace ripstop::testing {
+namespace {
+
+/// Open CASCADE tells of its writing on standard output, where the tests' results stand.
+class Quiet {
+  public:
+    Quiet() : before_(std::cout.rdbuf(nowhere_.rdbuf())) {}
+    ~Quiet() { std::cout.rdbuf(before_); }
+    Quiet(const Quiet&) = delete;
+    Quiet& operator=(const Quiet&) = delete;
+
+  private:
+    std::ostringstream nowhere_;
+    std::streambuf* before_;
+};
+
+class Document {
+  public:
+    Document() { XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document_); }
+
+    Handle(XCAFDoc_ShapeTool) shapes() const { return XCAFDoc_DocumentTool::ShapeTool(document_->Main()); }
+    TDF_Label add(const TopoDS_Shape& shape, const std::string& name, const std::string& layer = "") const {
+        const TDF_Label label = shapes()->AddShape(shape, false);
+        if (!name.empty()) TDataStd_Name::Set(label, name.c_str());
+        if (!layer.empty()) XCAFDoc_DocumentTool::LayerTool(document_->Main())->SetLayer(label, layer.c_str());
+        return label;
+    }
+    void write(const std::string& file, const std::string& unit) const {
+        const Quiet quiet;
+        if (file.ends_with(".iges")) {
+            IGESControl_Controller::Init();
+            Interface_Static::SetCVal("write.iges.unit", unit.c_str());
+            IGESCAFControl_Writer writer;
+            writer.SetNameMode(true);
+            writer.SetLayerMode(true);
+            writer.Transfer(document_);
+            writer.ComputeModel();
+            writer.Write(file.c_str());
+        } else {
+            STEPControl_Controller::Init();
+            Interface_Static::SetCVal("write.step.unit", unit.c_str());
+            STEPCAFControl_Writer writer;
+            writer.SetNameMode(true);
+            writer.SetLayerMode(true);
+            writer.Transfer(document_);
+            writer.Write(file.c_str());
+        }
+    }
+
+  private:
+    Handle(TDocStd_Document) document_;
+};
+
+TopoDS_Face plate(double x, double y, double width, double height) {
+    BRepBuilderAPI_MakePolygon outline({x, y, 0}, {x + width, y, 0}, {x + width, y + height, 0}, {x, y + height, 0},
+                                       true);
+    return BRepBuilderAPI_MakeFace(outline.Wire());
+}
+
+}  // namespace
+
+CadFigures step_figures(const std::string& file) {
+    const Quiet quiet;
+    STEPControl_Reader reader;
+    reader.ReadFile(file.c_str());
+    reader.TransferRoots();
+    const TopoDS_Shape shape = reader.OneShape();
+    CadFigures result;
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+        GProp_GProps properties;
+        BRepGProp::SurfaceProperties(faces.Current(), properties);
+        CadFace face{properties.Mass() * 1e-6, 0};
+        for (TopExp_Explorer edges(faces.Current(), TopAbs_EDGE); edges.More(); edges.Next())
+            if (!BRep_Tool::Degenerated(TopoDS::Edge(edges.Current())))
+                face.boundary += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(TopoDS::Edge(edges.Current()))) * 1e-3;
+        result.faces.push_back(face);
+    }
+    Bnd_Box box;
+    BRepBndLib::AddOptimal(shape, box, false, false);
+    const gp_Pnt low = box.CornerMin(), high = box.CornerMax();
+    result.low = Vec3(low.X(), low.Y(), low.Z()) * 1e-3;
+    result.high = Vec3(high.X(), high.Y(), high.Z()) * 1e-3;
+    return result;
+}
+
+void write_cube(const std::string& file, const std::string& unit) {
+    const TopoDS_Shape cube = BRepPrimAPI_MakeBox(1000, 1000, 1000).Shape();
+    if (file.ends_with(".brep")) {
+        BRepTools::Write(cube, file.c_str());
+        return;
+    }
+    Document document;
+    document.add(cube, "cube");
+    document.write(file, unit);
+}
+
+void write_gores(const std::string& file, int count) {
+    TColgp_Array1OfPnt points(1, 9);
+    const double radii[] = {300, 3200, 5800, 7200, 7500, 6800, 5200, 3400, 1800};
+    const double heights[] = {17000, 16400, 14600, 12000, 9500, 6500, 3800, 1700, 0};
+    for (int i = 0; i < 9; ++i) points.SetValue(i + 1, gp_Pnt(radii[i], 0, heights[i]));
+    const Handle(Geom_BSplineCurve) meridian = GeomAPI_PointsToBSpline(points, 3, 5).Curve();
+    Document document;
+    for (int i = 0; i < count; ++i) {
+        gp_Trsf turn;
+        turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, -1)), 2 * std::numbers::pi * i / count);
+        const TopoDS_Shape edge =
+            BRepBuilderAPI_Transform(BRepBuilderAPI_MakeEdge(meridian).Edge(), turn, true).Shape();
+        const TopoDS_Shape gore =
+            BRepPrimAPI_MakeRevol(edge, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, -1)), 2 * std::numbers::pi / count)
+                .Shape();
+        document.add(gore, (i < 9 ? "G0" : "G") + std::to_string(i + 1), "skin");
+    }
+    document.write(file, "MM");
+}
+
+void write_assembly(const std::string& file) {
+    Document document;
+    const TDF_Label part = document.add(plate(0, 0, 2000, 1000), "panel");
+    const TDF_Label assembly = document.shapes()->NewShape();
+    TDataStd_Name::Set(assembly, "envelope");
+    document.shapes()->AddComponent(assembly, part, TopLoc_Location());
+    gp_Trsf turn, move;
+    turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0)), std::numbers::pi / 2);
+    move.SetTranslation(gp_Vec(0, 5000, 0));
+    document.shapes()->AddComponent(assembly, part, TopLoc_Location(move * turn));
+    document.shapes()->UpdateAssemblies();
+    document.write(file, "MM");
+}
+
+void write_tube(const std::string& file) {
+    const Handle(Geom_Surface) surface =
+        new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1), gp_Dir(1, 0, 0)), 500);
+    Document document;
+    document.add(BRepBuilderAPI_MakeFace(surface, 0, 2 * std::numbers::pi, 0, 1000, 1e-6).Face(), "tube");
+    document.write(file, "MM");
+}
+
+void write_line(const std::string& file) {
+    Document document;
+    document.add(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1000, 0, 0)).Edge(), "GRAIN");
+    document.write(file, "MM");
+}
+
+void write_opposed(const std::string& file) {
+    TopoDS_Compound both;
+    BRep_Builder builder;
+    builder.MakeCompound(both);
+    builder.Add(both, plate(0, 0, 2000, 1000));
+    builder.Add(both, plate(0, 1000, 1000, 1000).Reversed());
+    BRepTools::Write(both, file.c_str());
+}
+
+}  // namespace ripstop::testing
+
+#endif

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ripstop/geometry/types.h"
+
+/// CAD files written and measured by Open CASCADE, for what `ripstop-cad` makes of them. Only where it is installed.
+namespace ripstop::testing {
+
+/// What a kernel says of the faces of a STEP file, in its order.
+struct CadFace {
+    double area = 0;      ///< [m²]
+    double boundary = 0;  ///< length of its edges, an edge sewn to itself counted twice [m]
+};
+struct CadFigures {
+    std::vector<CadFace> faces;
+    Vec3 low, high;  ///< the box around all [m]
+};
+CadFigures step_figures(const std::string& file);
+
+/// A cube of 1 m with one corner in the origin, as .step, .iges or .brep; `unit` as the writers call it: MM, INCH, M. BREP is in
+/// millimetres.
+void write_cube(const std::string& file, const std::string& unit);
+
+/// An envelope of revolution of this many gores named `G01`, … on the layer `skin`: 17 m high, 15 m wide, open at the mouth and
+/// the crown. Each gore is a face by itself with edges of its own. STEP in millimetres, or IGES.
+void write_gores(const std::string& file, int count);
+
+/// Two of the same plate `panel` (2 m x 1 m), one of them turned by 90 degrees about x and moved by 5 m along y, in an assembly.
+void write_assembly(const std::string& file);
+
+/// A round tube, 1 m wide, of one face sewn to itself; a line and a point without any face.
+void write_tube(const std::string& file);
+void write_line(const std::string& file);
+
+/// Two plates with a common edge that face opposite ways, as one shell's faces left apart, in BREP [mm].
+void write_opposed(const std::string& file);
+
+}  // namespace ripstop::testing
