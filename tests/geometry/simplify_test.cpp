@@ -9,8 +9,7 @@ namespace {
 
 Points2 arc(int segments, double angle) {
     Points2 line(segments + 1, 2);
-    for (int i = 0; i <= segments; ++i)
-        line.row(i) << std::cos(angle * i / segments), std::sin(angle * i / segments);
+    for (int i = 0; i <= segments; ++i) line.row(i) << std::cos(angle * i / segments), std::sin(angle * i / segments);
     return line;
 }
 

@@ -79,8 +79,7 @@ TEST(CutLine, LimitsTheMitreOfASharpTip) {
 TEST(CutLine, FoldsAHemIntoTheMirrorImageOfThePiece) {
     // The lower edge is a hem; the sides lean by 0.3 rad, one outward and one inward.
     const double lean = 0.3, hem = 0.04, side = 0.01;
-    const Points2 corners =
-        line({{0, 0}, {1, 0}, {1 + std::tan(lean), 1}, {std::tan(lean), 1}, {0, 0}});
+    const Points2 corners = line({{0, 0}, {1, 0}, {1 + std::tan(lean), 1}, {std::tan(lean), 1}, {0, 0}});
     std::vector<AllowedEdge> edges;
     for (int e = 0; e < 4; ++e)
         edges.push_back({corners.middleRows(e, 2), e == 0 ? hem : side, e == 0 ? CornerRule::fold : CornerRule::mitre});
@@ -116,8 +115,7 @@ TEST(CutLine, KeepsItsDistanceFromEveryEdgeOfAGore) {
 }
 
 TEST(CutLine, ClosesOverANarrowNotchOfTheSewLine) {
-    const Points2 corners =
-        line({{0, 0}, {1, 0}, {1, 1}, {0.52, 1}, {0.5, 0.5}, {0.48, 1}, {0, 1}, {0, 0}});
+    const Points2 corners = line({{0, 0}, {1, 0}, {1, 1}, {0.52, 1}, {0.5, 0.5}, {0.48, 1}, {0, 1}, {0, 0}});
     std::vector<AllowedEdge> edges;
     for (Eigen::Index e = 0; e + 1 < corners.rows(); ++e) edges.push_back({corners.middleRows(e, 2), 0.03});
     const Points2 cut = make_cut_line(edges);
@@ -127,8 +125,8 @@ TEST(CutLine, ClosesOverANarrowNotchOfTheSewLine) {
 
 TEST(CutLine, HasNoHoleWhereAllowancesMeet) {
     // A hook whose ends come within twice the allowance of each other.
-    const Points2 corners = line({{0, 0}, {1, 0}, {1, 0.2}, {0.2, 0.2}, {0.2, 0.8}, {1, 0.8}, {1, 0.25}, {1.2, 0.25},
-                                  {1.2, 1}, {0, 1}, {0, 0}});
+    const Points2 corners = line(
+        {{0, 0}, {1, 0}, {1, 0.2}, {0.2, 0.2}, {0.2, 0.8}, {1, 0.8}, {1, 0.25}, {1.2, 0.25}, {1.2, 1}, {0, 1}, {0, 0}});
     std::vector<AllowedEdge> edges;
     for (Eigen::Index e = 0; e + 1 < corners.rows(); ++e) edges.push_back({corners.middleRows(e, 2), 0.04});
     const Points2 cut = make_cut_line(edges);

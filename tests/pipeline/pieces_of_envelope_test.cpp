@@ -64,10 +64,10 @@ class EveryEnvelope : public ::testing::TestWithParam<const CutPlan& (*)()> {
         std::sort(found.notches.begin(), found.notches.end(),
                   [](const PieceNotch* a, const PieceNotch* b) { return a->along < b->along; });
         for (const PieceNotch* notch : found.notches) {
-            const Vec2 start = flat_point(plan.tiles[static_cast<std::size_t>(of.tile)],
-                                          place_on_side(plan.tiles, seam, second, 0));
-            found.at.push_back(std::abs(along_edge(piece, notch->edge, notch->on_sew) -
-                                        along_edge(piece, notch->edge, start)));
+            const Vec2 start =
+                flat_point(plan.tiles[static_cast<std::size_t>(of.tile)], place_on_side(plan.tiles, seam, second, 0));
+            found.at.push_back(
+                std::abs(along_edge(piece, notch->edge, notch->on_sew) - along_edge(piece, notch->edge, start)));
         }
         return found;
     }

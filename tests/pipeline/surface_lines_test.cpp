@@ -34,7 +34,8 @@ double length(const Points2& line) {
 TEST(SurfaceLines, AreCutAtTheSeamAndKeepTheirLengthOnTheCloth) {
     Envelope envelope = make_envelope(two_sheets(), {});
     // A helix over both, from the middle of one sheet to the middle of the other.
-    const Vec3 from = envelope.tiles[0].mesh.positions.colwise().mean(), to = envelope.tiles[1].mesh.positions.colwise().mean();
+    const Vec3 from = envelope.tiles[0].mesh.positions.colwise().mean(),
+               to = envelope.tiles[1].mesh.positions.colwise().mean();
     const double first = std::atan2(from.y(), from.x()), last = std::atan2(to.y(), to.x());
     NamedCurve helix{"stripe", Points3(101, 3), {{"layer", "artwork"}}};
     for (int i = 0; i <= 100; ++i) {

@@ -86,14 +86,15 @@ class Reader {
     double number(const char* key) const {
         const std::optional<double> value = number_at(value_, key, place_);
         if (!value || std::abs(*value) > largest)
-            refuse(std::string(key) + " is missing or too large, expected a number within " + std::to_string(int(largest)));
+            refuse(std::string(key) + " is missing or too large, expected a number within " +
+                   std::to_string(int(largest)));
         return *value;
     }
     int whole(const char* key, int least, int most) const {
         const double value = number_or_refuse(key);
         if (value != std::floor(value) || value < least || value > most)
-            refuse(std::string(key) + " is out of range, expected a whole number from " + std::to_string(least) + " to " +
-                   std::to_string(most));
+            refuse(std::string(key) + " is out of range, expected a whole number from " + std::to_string(least) +
+                   " to " + std::to_string(most));
         return static_cast<int>(value);
     }
     std::string text(const char* key) const { return text_at(value_, key, place_).value_or(""); }

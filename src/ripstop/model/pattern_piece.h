@@ -28,23 +28,23 @@ struct Mate {
 /// An edge of a piece: the run of its sew line from one corner to the next, counter-clockwise. Corners are points of the sew
 /// line; an outline without corners is one edge that ends where it starts.
 struct PieceEdge {
-    int first = 0;               ///< in `PatternPiece::sew_line`: where it starts; it ends where the next edge starts
-    double length = 0;           ///< of the edge as flattened, before any point of it was left out [m]
-    double allowance = 0;        ///< cloth beyond the sew line [m]
-    std::string seam_type = {};  ///< how it is sewn or finished: `flat-felled`, `hem`, …
+    int first = 0;                 ///< in `PatternPiece::sew_line`: where it starts; it ends where the next edge starts
+    double length = 0;             ///< of the edge as flattened, before any point of it was left out [m]
+    double allowance = 0;          ///< cloth beyond the sew line [m]
+    std::string seam_type = {};    ///< how it is sewn or finished: `flat-felled`, `hem`, …
     std::vector<Mate> mates = {};  ///< in the order of the edge; none where it is free
 };
 
 /// A match mark on an edge: the same place of the seam on both pieces. It is cut or drawn from the cut line inwards.
 struct PieceNotch {
-    int edge = 0;                   ///< in `PatternPiece::edges`
-    std::string seam;               ///< id
-    double along = 0;               ///< the seam's curve from its start, so equal on both mates [m]
-    Vec2 on_sew = Vec2::Zero();     ///< on the sew line
-    Vec2 outward = Vec2::UnitX();   ///< unit normal of the sew line there, away from the piece
-    double reach = 0;               ///< from the sew line to the cut line along `outward` [m]
-    double depth = 0;               ///< of the cut, less than the reach [m]
-    int count = 1;                  ///< 2: a double notch, `twin_distance` apart along the edge
+    int edge = 0;                                   ///< in `PatternPiece::edges`
+    std::string seam;                               ///< id
+    double along = 0;                               ///< the seam's curve from its start, so equal on both mates [m]
+    Vec2 on_sew = Vec2::Zero();                     ///< on the sew line
+    Vec2 outward = Vec2::UnitX();                   ///< unit normal of the sew line there, away from the piece
+    double reach = 0;                               ///< from the sew line to the cut line along `outward` [m]
+    double depth = 0;                               ///< of the cut, less than the reach [m]
+    int count = 1;                                  ///< 2: a double notch, `twin_distance` apart along the edge
     static constexpr double twin_distance = 0.008;  ///< [m]
 
     Vec2 on_cut() const { return on_sew + reach * outward; }
@@ -70,8 +70,9 @@ struct DrawnLine {
 struct PatternPiece {
     std::string name;
     Points2 sew_line;  ///< closed, counter-clockwise, the first point not repeated: the edges' points, corners exact
-    std::vector<PieceEdge> edges = {};  ///< they cover the sew line once, in its order; none on a piece that is not sewn
-    Points2 cut_line = {};              ///< closed, counter-clockwise: what is cut; the sew line where nothing is allowed
+    std::vector<PieceEdge> edges =
+        {};                 ///< they cover the sew line once, in its order; none on a piece that is not sewn
+    Points2 cut_line = {};  ///< closed, counter-clockwise: what is cut; the sew line where nothing is allowed
     std::vector<PieceNotch> notches = {};
     Points2 grain_line = {};  ///< 2 x 2: tail and head of the grain arrow, inside the piece
     std::vector<DrawnLine> lines = {};

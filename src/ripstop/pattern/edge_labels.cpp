@@ -8,8 +8,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double air = 0.004;            // between the sew line and the letters [m]
-constexpr double share_of_edge = 0.8;    // of a mate's length that its name may take
+constexpr double air = 0.004;          // between the sew line and the letters [m]
+constexpr double share_of_edge = 0.8;  // of a mate's length that its name may take
 constexpr std::array heights{0.008, 0.006, 0.0045, 0.003};
 constexpr std::array places{0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8};
 

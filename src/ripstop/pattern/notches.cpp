@@ -10,11 +10,11 @@
 namespace ripstop {
 namespace {
 
-constexpr int samples = 256;              // of a seam's curve, to spread its marks
-constexpr double room_for_two = 0.2;      // a shorter seam has one mark [m]
-constexpr double lone_mark = 0.4;         // of the seam's length
+constexpr int samples = 256;          // of a seam's curve, to spread its marks
+constexpr double room_for_two = 0.2;  // a shorter seam has one mark [m]
+constexpr double lone_mark = 0.4;     // of the seam's length
 constexpr double depth_of_allowance = 0.4;
-constexpr double same_place = 1e-3;       // marks nearer than this are one [m]
+constexpr double same_place = 1e-3;  // marks nearer than this are one [m]
 
 /// How a side bends: the curvature on the cloth up to each distance from the seam's start.
 struct Bends {
@@ -30,7 +30,8 @@ struct Bends {
 double curvature_of_edge(const FlatTile& tile, int edge) {
     const std::size_t n = tile.tile.boundary.size(), i = static_cast<std::size_t>(edge);
     const auto point = [&](std::size_t k) { return Vec2(tile.flattening.positions.row(tile.tile.boundary[k % n])); };
-    const Vec2 before = point(i) - point(i + n - 1), here = point(i + 1) - point(i), after = point(i + 2) - point(i + 1);
+    const Vec2 before = point(i) - point(i + n - 1), here = point(i + 1) - point(i),
+               after = point(i + 2) - point(i + 1);
     const auto turn = [](const Vec2& u, const Vec2& v) { return std::abs(std::atan2(cross(u, v), u.dot(v))); };
     constexpr double corner = 0.5;  // [rad]: a turn beyond it is no bend of the seam
     const double first = turn(before, here), last = turn(here, after);

@@ -28,7 +28,8 @@ struct SeamMark {
 ///     marks divide  integral of ds / h(s),  h = clamp(turn / curvature, curved_spacing, straight_spacing)
 ///
 /// with the larger curvature of the two sides on the cloth. `tiles` are flattened. O(#parts).
-std::vector<SeamMark> seam_marks(const std::vector<FlatTile>& tiles, const Seam& seam, const NotchOptions& options = {});
+std::vector<SeamMark> seam_marks(const std::vector<FlatTile>& tiles, const Seam& seam,
+                                 const NotchOptions& options = {});
 
 /// The notches of every piece, in the order of `tiles`: those of its seams, and a single one wherever on an edge, away from
 /// its corners, one seam ends and the next begins (a T-junction). A piece without edges has none.

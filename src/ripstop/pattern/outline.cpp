@@ -27,8 +27,7 @@ std::size_t boundary_size(const FlatTile& tile) {
 
 double flat_edge(const FlatTile& tile, std::size_t edge) {
     const std::vector<int>& loop = tile.tile.boundary;
-    return (tile.flattening.positions.row(loop[(edge + 1) % loop.size()]) -
-            tile.flattening.positions.row(loop[edge]))
+    return (tile.flattening.positions.row(loop[(edge + 1) % loop.size()]) - tile.flattening.positions.row(loop[edge]))
         .norm();
 }
 
@@ -80,8 +79,8 @@ class Mates {
 
     /// How most of the edge is sewn; its finish where it is in no seam.
     std::string type(const Chain& chain) const {
-        const auto longest = std::max_element(
-            list.begin(), list.end(), [](const Mate& a, const Mate& b) { return a.length < b.length; });
+        const auto longest = std::max_element(list.begin(), list.end(),
+                                              [](const Mate& a, const Mate& b) { return a.length < b.length; });
         if (longest == list.end()) return chain.finish.name;
         return seams_[static_cast<std::size_t>(longest - list.begin())]->type.name;
     }

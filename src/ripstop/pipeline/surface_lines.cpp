@@ -111,12 +111,13 @@ std::string name_of(const NamedCurve& curve) {
 
 }  // namespace
 
-std::vector<std::string> lay_lines(const CadModel& model, Envelope& envelope) {
+std::vector<std::string> lay_lines(const CadModel& model, Envelope& envelope,
+                                   const std::vector<std::string>& grain_layers) {
     Tiles tiles(envelope);
     int off = 0;
     std::string first;
     for (const NamedCurve& curve : model.curves) {
-        if (is_grain_line(curve) || lay_line(tiles, curve, name_of(curve), envelope)) continue;
+        if (is_grain_line(curve, grain_layers) || lay_line(tiles, curve, name_of(curve), envelope)) continue;
         if (off++ == 0) first = name_of(curve);
     }
     if (off == 0) return {};
