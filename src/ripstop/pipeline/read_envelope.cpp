@@ -132,6 +132,8 @@ EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& o
     RemeshOptions remesh = options.remesh;
     remesh.seam_tolerance = options.seam_tolerance;
     for (std::string& remark : remesh_envelope(input.envelope, remesh)) input.remarks.push_back(std::move(remark));
+    for (std::string& remark : lay_lines(model, input.envelope, grain_layers))
+        input.remarks.push_back(std::move(remark));
     if (options.project)
         give_seam_types(input.envelope, *options.project);  // remeshed tiles have seams and chains anew
     return input;
