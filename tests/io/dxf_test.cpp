@@ -10,6 +10,7 @@
 #include "ripstop/base/number_text.h"
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/pattern/pieces.h"
+#include "ripstop/report/cut_files.h"
 #include "support/flat_tiles.h"
 #include "support/outside.h"
 
@@ -43,7 +44,7 @@ std::string after(const Pairs& all, const std::string& variable) {
 }
 
 TEST(Dxf, IsRelease12InMillimetres) {
-    const Pairs all = pairs(dxf({make_piece(testing::flat_cylinder("G01P01"))}));
+    const Pairs all = pairs(dxf({testing::piece_of(testing::flat_cylinder("G01P01"))}));
     EXPECT_EQ(after(all, "$ACADVER"), "AC1009");
     EXPECT_EQ(after(all, "$INSUNITS"), "4");
     EXPECT_EQ(after(all, "$MEASUREMENT"), "1");
@@ -57,13 +58,14 @@ TEST(Dxf, IsRelease12InMillimetres) {
 TEST(Dxf, DeclaresEveryLayerItUses) {
     std::set<std::string> declared, used;
     std::string entity;
-    for (const auto& [code, value] : pairs(dxf({make_piece(testing::flat_cylinder("G01P01"))}))) {
+    for (const auto& [code, value] : pairs(dxf({testing::piece_of(testing::flat_cylinder("G01P01"))}))) {
         if (code == 0) entity = value;
         if (code == 2 && entity == "LAYER") declared.insert(value);
         if (code == 8) used.insert(value);
     }
-    EXPECT_EQ(used, (std::set<std::string>{"SEW", "GRAIN", "TEXT", "REF"}));
-    EXPECT_EQ(declared.count("SEW") + declared.count("GRAIN") + declared.count("TEXT") + declared.count("REF"), 4u);
+    EXPECT_EQ(used, (std::set<std::string>{"CUT", "SEW", "GRAIN", "TEXT", "REF"}));
+    EXPECT_TRUE(std::includes(declared.begin(), declared.end(), used.begin(), used.end()));
+    EXPECT_EQ(declared.count("NOTCH") + declared.count("INTERNAL"), 2u) << "and those that other pieces use";
 }
 
 TEST(Dxf, WritesOneClosedPolylineWithoutRepeatedCorners) {
@@ -88,14 +90,14 @@ TEST(Dxf, WritesOneClosedPolylineWithoutRepeatedCorners) {
 }
 
 TEST(Dxf, StaysAsciiWhateverTheName) {
-    PatternPiece piece = make_piece(testing::flat_cylinder("Bílý\ndráček 100%%d"));
+    PatternPiece piece = testing::piece_of(testing::flat_cylinder("Bílý\ndráček 100%%d"));
     const std::string text = dxf({piece});
     EXPECT_TRUE(std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }));
     EXPECT_THAT(text, ::testing::HasSubstr("Bily dracek 100%d\r\n"));
 }
 
 TEST(Dxf, RefusesShiftsThatDoNotMatchThePieces) {
-    const PatternPiece piece = make_piece(testing::flat_cylinder("G01P01"));
+    const PatternPiece piece = testing::piece_of(testing::flat_cylinder("G01P01"));
     EXPECT_THROW(dxf({piece, piece}, {Vec2(0, 0)}), InputError);
 }
 
@@ -129,12 +131,14 @@ for line in doc.modelspace().query('POLYLINE'):
     EXPECT_EQ(fixes, 0);
     double area = 0, length = 0;
     for (const PatternPiece& piece : pieces) {
-        ASSERT_TRUE(in >> layer >> closed >> area >> length) << result.output;
-        EXPECT_EQ(layer, "SEW");
-        EXPECT_EQ(closed, 1);
-        // Corners are rounded by up to 0.05 um; along the outline that adds up to far less than 0.01 mm.
-        EXPECT_NEAR(length, 1e3 * perimeter(piece.sew_line), 0.01);
-        EXPECT_NEAR(area, 1e6 * signed_area(piece.sew_line), 1e-4 * length);
+        for (const auto& [name, outline] : {std::pair("CUT", &piece.cut_line), std::pair("SEW", &piece.sew_line)}) {
+            ASSERT_TRUE(in >> layer >> closed >> area >> length) << result.output;
+            EXPECT_EQ(layer, name);
+            EXPECT_EQ(closed, 1);
+            // Corners are rounded by up to 0.05 um; along the outline that adds up to far less than 0.01 mm.
+            EXPECT_NEAR(length, 1e3 * perimeter(*outline), 0.01);
+            EXPECT_NEAR(area, 1e6 * signed_area(*outline), 1e-4 * length);
+        }
     }
     ASSERT_TRUE(in >> layer >> closed >> area >> length);
     EXPECT_EQ(layer, "REF");

@@ -32,15 +32,8 @@ Points2 banana(double width, double half) {
     return result.colwise().reverse();
 }
 
-/// The piece of a tile alone, whose edges are all hems.
-PatternPiece make_piece(const FlatTile& tile) {
-    CutPlan plan;
-    plan.tiles.push_back(tile);
-    return make_pieces(plan).at(0);
-}
-
 PatternPiece piece_of(const std::string& name, const Points2& outline) {
-    return make_piece(testing::flat_polygon(name, outline));
+    return testing::piece_of(testing::flat_polygon(name, outline));
 }
 
 /// The rectangle a label's letters cover at one height of width each.
@@ -67,7 +60,7 @@ double width_at(const Points2& outline, double y, double x) {
 
 TEST(PatternPiece, HasItsBoundaryWithinTheChordErrorOfItsSewLineCounterClockwise) {
     const FlatTile tile = testing::sinusoidal_gore("G01P01");
-    const PatternPiece piece = make_piece(tile);
+    const PatternPiece piece = testing::piece_of(tile);
     EXPECT_EQ(piece.name, "G01P01");
     const auto count = static_cast<Eigen::Index>(tile.tile.boundary.size());
     EXPECT_LE(piece.sew_line.rows(), count);
@@ -82,7 +75,7 @@ TEST(PatternPiece, HasItsBoundaryWithinTheChordErrorOfItsSewLineCounterClockwise
 
 TEST(PatternPiece, KeepsItsCornersExact) {
     const FlatTile tile = testing::flat_cylinder("G01P01");
-    const PatternPiece piece = make_piece(tile);
+    const PatternPiece piece = testing::piece_of(tile);
     ASSERT_EQ(piece.edges.size(), tile.tile.chains.size());
     EXPECT_EQ(piece.sew_line.rows(), 4) << "its edges are straight on the cloth";
     for (std::size_t e = 0; e < piece.edges.size(); ++e) {
@@ -108,7 +101,7 @@ TEST(PatternPiece, IsCutBeyondItsSewLineByWhatItsHemsTake) {
 TEST(PatternPiece, RunsCounterClockwiseAndStaysUnmirroredWhereTheFlatteningIsTurnedOver) {
     FlatTile tile = testing::flat_cylinder("over");
     tile.flattening.positions.col(0) *= -1;
-    const PatternPiece piece = make_piece(tile);
+    const PatternPiece piece = testing::piece_of(tile);
     EXPECT_GT(signed_area(piece.sew_line), 0);
     EXPECT_LE(piece.upper().x(), 0) << "the fault must stay visible, not be mirrored away";
 }
@@ -175,7 +168,7 @@ TEST(PatternPiece, OfAnOutlineWithoutInsideStillEnds) {
         FlatTile tile = testing::flat_cylinder("flat");
         tile.flattening.positions.col(0) *= x;
         tile.flattening.positions.col(1).setZero();
-        const PatternPiece piece = make_piece(tile);
+        const PatternPiece piece = testing::piece_of(tile);
         EXPECT_EQ(piece.sew_line.rows(), 40);
         EXPECT_EQ(piece.labels.size(), 1u);
         EXPECT_TRUE(piece.grain_line.allFinite());

@@ -7,6 +7,7 @@
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
+#include "ripstop/pattern/pieces.h"
 #include "support/shapes.h"
 
 namespace ripstop::testing {
@@ -115,6 +116,12 @@ CutPlan two_tile_plan() {
     gore.verdict.findings = {{"chain", "chain 1 is 0.5 % too long; 0.1 % is allowed",
                               gore.tile.mesh.positions.row(gore.tile.boundary[1]), 0.5, 0.1}};
     return plan;
+}
+
+PatternPiece piece_of(const FlatTile& tile) {
+    CutPlan plan;
+    plan.tiles.push_back(tile);
+    return make_pieces(plan).at(0);
 }
 
 }  // namespace ripstop::testing

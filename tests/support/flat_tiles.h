@@ -3,6 +3,7 @@
 #include <string>
 
 #include "ripstop/model/cut_plan.h"
+#include "ripstop/model/pattern_piece.h"
 
 /// Tiles with a known place on the cloth, for what comes after flattening.
 namespace ripstop::testing {
@@ -19,6 +20,9 @@ FlatTile sinusoidal_gore(const std::string& name);
 
 /// A flat polygon (corners in order, seen from the tile's outside) as a tile of one fan or strip, flat as it is.
 FlatTile flat_polygon(const std::string& name, const Points2& corners);
+
+/// The piece of a tile alone, whose edges are all hems.
+PatternPiece piece_of(const FlatTile& tile);
 
 /// Both of the above with a finding on the gore, as `G01 P01` and `Bílý "dráček"`.
 CutPlan two_tile_plan();

@@ -18,7 +18,8 @@ struct Layer {
     const char* name;
     int colour;  ///< AutoCAD colour index
 };
-constexpr std::array layers{Layer{"SEW", 1}, Layer{"GRAIN", 5}, Layer{"TEXT", 7}, Layer{"REF", 8}};
+constexpr std::array layers{Layer{"CUT", 1},  Layer{"SEW", 3},      Layer{"NOTCH", 6}, Layer{"GRAIN", 5},
+                            Layer{"TEXT", 7}, Layer{"INTERNAL", 4}, Layer{"REF", 8}};
 
 std::string in_millimetres(double metres) {
     return format_fixed(metres / millimetre, 4);
@@ -86,17 +87,22 @@ class DxfWriter {
     }
 
     void closed_polyline(const char* layer, const Points2& corners, const Vec2& shift) {
+        polyline(layer, corners, shift, true);
+    }
+
+    /// Points that are the same as written are written once.
+    void polyline(const char* layer, const Points2& corners, const Vec2& shift, bool is_closed) {
         std::vector<std::pair<std::string, std::string>> written;
         for (Eigen::Index i = 0; i < corners.rows(); ++i) {
             const Vec2 p = Vec2(corners.row(i)) + shift;
             std::pair corner(in_millimetres(p.x()), in_millimetres(p.y()));
             if (written.empty() || corner != written.back()) written.push_back(std::move(corner));
         }
-        while (written.size() > 1 && written.front() == written.back()) written.pop_back();
+        while (is_closed && written.size() > 1 && written.front() == written.back()) written.pop_back();
         if (written.empty()) return;
         entity("POLYLINE", layer);
         pair(66, 1);
-        pair(70, 1);
+        pair(70, is_closed ? 1 : 0);
         point(10, Vec2::Zero());
         for (const auto& [x, y] : written) {
             entity("VERTEX", layer);
@@ -157,7 +163,11 @@ class DxfWriter {
 };
 
 void draw(DxfWriter& writer, const PatternPiece& piece, const Vec2& shift) {
+    writer.closed_polyline("CUT", piece.cut_line, shift);
     writer.closed_polyline("SEW", piece.sew_line, shift);
+    for (const PieceNotch& notch : piece.notches)
+        for (const auto& [from, to] : notch.slits()) writer.line("NOTCH", from + shift, to + shift);
+    for (const DrawnLine& line : piece.lines) writer.polyline("INTERNAL", line.points, shift, false);
     const Points2 arrow = grain_arrow(piece);
     if (arrow.rows() == 4) {
         const Vec2 head = Vec2(arrow.row(1)) + shift;

@@ -9,7 +9,8 @@ namespace ripstop {
 
 /// Writes the pieces as a DXF for cutters and CAD: Release 12 (AC1009), millimetres, ASCII, CRLF.
 ///
-/// One closed POLYLINE a contour; layers SEW (red), GRAIN (blue, three LINEs: shaft and barbs), TEXT and REF. REF holds a
+/// One closed POLYLINE a contour; layers CUT (red), SEW (green), NOTCH (a LINE from the cut line inwards, two for a double
+/// one), GRAIN (three LINEs: shaft and barbs), INTERNAL (open polylines: drawn, not cut), TEXT and REF. REF holds a
 /// square of 100 mm with that text, right of the pieces, to check the size by. $INSUNITS and $MEASUREMENT say millimetres
 /// too; Release 12 does not know the first, and readers that do not either skip it. Four decimals; corners that coincide
 /// at that precision are written once. Names lose what is not ASCII (`ascii_text`). `shifts` as in `make_sheet`.

@@ -26,11 +26,15 @@ class Page {
     double left_, top_;
 };
 
-std::string closed_path(const Page& page, const Points2& corners, const Vec2& shift) {
+std::string open_path(const Page& page, const Points2& points, const Vec2& shift) {
     std::string path;
-    for (Eigen::Index i = 0; i < corners.rows(); ++i)
-        path += (i == 0 ? "M" : " L") + page.at(Vec2(corners.row(i)) + shift);
-    return path + " Z";
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+        path += (i == 0 ? "M" : " L") + page.at(Vec2(points.row(i)) + shift);
+    return path;
+}
+
+std::string closed_path(const Page& page, const Points2& corners, const Vec2& shift) {
+    return open_path(page, corners, shift) + " Z";
 }
 
 /// SVG places letters by their baseline and sizes them by the em; capitals are about 0.72 em high.
@@ -53,10 +57,38 @@ std::string unused_id(const std::string& name, std::set<std::string>& used) {
     return id;
 }
 
+/// An edge of the sew line, with whom it is sewn to.
+void draw_edge(std::ostream& out, const Page& page, const PatternPiece& piece, std::size_t e, const Vec2& shift) {
+    const PieceEdge& edge = piece.edges[e];
+    std::string seams, mates;
+    for (const Mate& mate : edge.mates) {
+        seams += (seams.empty() ? "" : " ") + xml_text(mate.seam);
+        mates += (mates.empty() ? "" : ", ") + xml_text(mate.piece);
+    }
+    out << "<path class=\"sew\" stroke=\"#0000ff\" data-edge=\"" << e + 1 << '"';
+    if (!seams.empty()) out << " data-seam=\"" << seams << "\" data-mate=\"" << mates << '"';
+    out << " data-type=\"" << xml_text(edge.seam_type) << "\" data-length-mm=\""
+        << format_fixed(edge.length / millimetre, 3) << "\" data-allowance-mm=\""
+        << format_fixed(edge.allowance / millimetre, 3) << "\" d=\"" << open_path(page, piece.edge_line(e), shift)
+        << "\"/>\n";
+}
+
 void draw(std::ostream& out, const Page& page, const PatternPiece& piece, const Vec2& shift, const std::string& id) {
     out << "<g id=\"" << id << "\" data-name=\"" << xml_text(piece.name) << "\">\n";
-    if (piece.sew_line.rows() > 0)
-        out << "<path stroke=\"#ff0000\" d=\"" << closed_path(page, piece.sew_line, shift) << "\"/>\n";
+    const bool is_cut = piece.cut_line.rows() > 0;
+    if (is_cut)
+        out << "<path class=\"cut\" stroke=\"#ff0000\" d=\"" << closed_path(page, piece.cut_line, shift) << "\"/>\n";
+    for (std::size_t e = 0; e < piece.edges.size(); ++e) draw_edge(out, page, piece, e, shift);
+    if (piece.edges.empty() && piece.sew_line.rows() > 0)
+        out << "<path class=\"sew\" stroke=\"" << (is_cut ? "#0000ff" : "#ff0000") << "\" d=\""
+            << closed_path(page, piece.sew_line, shift) << "\"/>\n";
+    for (const PieceNotch& notch : piece.notches)
+        for (const auto& [from, to] : notch.slits())
+            out << "<path class=\"notch\" stroke=\"#ff0000\" data-seam=\"" << xml_text(notch.seam) << "\" d=\"M"
+                << page.at(from + shift) << " L" << page.at(to + shift) << "\"/>\n";
+    for (const DrawnLine& line : piece.lines)
+        out << "<path class=\"internal\" stroke=\"#0000ff\" data-name=\"" << xml_text(line.name) << "\" d=\""
+            << open_path(page, line.points, shift) << "\"/>\n";
     const Points2 arrow = grain_arrow(piece);
     if (arrow.rows() == 4) {
         const auto end = [&](int row) { return page.at(Vec2(arrow.row(row)) + shift); };
