@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "ripstop/pattern/pieces.h"
+#include "ripstop/report/cut_files.h"
 #include "support/flat_tiles.h"
 #include "support/outside.h"
 
