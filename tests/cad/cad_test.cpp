@@ -4,6 +4,7 @@
 #ifdef RIPSTOP_CAD_PROGRAM
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -237,7 +238,9 @@ TEST(Cad, WhateverBecomesOfTheMesherIsOneSentence) {
     EXPECT_THAT(fault_of(file, {.mesher = "/nowhere/ripstop-cad"}), HasSubstr("cannot be started"));
     const Workshop workshop;
     testing::write_cube(workshop.path("cube.step"), "MM");
+    ::setenv("RIPSTOP_CAD", "/nowhere/ripstop-cad", 1);
     EXPECT_EQ(workshop.ripstop("check cube.step").code, 3);
+    ::unsetenv("RIPSTOP_CAD");
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include <Eigen/Geometry>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -213,7 +215,9 @@ TEST(RhinoFlatten, SaysWhatItLeavesOutAndTakesLayersByName) {
 }
 
 TEST(RhinoFlatten, NamesWhatIsThereWhereNoSurfaceIs) {
+    ::setenv("RIPSTOP_CAD", "/nowhere/ripstop-cad", 1);  // as where no extrusion can be read
     const ProgramRun run = Workshop().ripstop("flatten " RIPSTOP_SOURCE_DIR "/tests/data/rhino/curves_v8.3dm -o plan");
+    ::unsetenv("RIPSTOP_CAD");
     EXPECT_EQ(run.code, 3);
     EXPECT_THAT(run.err, HasSubstr("no surface that could be read"));
     EXPECT_THAT(run.err, HasSubstr("Extrusion wall: an extrusion is not read; mesh it in Rhino"));
