@@ -10,6 +10,7 @@
 #include "ripstop/base/child_process.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
+#include "ripstop/io/input_file.h"
 #include "ripstop/io/text.h"
 
 namespace ripstop {
@@ -121,12 +122,6 @@ ConvertedModel answer(const fs::path& output, const fs::path& file, const std::s
     return read_converted(in, file.string() + ": the answer of " + program);
 }
 
-void require_file(const fs::path& file) {
-    std::error_code unknown;
-    if (!std::ifstream(file, std::ios::binary) || fs::is_directory(file, unknown))
-        throw InputError(file.string() + ": the file cannot be opened; check its name and its permissions");
-}
-
 }  // namespace
 
 void require_sound(const MeshingOptions& options) {
@@ -146,7 +141,7 @@ std::span<const CadFormat> cad_formats() {
 
 CadModel convert_cad(const fs::path& file, const MeshingOptions& options) {
     require_sound(options);
-    require_file(file);
+    open_input(file);
     const fs::path mesher = find_mesher(options);
     if (mesher.empty())
         throw InputError(file.string() + ": the program ripstop-cad, which meshes CAD files, is not installed; " +
@@ -159,7 +154,7 @@ CadModel convert_cad(const fs::path& file, const MeshingOptions& options) {
 
 ConvertedModel convert_rhino(const fs::path& file, const MeshingOptions& options) {
     require_sound(options);
-    require_file(file);
+    open_input(file);
     const fs::path script = find_rhino_script();
     if (script.empty())
         throw InputError(file.string() +
