@@ -6,7 +6,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "ripstop/report/check_report.h"
 #include "support/envelopes.h"
@@ -128,6 +130,52 @@ TEST(ScaledTile, IsNamedWithTheRatio) {
                 EXPECT_NEAR(result.issues.back().value, ratio, 1e-3 * ratio) << result.issues.back().message;
             }
         }
+}
+
+/// A strip from x0 to x1, 3 m wide, of a sine as high as `rise`.
+NamedMesh strip(const std::string& name, double x0, double x1, double rise) {
+    TriangleMesh mesh = testing::rectangle(x1 - x0, 3, 8, 1);
+    for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v) {
+        const Vec3 p = mesh.positions.row(v);
+        mesh.positions.row(v) = Vec3(x0 + p.x(), rise * std::sin(std::numbers::pi * p.x() / (x1 - x0)), p.y());
+    }
+    return {name, mesh, {}};
+}
+
+TEST(ScaledTile, IsNoExplanationWhereItShrinksToASpeckOnAnEdge) {
+    // two pairs of neighbours 8 m apart, the second one on the same two edges
+    const EnvelopeCheck result =
+        check({strip("A", 0, 2, 0.3), strip("B", 2, 4, 0.5), strip("C", 10, 12, 0.5), strip("D", 10, 12, 0.1)});
+    EXPECT_GT(result.seams, 0);
+    for (const EnvelopeIssue& issue : result.issues) {
+        EXPECT_NE(issue.code, "scaled") << issue.message;
+        EXPECT_NE(issue.code, "shifted") << issue.message;
+        EXPECT_THAT(issue.message, ::testing::Not(HasSubstr("no seams")));
+        EXPECT_LT(issue.at.norm(), 13) << "in the envelope: " << issue.message;
+    }
+    EXPECT_THAT(named(result), ::testing::Contains(HasSubstr("apart")));
+}
+
+TEST(ScaledTile, IsNamedWhereItsUnitWasMistaken) {
+    for (const double ratio : {1 / 25.4, 1 / 304.8, 0.001, 25.4, 304.8}) {
+        std::vector<NamedMesh> balloon = design_natural(small_balloon());
+        scale_about(balloon[middle].mesh, Vec3::Zero(), ratio);
+        const EnvelopeCheck result = check(balloon);
+        EXPECT_THAT(named(result), ::testing::ElementsAre("scaled " + balloon[middle].name)) << ratio;
+        if (result.issues.empty()) continue;
+        EXPECT_NEAR(result.issues[0].value, ratio, 1e-3 * ratio);
+    }
+}
+
+TEST(DoubledTiles, AreNotSaidToHaveNoSeamsBesideTheSeamsAsGiven) {
+    // the second strip lies on the first, the other way up: they are sewn along all their edges
+    NamedMesh under = strip("under", 0, 2, 0.3);
+    under.mesh.triangles.col(1).swap(under.mesh.triangles.col(2));
+    const EnvelopeCheck result = check({strip("over", 0, 2, 0.3), under, strip("far", 10, 12, 0.1)});
+    EXPECT_GT(result.seams, 0);
+    EXPECT_THAT(named(result), ::testing::ElementsAre("doubled under", "unsewn -"));
+    EXPECT_THAT(result.issues.back().message, HasSubstr("once the faults above are mended"));
+    EXPECT_THAT(result.issues.back().message, ::testing::Not(HasSubstr("there are no seams")));
 }
 
 TEST(MissingTile, IsNamedWithItsNeighbours) {

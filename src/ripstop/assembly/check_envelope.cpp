@@ -259,7 +259,7 @@ EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& option
     add(check.issues, move_back(tiles, found, options));
     add(check.issues, name_gaps(tiles, found, options.tolerance));
     add(check.issues, name_holes(tiles, found, options.tolerance));
-    add(check.issues, name_strays(tiles, found));
+    add(check.issues, name_strays(tiles, found, check.seams > 0));
     return check;
 }
 
