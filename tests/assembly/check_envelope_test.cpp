@@ -331,11 +331,32 @@ TEST(Unit, IsProposedWhereTheSizeIsNoBalloons) {
         const EnvelopeCheck large = check(scaled);
         ASSERT_THAT(named(large), ::testing::ElementsAre("unit -"));
         EXPECT_THAT(large.issues[0].message, HasSubstr("with --unit mm it would measure"));
+        EXPECT_TRUE(large.seams_sought);
+        EXPECT_FALSE(large.loops.empty());
         for (NamedMesh& tile : scaled) tile.mesh.positions *= 1e-6;
         const EnvelopeCheck small = check_envelope(testing::tiles_of(scaled), {}, 0.001);
         ASSERT_THAT(named(small), ::testing::ElementsAre("unit -"));
         EXPECT_THAT(small.issues[0].message, HasSubstr("with --unit m it would measure"));
+        EXPECT_FALSE(small.seams_sought) << "edges of some mm mean nothing against a tolerance of 0.5 mm";
+        const std::string text = check_text(small, "small.obj", "mm");
+        EXPECT_THAT(text, HasSubstr("\nseams          not looked for"));
+        EXPECT_THAT(text, HasSubstr("\nopen edges     not looked for\nloose ends     not looked for\n"));
+        EXPECT_THAT(text, ::testing::Not(HasSubstr("closed")));
+        EXPECT_THAT(text, ::testing::Not(HasSubstr(" part")));
+        EXPECT_THAT(check_json(small, "small.obj", "mm"), HasSubstr("\"loops\": null"));
     }
+}
+
+TEST(Unit, InDoubtHidesNoSeams) {
+    // as large as gores of mm read as inches
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    for (NamedMesh& tile : balloon) tile.mesh.positions *= 25.4;
+    const EnvelopeCheck result = check_envelope(testing::tiles_of(balloon), {}, 0.0254);
+    EXPECT_THAT(named(result), ::testing::ElementsAre("unit -"));
+    EXPECT_EQ(result.seams, 72 + 60);
+    EXPECT_EQ(result.parts, 1);
+    EXPECT_EQ(result.loops.size(), 2u) << "mouth and crown";
+    EXPECT_THAT(check_text(result, "gores.obj", "in"), ::testing::Not(HasSubstr("not looked for")));
 }
 
 TEST(LooseTiles, AreOneFaultWhereNothingIsSewnAndNoneWhereThereIsOneTile) {
