@@ -397,6 +397,20 @@ TEST(CheckText, SaysOnceWhatManyTilesHaveInCommon) {
     EXPECT_THAT(text, ::testing::Not(HasSubstr("stray1 ")));
 }
 
+TEST(CheckText, GivesNumbersAsADesignerReadsThem) {
+    // a third of a metre here, a tenth of a nanometre there, a tile 304.8 times too large; a small factor has six decimals
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    for (NamedMesh& tile : balloon) move(tile.mesh, Vec3(1.0 / 3, -1e-10, 2.0 / 3));
+    scale_about(balloon[middle].mesh, Vec3::Zero(), 304.8);
+    balloon.push_back(strip("stray", 30.0 / 7, 40.0 / 7, 0.1));
+    const std::string text = check_text(check(balloon), "balloon.obj", "m");
+    EXPECT_THAT(text, HasSubstr("times too large"));
+    EXPECT_THAT(text, HasSubstr("tile stray"));
+    EXPECT_THAT(text, HasSubstr(" m round (0.33, 0.00, "));
+    EXPECT_THAT(text, ::testing::Not(HasSubstr("-0.00")));
+    EXPECT_THAT(text, ::testing::Not(::testing::ContainsRegex("[0-9]\\.[0-9][0-9][0-9][0-9][0-9][0-9][0-9]")));
+}
+
 TEST(OddCorner, IsCountedWhereOnlyOneSideHasIt) {
     // the left sheet's edge has a corner given in its middle, the right one's has none
     Envelope envelope;

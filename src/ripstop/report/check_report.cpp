@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/report/figures.h"
 
@@ -42,11 +43,12 @@ std::string loops_text(const EnvelopeCheck& check) {
     std::string text;
     for (std::size_t i = 0; i < std::min(check.loops.size(), shown_loops); ++i) {
         const LooseLoop& loop = check.loops[i];
-        text += fmt::format("{}{:.2f} m round ({:.2f}, {:.2f}, {:.2f}) m, {}, {}{}", i ? "\n               " : "",
-                            loop.length, loop.centre.x(), loop.centre.y(), loop.centre.z(),
-                            plural(static_cast<int>(loop.tiles.size()), "tile", "tiles"),
-                            loop.corners == 0 ? "no corner" : plural(loop.corners, "corner", "corners"),
-                            loop.closed ? "" : ", not closed");
+        text +=
+            fmt::format("{}{:.2f} m round ({}, {}, {}) m, {}, {}{}", i ? "\n               " : "", loop.length,
+                        format_fixed(loop.centre.x(), 2), format_fixed(loop.centre.y(), 2),
+                        format_fixed(loop.centre.z(), 2), plural(static_cast<int>(loop.tiles.size()), "tile", "tiles"),
+                        loop.corners == 0 ? "no corner" : plural(loop.corners, "corner", "corners"),
+                        loop.closed ? "" : ", not closed");
     }
     if (check.loops.size() > shown_loops)
         text += fmt::format("\n               and {} more", check.loops.size() - shown_loops);
