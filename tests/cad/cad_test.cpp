@@ -226,10 +226,10 @@ TEST(Cad, ACoordinateThatIsNoneOrIsFarOffIsRefused) {
             std::string text = testing::content(file);
             if (extension == ".step") {
                 const std::string point = "CARTESIAN_POINT('',(0.,";
-                text.replace(text.find(point) + point.size() - 2, 2, number);
+                text.replace(text.find(point) + point.size() - 3, 2, number);
             } else {
                 // The first parameter of 1000 takes as many columns of its line as before.
-                const std::size_t at = text.find("1000.,");
+                const std::size_t at = text.rfind("1000.,");
                 ASSERT_NE(at, std::string::npos);
                 text.replace(at, 5, number == "NaN" ? "  NaN" : "1D300");
             }
