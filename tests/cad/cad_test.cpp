@@ -229,9 +229,9 @@ TEST(Cad, ACoordinateThatIsNoneOrIsFarOffIsRefused) {
                 text.replace(text.find(point) + point.size() - 3, 2, number);
             } else {
                 // The first parameter of 1000 takes as many columns of its line as before.
-                const std::size_t at = text.rfind("1000.,");
+                const std::size_t at = text.rfind("1.E+03");
                 ASSERT_NE(at, std::string::npos);
-                text.replace(at, 5, number == "NaN" ? "  NaN" : "1D300");
+                text.replace(at, 6, number == "NaN" ? "   NaN" : "1.D300");
             }
             testing::write_text(file, text);
             EXPECT_THAT(fault_of(file),
