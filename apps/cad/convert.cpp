@@ -89,14 +89,15 @@ struct Measured {
 /// Meshes the faces, and anew and finer those that `drawn` lies further off than asked for: how far is known only then.
 Measured meshed_and_measured(const std::vector<TopoDS_Face>& faces, const std::vector<TopoDS_Face>& drawn,
                              EdgeSizes sizes) {
-    const bool bounded = std::isfinite(sizes.chord_error);
+    std::optional<double> asked;
+    if (std::isfinite(sizes.chord_error)) asked = sizes.chord_error;
     sizes.finer.assign(faces.size(), 1);
     for (int round = 1;; ++round) {
         Measured result{meshed(faces, sizes), std::vector<FaceFigures>(faces.size())};
         bool holds = true;
         for (std::size_t i = 0; i < faces.size(); ++i) {
             if (result.meshes.faces[i].rows() == 0) continue;
-            result.figures[i] = figures_of(drawn[i], result.meshes.positions, result.meshes.faces[i], bounded);
+            result.figures[i] = figures_of(drawn[i], result.meshes.positions, result.meshes.faces[i], asked);
             const double ratio = sizes.chord_error / result.figures[i].chord_error;
             if (!(ratio < 1)) continue;
             holds = false;

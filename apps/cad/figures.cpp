@@ -77,7 +77,8 @@ class Distances {
 
 }  // namespace
 
-FaceFigures figures_of(const TopoDS_Face& face, const Points3& positions, const Triangles& triangles, bool every) {
+FaceFigures figures_of(const TopoDS_Face& face, const Points3& positions, const Triangles& triangles,
+                       std::optional<double> asked) {
     FaceFigures figures;
     GProp_GProps properties;
     BRepGProp::SurfaceProperties(face, properties, area_precision);
@@ -87,15 +88,15 @@ FaceFigures figures_of(const TopoDS_Face& face, const Points3& positions, const 
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
     Distances distances(surface);
     double with = 0, against = 0;
-    const Eigen::Index step = every ? 1 : std::max<Eigen::Index>(1, triangles.rows() / samples);
+    const Eigen::Index step = asked ? 1 : std::max<Eigen::Index>(1, triangles.rows() / samples);
     for (Eigen::Index t = 0; t < triangles.rows(); t += step) {
         const Vec3 a = positions.row(triangles(t, 0)), b = positions.row(triangles(t, 1)),
                    c = positions.row(triangles(t, 2));
         double& error = figures.chord_error;
-        if (every)
+        if (asked)
             for (const Vec3& middle : {Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)})
-                error = std::max(error, distances.surely_to(middle, error));
-        error = std::max(error, distances.surely_to((a + b + c) / 3, error));
+                error = std::max(error, distances.surely_to(middle, std::max(error, *asked)));
+        error = std::max(error, distances.surely_to((a + b + c) / 3, std::max(error, asked.value_or(0))));
         const gp_Pnt2d uv = distances.place();
         gp_Pnt on;
         gp_Vec du, dv;

@@ -51,9 +51,10 @@ struct FaceFigures {
     bool turned = false;     ///< the triangles run against the face
 };
 
-/// `every`: the chord error is taken on every triangle, in its middle and on its edges; else in the middle of some 80.
+/// `asked`: the chord error to be kept [mm]; it is then taken on every triangle, in its middle and on its edges; else in the
+/// middle of some 80.
 FaceFigures figures_of(const TopoDS_Face& face, const Points3& positions, const Triangles& triangles,
-                       bool every = false);
+                       std::optional<double> asked = {});
 
 /// Turns faces so that all that hang together agree, and closed bodies point outward; else as most of their area already is.
 /// Gives which were turned.
