@@ -27,8 +27,8 @@ TEST(TileCorners, AreRefusedFarOffTheBoundary) {
         make_tile("sheet", testing::rectangle(2, 1, 8, 4), options);
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(),
-                    ::testing::StartsWith("tile sheet: its corner (2.000, 1.000, 5.000) m is 5.000 m off its boundary"));
+        EXPECT_THAT(error.what(), ::testing::StartsWith(
+                                      "tile sheet: its corner (2.000, 1.000, 5.000) m is 5.000 m off its boundary"));
     }
 }
 

@@ -6,7 +6,7 @@
 
 namespace ripstop {
 
-std::ifstream open_input(const std::filesystem::path& path, const char* what) {
+void require_plain_file(const std::filesystem::path& path) {
     std::error_code unknown;
     const std::filesystem::file_status status = std::filesystem::status(path, unknown);
     if (std::filesystem::is_directory(status))
@@ -14,6 +14,10 @@ std::ifstream open_input(const std::filesystem::path& path, const char* what) {
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
         throw InputError(path.string() +
                          ": is a pipe or a device, expected a file; save what comes from it and name that");
+}
+
+std::ifstream open_input(const std::filesystem::path& path, const char* what) {
+    require_plain_file(path);
     std::ifstream in(path, std::ios::binary);
     if (!in) throw InputError(path.string() + ": " + what + " cannot be opened; check its name and its permissions");
     return in;

@@ -84,6 +84,7 @@ std::span<const MeshFormat> mesh_formats() {
 }
 
 CadModel read_model(const std::filesystem::path& path, const MeshingOptions& options) {
+    require_plain_file(path);
     const std::string extension = extension_of(path);
     for (const CadFormat& format : cad_formats())
         if (extension == format.extension) return convert_cad(path, options);
