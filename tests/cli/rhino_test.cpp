@@ -225,9 +225,9 @@ TEST(RhinoFlatten, SaysWhyItsSurfacesAreNotReadWhereNodeIsMissing) {
 
 TEST(RhinoFlatten, NamesALayerWhoseSurfacesLieBelowIt) {
     const ProgramRun run =
-        Workshop().ripstop("check " RIPSTOP_SOURCE_DIR "/tests/data/rhino/tiles_v8.3dm --layer Gores");
+        Workshop().ripstop("check " RIPSTOP_SOURCE_DIR "/tests/data/rhino/tiles_v8.3dm --layer Default");
     EXPECT_EQ(run.code, 3);
-    EXPECT_THAT(run.err, HasSubstr("give a pattern such as \"Gores::*\""));
+    EXPECT_THAT(run.err, HasSubstr("give \"Default::*\" for the layers below it"));
 }
 
 TEST(RhinoFlatten, NamesWhatIsThereWhereNoSurfaceIs) {
