@@ -54,8 +54,9 @@ void keep_layers(CadModel& model, const std::vector<std::string>& layers,
     };
     std::erase_if(model.surfaces, elsewhere);
     if (any && model.surfaces.empty())
-        throw InputError("no surface lies on layer \"" + layers.front() + "\" itself; give a pattern such as \"" +
-                         layers.front() + "::*\" for the layers below it");
+        throw InputError("no surface lies on layer \"" + layers.front() +
+                         "\" itself; choose one that has some, or give \"" + layers.front() +
+                         "::*\" for the layers below it");
     std::erase_if(model.unread, elsewhere);
     // Grain lines have layers of their own, and lie where they lie.
     std::erase_if(model.curves,
