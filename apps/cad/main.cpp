@@ -84,15 +84,3 @@ int main(int argc, char** argv) {
         return failed(error.what(), our_fault);
     }
 }
-
-#if defined(__SANITIZE_ADDRESS__)
-/// What the CAD kernel does not give back at the end is none of our leaks.
-extern "C" const char* __lsan_default_options();
-extern "C" const char* __lsan_default_options() {
-    return "print_suppressions=0";
-}
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() {
-    return "leak:libTK\nleak:libgmsh\n";
-}
-#endif

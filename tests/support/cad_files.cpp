@@ -236,15 +236,3 @@ void write_opposed(const std::string& file) {
 }  // namespace ripstop::testing
 
 #endif
-
-#if defined(__SANITIZE_ADDRESS__)
-/// What Open CASCADE does not give back at the end is none of our leaks.
-extern "C" const char* __lsan_default_options();
-extern "C" const char* __lsan_default_options() {
-    return "print_suppressions=0";
-}
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() {
-    return "leak:libTK\n";
-}
-#endif
