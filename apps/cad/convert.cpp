@@ -13,6 +13,9 @@ namespace {
 
 constexpr double finest_sewing = 2e-5;  // of the drawing's diagonal: wider than this would close small tiles
 
+constexpr int most_rounds = 5;         // of meshing, each finer where it was too coarse
+constexpr double coarsest_step = 0.3;  // a fault in the surface is not to be chased with a million triangles
+
 double diagonal_of(const std::vector<TopoDS_Face>& faces) {
     Bnd_Box box;
     for (const TopoDS_Face& face : faces)
@@ -68,21 +71,58 @@ std::vector<TopoDS_Face> faces_of(const Drawing& drawing) {
     return faces;
 }
 
+/// How lengths are said: in millimetres, or in the file's own numbers where nobody says what these are.
+struct Said {
+    double scale = 1;  ///< from the kernel's millimetres
+    std::string unit = " mm";
+};
+
 std::string percent_text(double ratio) {
     return format_fixed(ratio * 100, 4) + " %";
 }
 
+struct Measured {
+    Meshes meshes;
+    std::vector<FaceFigures> figures;
+};
+
+/// Meshes the faces, and anew and finer those that `drawn` lies further off than asked for: how far is known only then.
+Measured meshed_and_measured(const std::vector<TopoDS_Face>& faces, const std::vector<TopoDS_Face>& drawn,
+                             EdgeSizes sizes) {
+    std::optional<double> asked;
+    if (std::isfinite(sizes.chord_error)) asked = sizes.chord_error;
+    sizes.finer.assign(faces.size(), 1);
+    for (int round = 1;; ++round) {
+        Measured result{meshed(faces, sizes), std::vector<FaceFigures>(faces.size())};
+        bool holds = true;
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            if (result.meshes.faces[i].rows() == 0) continue;
+            result.figures[i] = figures_of(drawn[i], result.meshes.positions, result.meshes.faces[i], asked);
+            const double ratio = sizes.chord_error / result.figures[i].chord_error;
+            if (!(ratio < 1)) continue;
+            holds = false;
+            sizes.finer[i] *= std::max(0.95 * std::sqrt(ratio), coarsest_step);
+        }
+        if (holds || round == most_rounds) return result;
+    }
+}
+
 /// What the meshes came to.
 void add_remark(ConvertedModel& model, const EdgeSizes& sizes, const std::vector<FaceFigures>& figures, bool plain,
-                double scale) {
+                const Said& said) {
     double chord_error = 0, shortfall = 0;
     for (const FaceFigures& face : figures) {
         chord_error = std::max(chord_error, face.chord_error);
         shortfall = std::max(shortfall, face.shortfall);
     }
-    model.remarks.push_back("surfaces meshed with edges of at most " + format_fixed(sizes.longest * scale, 1) +
-                            " mm: at most " + format_fixed(chord_error * scale, 3) +
-                            " mm off the CAD's, edges at most " + percent_text(shortfall) + " short of its curves");
+    model.remarks.push_back("surfaces meshed with edges of at most " + format_fixed(sizes.longest * said.scale, 1) +
+                            said.unit + ": at most " + format_fixed(chord_error * said.scale, 3) + said.unit +
+                            " off the CAD's, edges at most " + percent_text(shortfall) + " short of its curves");
+    if (chord_error > sizes.chord_error)
+        model.remarks.push_back("--chord asks for at most " + format_fixed(sizes.chord_error * said.scale, 3) +
+                                said.unit +
+                                " off the CAD's surfaces, which no finer mesh would give: they are faulty, or their "
+                                "edges lie apart; repair them in the CAD");
     if (plain)
         model.remarks.push_back(
             "the surfaces were meshed by Open CASCADE, with poor triangles, because gmsh failed on one; repair the "
@@ -114,13 +154,11 @@ ConvertedModel convert(Drawing drawing, const MeshingOptions& asked) {
     const std::vector<TopoDS_Face> drawn = faces;
     if (tolerance > 0) faces = sewn(faces, tolerance);
     const EdgeSizes sizes = edge_sizes(faces, options);
-    Meshes meshes = meshed(faces, sizes);
-    std::fill(figures.begin(), figures.end(), FaceFigures{});
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        if (meshes.faces[i].rows() == 0) continue;
-        figures[i] = figures_of(drawn[i], meshes.positions, meshes.faces[i]);
+    Measured measured = meshed_and_measured(faces, drawn, sizes);
+    Meshes& meshes = measured.meshes;
+    figures = std::move(measured.figures);
+    for (std::size_t i = 0; i < faces.size(); ++i)
         if (figures[i].turned) meshes.faces[i].col(1).swap(meshes.faces[i].col(2));
-    }
     const std::vector<bool> turned = agree(meshes.positions, meshes.faces);
     ConvertedModel model = std::move(drawing.rest);
     std::size_t i = 0, meshed_faces = 0, turned_faces = 0;
@@ -144,7 +182,9 @@ ConvertedModel convert(Drawing drawing, const MeshingOptions& asked) {
         }
         model.objects.push_back(std::move(converted));
     }
-    if (meshed_faces > 0) add_remark(model, sizes, figures, meshes.plain, scale);
+    const bool known = asked.metres_per_unit || model.unit;
+    if (meshed_faces > 0)
+        add_remark(model, sizes, figures, meshes.plain, known ? Said{scale} : Said{1 / drawing.millimetres, ""});
     if (turned_faces > 0)
         model.remarks.push_back(
             std::string(turned_faces == 1 ? "1 face was" : std::to_string(turned_faces) + " faces were") +

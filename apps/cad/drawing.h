@@ -48,6 +48,21 @@ Drawing read_iges(const std::filesystem::path& file);
 Drawing read_brep(const std::filesystem::path& file);
 Drawing read_nurbs(const std::filesystem::path& file);
 
+/// Throw InputError where a file does not begin and end as its format has it: the kernels crash on files cut short, or read
+/// what is there as the whole. That of IGES names numbers that are no coordinates, too.
+void require_whole_step(const std::filesystem::path& file);
+void require_whole_iges(const std::filesystem::path& file);
+void require_whole_brep(const std::filesystem::path& file);
+
+/// No coordinate reaches it [mm]: the kernels never end on what is not finite or is far off.
+inline constexpr double largest_coordinate = 1e12;
+
+/// The sentence on one that does.
+std::string unbearable(const std::string& place, const std::string& number);
+
+/// Throws InputError where a vertex or pole of a shape is beyond it; `place` says whose.
+void require_coordinates(const TopoDS_Shape& shape, const std::string& place);
+
 /// The edges of a shape without faces as polylines; its free points are named as left out.
 void add_wires(const TopoDS_Shape& shape, const std::string& name, const Attributes& attributes, Drawing& drawing);
 

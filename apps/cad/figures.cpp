@@ -49,9 +49,36 @@ gp_Pnt point(const Vec3& p) {
     return {p[0], p[1], p[2]};
 }
 
+/// How far a surface lies off points that follow each other closely.
+class Distances {
+  public:
+    explicit Distances(const Handle(Geom_Surface) & surface) : analysis_(surface) {}
+
+    double to(const Vec3& p) {
+        last_ = known_ ? analysis_.NextValueOfUV(last_, point(p), precision) : analysis_.ValueOfUV(point(p), precision);
+        known_ = true;
+        return analysis_.Gap();
+    }
+    /// From where the last point was only the nearest place around may have been found.
+    double surely_to(const Vec3& p, double borne) {
+        const double near = to(p);
+        if (near <= borne) return near;
+        known_ = false;
+        return std::min(near, to(p));
+    }
+    gp_Pnt2d place() const { return last_; }
+
+  private:
+    static constexpr double precision = 1e-6;
+    ShapeAnalysis_Surface analysis_;
+    gp_Pnt2d last_;
+    bool known_ = false;
+};
+
 }  // namespace
 
-FaceFigures figures_of(const TopoDS_Face& face, const Points3& positions, const Triangles& triangles) {
+FaceFigures figures_of(const TopoDS_Face& face, const Points3& positions, const Triangles& triangles,
+                       std::optional<double> asked) {
     FaceFigures figures;
     GProp_GProps properties;
     BRepGProp::SurfaceProperties(face, properties, area_precision);
@@ -59,14 +86,18 @@ FaceFigures figures_of(const TopoDS_Face& face, const Points3& positions, const 
     if (const std::optional<double> length = exact_boundary(face); length && *length > 0)
         figures.shortfall = 1 - mesh_boundary(positions, triangles) / *length;
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-    ShapeAnalysis_Surface analysis(surface);
+    Distances distances(surface);
     double with = 0, against = 0;
-    const Eigen::Index step = std::max<Eigen::Index>(1, triangles.rows() / samples);
+    const Eigen::Index step = asked ? 1 : std::max<Eigen::Index>(1, triangles.rows() / samples);
     for (Eigen::Index t = 0; t < triangles.rows(); t += step) {
         const Vec3 a = positions.row(triangles(t, 0)), b = positions.row(triangles(t, 1)),
                    c = positions.row(triangles(t, 2));
-        const gp_Pnt2d uv = analysis.ValueOfUV(point((a + b + c) / 3), 1e-6);
-        figures.chord_error = std::max(figures.chord_error, analysis.Gap());
+        double& error = figures.chord_error;
+        if (asked)
+            for (const Vec3& middle : {Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)})
+                error = std::max(error, distances.surely_to(middle, std::max(error, *asked)));
+        error = std::max(error, distances.surely_to((a + b + c) / 3, std::max(error, asked.value_or(0))));
+        const gp_Pnt2d uv = distances.place();
         gp_Pnt on;
         gp_Vec du, dv;
         surface->D1(uv.X(), uv.Y(), on, du, dv);

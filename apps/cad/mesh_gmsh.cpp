@@ -32,7 +32,7 @@ double size_at(const Samples& samples, const Vec3& p, double otherwise) {
     return size;
 }
 
-Samples samples_of(int dimension, int tag, const EdgeSizes& sizes) {
+Samples samples_of(int dimension, int tag, const EdgeSizes& sizes, double finer) {
     std::vector<double> low, high, parameters, points, curvatures;
     gmsh::model::getParametrizationBounds(dimension, tag, low, high);
     for (int i = 0; i <= samples_across; ++i)
@@ -46,7 +46,7 @@ Samples samples_of(int dimension, int tag, const EdgeSizes& sizes) {
     Samples samples;
     for (std::size_t i = 0; i < curvatures.size(); ++i)
         samples.push_back(
-            {Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]), sizes.at(std::abs(curvatures[i]))});
+            {Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]), finer * sizes.at(std::abs(curvatures[i]))});
     const auto [least, most] = std::minmax_element(samples.begin(), samples.end(),
                                                    [](const Sample& a, const Sample& b) { return a.size < b.size; });
     if (dimension == 2 && !samples.empty() && most->size - least->size < 1e-9 * most->size) samples.resize(1);
@@ -55,10 +55,11 @@ Samples samples_of(int dimension, int tag, const EdgeSizes& sizes) {
 
 class SizeField {
   public:
-    explicit SizeField(const EdgeSizes& sizes) : sizes_(sizes) {
+    /// `tags`: of the faces, in the order of `sizes.finer`.
+    SizeField(const EdgeSizes& sizes, const std::vector<int>& tags) : sizes_(sizes) {
         gmsh::vectorpair entities;
-        gmsh::model::getEntities(entities, 2);
-        for (const auto& [dimension, tag] : entities) faces_[tag] = samples_of(2, tag, sizes);
+        for (std::size_t i = 0; i < tags.size(); ++i)
+            if (tags[i] > 0) faces_[tags[i]] = samples_of(2, tags[i], sizes, sizes.finer.empty() ? 1 : sizes.finer[i]);
         gmsh::model::getEntities(entities, 1);
         for (const auto& [dimension, tag] : entities) add_curve(tag);
     }
@@ -79,7 +80,7 @@ class SizeField {
   private:
     /// A curve is divided for its own bend and for that of the faces it bounds.
     void add_curve(int tag) {
-        Samples samples = samples_of(1, tag, sizes_);
+        Samples samples = samples_of(1, tag, sizes_, 1);
         std::vector<int> up, down;
         gmsh::model::getAdjacencies(1, tag, up, down);
         for (Sample& sample : samples)
@@ -151,7 +152,7 @@ void set_options(const EdgeSizes& sizes) {
     set("Mesh.Algorithm", 6);  // frontal: the best shaped triangles
     set("Mesh.MeshSizeFromPoints", 0);
     set("Mesh.MeshSizeExtendFromBoundary", 0);
-    set("Mesh.MeshSizeMin", sizes.shortest);
+    set("Mesh.MeshSizeMin", sizes.shortest * finest(sizes));
     set("Mesh.MeshSizeMax", sizes.longest);
     set("General.NumThreads", 1);
     set("Mesh.RandomFactor", 1e-9);
@@ -164,7 +165,7 @@ std::optional<Meshes> meshed_by_gmsh(const std::vector<TopoDS_Face>& faces, cons
     try {
         set_options(sizes);
         const std::vector<int> tags = imported(faces);
-        const SizeField field(sizes);
+        const SizeField field(sizes, tags);
         require_bearable(field, tags);
         gmsh::model::mesh::setSizeCallback([&field](int dimension, int tag, double x, double y, double z) {
             return field.at(dimension, tag, {x, y, z});

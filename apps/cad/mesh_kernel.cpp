@@ -67,9 +67,10 @@ Meshes meshed_by_kernel(const std::vector<TopoDS_Face>& faces, const EdgeSizes& 
     for (const TopoDS_Face& face : faces)
         if (!face.IsNull()) builder.Add(all, face);
     IMeshTools_Parameters parameters;
+    const double finer = finest(sizes);
     parameters.Angle = std::min(sizes.turn, 0.5);
-    parameters.Deflection = std::min(sizes.chord_error, sizes.longest / 8);
-    parameters.MinSize = sizes.shortest;
+    parameters.Deflection = std::min(sizes.chord_error, sizes.longest / 8) * finer * finer;
+    parameters.MinSize = sizes.shortest * finer;
     BRepMesh_IncrementalMesh(all, parameters);
     Meshes result;
     result.plain = true;

@@ -20,8 +20,12 @@ struct EdgeSizes {
     double turn = 0;                    ///< between the ends of an edge [rad]; infinite: no matter
     double chord_error = 0;             ///< infinite: no matter
     double shortest = 0;                ///< however much the surface is bent
+    std::vector<double> finer = {};     ///< what all lengths on a face are multiplied by; empty: by 1
     double at(double curvature) const;  ///< [1/mm]
 };
+
+/// The least of `finer`.
+double finest(const EdgeSizes& sizes);
 
 /// From what is asked for; the longest is else a twelfth of the size of the faces that hold the middle of the area.
 EdgeSizes edge_sizes(const std::vector<TopoDS_Face>& faces, const MeshingOptions& asked);
@@ -46,7 +50,11 @@ struct FaceFigures {
     double shortfall = 0;    ///< of its edges' length, as a ratio; 0 where it is closed on itself
     bool turned = false;     ///< the triangles run against the face
 };
-FaceFigures figures_of(const TopoDS_Face& face, const Points3& positions, const Triangles& triangles);
+
+/// `asked`: the chord error to be kept [mm]; it is then taken on every triangle, in its middle and on its edges; else in the
+/// middle of some 80.
+FaceFigures figures_of(const TopoDS_Face& face, const Points3& positions, const Triangles& triangles,
+                       std::optional<double> asked = {});
 
 /// Turns faces so that all that hang together agree, and closed bodies point outward; else as most of their area already is.
 /// Gives which were turned.

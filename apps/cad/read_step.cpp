@@ -7,6 +7,7 @@
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepGeom_CartesianPoint.hxx>
 #include <StepShape_Face.hxx>
 #include <TColStd_HSequenceOfExtendedString.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
@@ -25,9 +26,11 @@
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
+#include <cmath>
 
 #include "drawing.h"
 #include "ripstop/base/error.h"
+#include "ripstop/base/number_text.h"
 
 namespace ripstop::cad {
 namespace {
@@ -42,10 +45,16 @@ std::string utf8(const TCollection_ExtendedString& text) {
     return bytes;
 }
 
+/// IGES fills its short names with blanks.
+std::string trimmed(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(' ');
+    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
 std::string name_of(const TDF_Label& label) {
     Handle(TDataStd_Name) name;
     if (label.IsNull() || !label.FindAttribute(TDataStd_Name::GetID(), name)) return "";
-    const std::string text = utf8(name->Get());
+    const std::string text = trimmed(utf8(name->Get()));
     return text == "NONE" ? "" : text;  // how STEP says that there is none
 }
 
@@ -92,6 +101,7 @@ class Walk {
                      const Attributes& attributes) {
         const TopoDS_Shape shape = shapes_->GetShape(label);
         if (shape.IsNull()) return;
+        require_coordinates(shape, name.empty() ? "a shape without a name" : name);
         const std::vector<Part> parts = parts_of(shape);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             DrawnObject object{name, parts[i].type, attributes};
@@ -186,7 +196,7 @@ void add_failures(const Handle(XSControl_WorkSession) & session, Drawing& drawin
         if (!binder.IsNull() && !TransferBRep::ShapeResult(binder).IsNull()) continue;
         const std::string place = model->StringLabel(entity)->ToCString();
         std::string name = !face.IsNull() && !face->Name().IsNull() ? face->Name()->ToCString() : "";
-        if (!iges.IsNull() && iges->HasShortLabel()) name = iges->NameValue()->ToCString();
+        if (!iges.IsNull() && iges->HasShortLabel()) name = trimmed(iges->NameValue()->ToCString());
         drawing.rest.unread.push_back(
             {name.empty() ? place : name,
              face.IsNull() ? "IGES surface" : "STEP face",
@@ -195,9 +205,21 @@ void add_failures(const Handle(XSControl_WorkSession) & session, Drawing& drawin
     }
 }
 
+/// Before shapes are made of them, which may take for ever.
+void require_points(const Interface_InterfaceModel& model, const std::string& file) {
+    for (int i = 1; i <= model.NbEntities(); ++i) {
+        const Handle(StepGeom_CartesianPoint) point = Handle(StepGeom_CartesianPoint)::DownCast(model.Value(i));
+        for (int k = 1; !point.IsNull() && k <= point->NbCoordinates(); ++k)
+            if (!(std::abs(point->CoordinatesValue(k)) < largest_coordinate))
+                throw InputError(unbearable(file + ": " + model.StringLabel(point)->ToCString(),
+                                            format_shortest(point->CoordinatesValue(k))));
+    }
+}
+
 }  // namespace
 
 Drawing read_step(const std::filesystem::path& file) {
+    require_whole_step(file);
     Drawing drawing;
     STEPCAFControl_Reader reader;
     reader.SetNameMode(true);
@@ -207,6 +229,7 @@ Drawing read_step(const std::filesystem::path& file) {
     Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
     if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
         throw InputError(file.string() + ": not a whole STEP file (ISO 10303-21); export it again");
+    require_points(*reader.Reader().WS()->Model(), file.string());
     take_step_unit(reader.ChangeReader(), drawing);
     Handle(TDocStd_Document) document = new_document();
     if (reader.Transfer(document)) Walk(document, drawing);
@@ -215,6 +238,7 @@ Drawing read_step(const std::filesystem::path& file) {
 }
 
 Drawing read_iges(const std::filesystem::path& file) {
+    require_whole_iges(file);
     Drawing drawing;
     IGESCAFControl_Reader reader;
     reader.SetNameMode(true);

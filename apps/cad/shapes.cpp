@@ -4,19 +4,19 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_TangentialDeflection.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
-
-#include <Standard_Failure.hxx>
-#include <fstream>
-#include <regex>
+#include <cmath>
 
 #include "drawing.h"
 #include "ripstop/base/error.h"
+#include "ripstop/base/number_text.h"
 
 namespace ripstop::cad {
 namespace {
@@ -45,14 +45,9 @@ void add_curve(const std::vector<Vec3>& points, const std::string& name, const A
     drawing.rest.curves.push_back(std::move(curve));
 }
 
-/// Whether the last line is the reference to the whole shape, `+1 0`. The kernel reads on for ever behind the end of
-/// a file that was cut short.
-bool is_whole_brep(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::string line, last;
-    while (std::getline(in, line))
-        if (line.find_first_not_of(" \r\t") != std::string::npos) last = line;
-    return std::regex_match(last, std::regex("[-+ie][0-9]+ [0-9]+[ \r\t]*"));
+void require_point(const gp_Pnt& p, const std::string& place) {
+    for (const double number : {p.X(), p.Y(), p.Z()})
+        if (!(std::abs(number) < largest_coordinate)) throw InputError(unbearable(place, format_shortest(number)));
 }
 
 }  // namespace
@@ -71,6 +66,18 @@ void add_wires(const TopoDS_Shape& shape, const std::string& name, const Attribu
     }
     if (TopExp_Explorer(shape, TopAbs_VERTEX, TopAbs_EDGE).More())
         drawing.rest.unread.push_back({name, "Point", "points are no surface", attributes});
+}
+
+void require_coordinates(const TopoDS_Shape& shape, const std::string& place) {
+    for (TopExp_Explorer vertices(shape, TopAbs_VERTEX); vertices.More(); vertices.Next())
+        require_point(BRep_Tool::Pnt(TopoDS::Vertex(vertices.Current())), place);
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+        const Handle(Geom_BSplineSurface) surface =
+            Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(TopoDS::Face(faces.Current())));
+        if (surface.IsNull()) continue;
+        for (int i = 1; i <= surface->NbUPoles(); ++i)
+            for (int j = 1; j <= surface->NbVPoles(); ++j) require_point(surface->Pole(i, j), place);
+    }
 }
 
 std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
@@ -92,13 +99,15 @@ std::vector<Part> parts_of(const TopoDS_Shape& shape) {
 }
 
 Drawing read_brep(const std::filesystem::path& file) {
+    require_whole_brep(file);
     TopoDS_Shape shape;
     try {
-        if (is_whole_brep(file)) BRepTools::Read(shape, file.c_str(), BRep_Builder());
+        BRepTools::Read(shape, file.c_str(), BRep_Builder());
     } catch (const Standard_Failure&) {  // said below
     }
     if (shape.IsNull())
         throw InputError(file.string() + ": not a whole BREP file of Open CASCADE; write it again, or export STEP");
+    require_coordinates(shape, file.string());
     Drawing drawing;
     for (const Part& part : parts_of(shape)) {
         DrawnObject object{.type = part.type};

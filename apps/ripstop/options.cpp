@@ -10,6 +10,7 @@
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/flatten/method.h"
+#include "ripstop/io/input_file.h"
 #include "ripstop/io/mesh_file.h"
 #include "ripstop/measure/judge.h"
 #include "ripstop/pipeline/tile_fabrics.h"
@@ -46,10 +47,7 @@ CLI::Validator finite() {
 
 /// Throws InputError where the file cannot be opened or read.
 Project read_project_file(const std::string& file) {
-    std::error_code unknown;
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file, unknown))
-        throw InputError(file + ": the project file cannot be opened; check its name and its permissions");
+    std::ifstream in = open_input(file, "the project file");
     return read_project(in, file);
 }
 

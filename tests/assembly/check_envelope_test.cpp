@@ -6,7 +6,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "ripstop/report/check_report.h"
 #include "support/envelopes.h"
@@ -128,6 +130,52 @@ TEST(ScaledTile, IsNamedWithTheRatio) {
                 EXPECT_NEAR(result.issues.back().value, ratio, 1e-3 * ratio) << result.issues.back().message;
             }
         }
+}
+
+/// A strip from x0 to x1, 3 m wide, of a sine as high as `rise`.
+NamedMesh strip(const std::string& name, double x0, double x1, double rise) {
+    TriangleMesh mesh = testing::rectangle(x1 - x0, 3, 8, 1);
+    for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v) {
+        const Vec3 p = mesh.positions.row(v);
+        mesh.positions.row(v) = Vec3(x0 + p.x(), rise * std::sin(std::numbers::pi * p.x() / (x1 - x0)), p.y());
+    }
+    return {name, mesh, {}};
+}
+
+TEST(ScaledTile, IsNoExplanationWhereItShrinksToASpeckOnAnEdge) {
+    // two pairs of neighbours 8 m apart, the second one on the same two edges
+    const EnvelopeCheck result =
+        check({strip("A", 0, 2, 0.3), strip("B", 2, 4, 0.5), strip("C", 10, 12, 0.5), strip("D", 10, 12, 0.1)});
+    EXPECT_GT(result.seams, 0);
+    for (const EnvelopeIssue& issue : result.issues) {
+        EXPECT_NE(issue.code, "scaled") << issue.message;
+        EXPECT_NE(issue.code, "shifted") << issue.message;
+        EXPECT_THAT(issue.message, ::testing::Not(HasSubstr("no seams")));
+        EXPECT_LT(issue.at.norm(), 13) << "in the envelope: " << issue.message;
+    }
+    EXPECT_THAT(named(result), ::testing::Contains(HasSubstr("apart")));
+}
+
+TEST(ScaledTile, IsNamedWhereItsUnitWasMistaken) {
+    for (const double ratio : {1 / 25.4, 1 / 304.8, 0.001, 25.4, 304.8}) {
+        std::vector<NamedMesh> balloon = design_natural(small_balloon());
+        scale_about(balloon[middle].mesh, Vec3::Zero(), ratio);
+        const EnvelopeCheck result = check(balloon);
+        EXPECT_THAT(named(result), ::testing::ElementsAre("scaled " + balloon[middle].name)) << ratio;
+        if (result.issues.empty()) continue;
+        EXPECT_NEAR(result.issues[0].value, ratio, 1e-3 * ratio);
+    }
+}
+
+TEST(DoubledTiles, AreNotSaidToHaveNoSeamsBesideTheSeamsAsGiven) {
+    // the second strip lies on the first, the other way up: they are sewn along all their edges
+    NamedMesh under = strip("under", 0, 2, 0.3);
+    under.mesh.triangles.col(1).swap(under.mesh.triangles.col(2));
+    const EnvelopeCheck result = check({strip("over", 0, 2, 0.3), under, strip("far", 10, 12, 0.1)});
+    EXPECT_GT(result.seams, 0);
+    EXPECT_THAT(named(result), ::testing::ElementsAre("doubled under", "unsewn -"));
+    EXPECT_THAT(result.issues.back().message, HasSubstr("once the faults above are mended"));
+    EXPECT_THAT(result.issues.back().message, ::testing::Not(HasSubstr("there are no seams")));
 }
 
 TEST(MissingTile, IsNamedWithItsNeighbours) {
@@ -283,11 +331,32 @@ TEST(Unit, IsProposedWhereTheSizeIsNoBalloons) {
         const EnvelopeCheck large = check(scaled);
         ASSERT_THAT(named(large), ::testing::ElementsAre("unit -"));
         EXPECT_THAT(large.issues[0].message, HasSubstr("with --unit mm it would measure"));
+        EXPECT_TRUE(large.seams_sought);
+        EXPECT_FALSE(large.loops.empty());
         for (NamedMesh& tile : scaled) tile.mesh.positions *= 1e-6;
         const EnvelopeCheck small = check_envelope(testing::tiles_of(scaled), {}, 0.001);
         ASSERT_THAT(named(small), ::testing::ElementsAre("unit -"));
         EXPECT_THAT(small.issues[0].message, HasSubstr("with --unit m it would measure"));
+        EXPECT_FALSE(small.seams_sought) << "edges of some mm mean nothing against a tolerance of 0.5 mm";
+        const std::string text = check_text(small, "small.obj", "mm");
+        EXPECT_THAT(text, HasSubstr("\nseams          not looked for"));
+        EXPECT_THAT(text, HasSubstr("\nopen edges     not looked for\nloose ends     not looked for\n"));
+        EXPECT_THAT(text, ::testing::Not(HasSubstr("closed")));
+        EXPECT_THAT(text, ::testing::Not(HasSubstr(" part")));
+        EXPECT_THAT(check_json(small, "small.obj", "mm"), HasSubstr("\"loops\": null"));
     }
+}
+
+TEST(Unit, InDoubtHidesNoSeams) {
+    // as large as gores of mm read as inches
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    for (NamedMesh& tile : balloon) tile.mesh.positions *= 25.4;
+    const EnvelopeCheck result = check_envelope(testing::tiles_of(balloon), {}, 0.0254);
+    EXPECT_THAT(named(result), ::testing::ElementsAre("unit -"));
+    EXPECT_EQ(result.seams, 72 + 60);
+    EXPECT_EQ(result.parts, 1);
+    EXPECT_EQ(result.loops.size(), 2u) << "mouth and crown";
+    EXPECT_THAT(check_text(result, "gores.obj", "in"), ::testing::Not(HasSubstr("not looked for")));
 }
 
 TEST(LooseTiles, AreOneFaultWhereNothingIsSewnAndNoneWhereThereIsOneTile) {
@@ -326,6 +395,20 @@ TEST(CheckText, SaysOnceWhatManyTilesHaveInCommon) {
     EXPECT_THAT(text, HasSubstr("tile stray0"));
     EXPECT_THAT(text, HasSubstr("; and 11 more like this"));
     EXPECT_THAT(text, ::testing::Not(HasSubstr("stray1 ")));
+}
+
+TEST(CheckText, GivesNumbersAsADesignerReadsThem) {
+    // a third of a metre here, a tenth of a nanometre there, a tile 304.8 times too large; a small factor has six decimals
+    std::vector<NamedMesh> balloon = design_natural(small_balloon());
+    for (NamedMesh& tile : balloon) move(tile.mesh, Vec3(1.0 / 3, -1e-10, 2.0 / 3));
+    scale_about(balloon[middle].mesh, Vec3::Zero(), 304.8);
+    balloon.push_back(strip("stray", 30.0 / 7, 40.0 / 7, 0.1));
+    const std::string text = check_text(check(balloon), "balloon.obj", "m");
+    EXPECT_THAT(text, HasSubstr("times too large"));
+    EXPECT_THAT(text, HasSubstr("tile stray"));
+    EXPECT_THAT(text, HasSubstr(" m round (0.33, 0.00, "));
+    EXPECT_THAT(text, ::testing::Not(HasSubstr("-0.00")));
+    EXPECT_THAT(text, ::testing::Not(::testing::ContainsRegex("[0-9]\\.[0-9][0-9][0-9][0-9][0-9][0-9][0-9]")));
 }
 
 TEST(OddCorner, IsCountedWhereOnlyOneSideHasIt) {

@@ -4,6 +4,7 @@
 #ifdef RIPSTOP_CAD_PROGRAM
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -194,31 +195,77 @@ TEST(Cad, AsFineAsAskedAndNoFinerThanCanBeBorne) {
         return sum;
     };
     // The chord error goes with the square of the edge: four times as many triangles for a quarter of it.
-    const double ratio = static_cast<double>(triangles({.chord_error = 1e-3, .edge_length = 10})) /
-                         triangles({.chord_error = 4e-3, .edge_length = 10});
+    const double ratio = static_cast<double>(triangles({.chord_error = 4e-3, .edge_length = 10})) /
+                         triangles({.chord_error = 16e-3, .edge_length = 10});
     EXPECT_NEAR(ratio, 4, 1);
     EXPECT_THAT(fault_of(scratch.path("gores.step"), {.edge_length = 1e-3}), HasSubstr("million triangles"));
     EXPECT_THAT(fault_of(scratch.path("gores.step"), {.edge_length = 0.0}), HasSubstr("--edge"));
 }
 
-TEST(Cad, EveryTruncationGivesASentenceOrWhatIsThere) {
+TEST(Cad, NoSurfaceLiesFurtherOffItsTrianglesThanAsked) {
+    const ScratchDirectory scratch;
+    for (const std::string name : {"gores.step", "gores.iges"}) {
+        testing::write_gores(scratch.path(name), 4);
+        for (const double chord_error : {40e-3, 15e-3}) {
+            const CadModel model = read(scratch.path(name), {.chord_error = chord_error});
+            const double found = testing::greatest_distance(scratch.path(name), model);
+            EXPECT_LE(found, chord_error * (1 + 1e-6)) << name;
+            EXPECT_GT(found, chord_error / 4) << name << ": far finer than asked";
+            EXPECT_THAT(model.remarks, Each(::testing::Not(HasSubstr("no finer mesh"))));
+        }
+    }
+}
+
+TEST(Cad, ACoordinateThatIsNoneOrIsFarOffIsRefused) {
+    const ScratchDirectory scratch;
+    for (const std::string extension : {".step", ".iges"})
+        for (const std::string number : {"NaN", "1.E300"}) {
+            SCOPED_TRACE(extension + " with " + number);
+            const std::string file = scratch.path("wild" + extension);
+            testing::write_cube(file, "MM");
+            std::string text = testing::content(file);
+            if (extension == ".step") {
+                const std::string point = "CARTESIAN_POINT('',(0.,";
+                text.replace(text.find(point) + point.size() - 3, 2, number);
+            } else {
+                // The first parameter of 1000 takes as many columns of its line as before.
+                const std::size_t at = text.rfind("1.E+03");
+                ASSERT_NE(at, std::string::npos);
+                text.replace(at, 6, number == "NaN" ? "   NaN" : "1.D300");
+            }
+            testing::write_text(file, text);
+            EXPECT_THAT(fault_of(file),
+                        AllOf(HasSubstr("wild" + extension), HasSubstr("expected a number below 1e12")));
+        }
+}
+
+TEST(Cad, AFileCutShortIsRefusedWhereverItIsCut) {
     const ScratchDirectory scratch;
     for (const std::string extension : {".step", ".iges", ".brep"}) {
         testing::write_cube(scratch.path("whole" + extension), "MM");
         const std::string whole = testing::content(scratch.path("whole" + extension));
-        for (int i = 0; i < 6; ++i) {
-            SCOPED_TRACE(extension + " cut at sixth " + std::to_string(i));
-            testing::write_text(scratch.path("cut" + extension),
-                                whole.substr(0, whole.size() * static_cast<std::size_t>(i) / 6));
-            const std::string fault = fault_of(scratch.path("cut" + extension));
-            if (!fault.empty()) {
-                EXPECT_THAT(fault, AllOf(HasSubstr("cut" + extension), HasSubstr(";")));
-            }
+        for (std::size_t i = 0; i < 16; ++i) {
+            SCOPED_TRACE(extension + " cut at sixteenth " + std::to_string(i));
+            const std::string file = scratch.path("cut" + extension);
+            testing::write_text(file, whole.substr(0, whole.size() * i / 16));
+            const std::string fault = fault_of(file);
+            EXPECT_THAT(fault, AllOf(::testing::StartsWith(file + ": not a"), HasSubstr("export")));
+            EXPECT_EQ(fault.find("cut" + extension), fault.rfind("cut" + extension)) << "named twice: " << fault;
         }
     }
     testing::write_text(scratch.path("garbage.step"), "garbage");
     EXPECT_THAT(fault_of(scratch.path("garbage.step")), HasSubstr("not a whole STEP file"));
     EXPECT_THAT(fault_of(scratch.path("absent.step")), HasSubstr("cannot be opened"));
+}
+
+TEST(Cad, LengthsAreInTheFilesOwnNumbersWhereItSaysNoUnit) {
+    const ScratchDirectory scratch;
+    const std::string file = scratch.path("cube.brep");
+    testing::write_cube(file, "MM");
+    // A twelfth of 1000 units; as the metres they would be by themselves it was 83333.3 mm.
+    EXPECT_THAT(read(file).remarks, ::testing::Contains(HasSubstr("edges of at most 83.3: at most 0.000 off")));
+    EXPECT_THAT(read(file, {.metres_per_unit = 0.001}).remarks,
+                ::testing::Contains(HasSubstr("edges of at most 83.3 mm: at most 0.000 mm off")));
 }
 
 TEST(Cad, WhateverBecomesOfTheMesherIsOneSentence) {
@@ -237,7 +284,9 @@ TEST(Cad, WhateverBecomesOfTheMesherIsOneSentence) {
     EXPECT_THAT(fault_of(file, {.mesher = "/nowhere/ripstop-cad"}), HasSubstr("cannot be started"));
     const Workshop workshop;
     testing::write_cube(workshop.path("cube.step"), "MM");
+    ::setenv("RIPSTOP_CAD", "/nowhere/ripstop-cad", 1);
     EXPECT_EQ(workshop.ripstop("check cube.step").code, 3);
+    ::unsetenv("RIPSTOP_CAD");
 }
 
 }  // namespace

@@ -104,6 +104,7 @@ TEST(CheckCommand, WritesJsonThatItsSchemaAccepts) {
     tiles[9].mesh.triangles.col(0).swap(tiles[9].mesh.triangles.col(1));
     tiles.erase(tiles.begin() + 30);
     workshop.write_tiles("broken.obj", tiles, 1000);
+    workshop.write_tiles("small.obj", balloon());
     workshop.write("validate.py",
                    "import json, sys, jsonschema\n"
                    "schema, *reports = (json.load(open(name)) for name in sys.argv[1:])\n"
@@ -111,9 +112,11 @@ TEST(CheckCommand, WritesJsonThatItsSchemaAccepts) {
                    "for report in reports: jsonschema.Draft202012Validator(schema).validate(report)\n");
     workshop.write("sound.json", workshop.ripstop("check sound.obj --json --unit m").out);
     workshop.write("broken.json", workshop.ripstop("check broken.obj --json --unit m").out);
-    const auto result = testing::run_command(python + " " + workshop.path("validate.py") +
-                                             " " RIPSTOP_SOURCE_DIR "/docs/check.schema.json " +
-                                             workshop.path("sound.json") + " " + workshop.path("broken.json"));
+    workshop.write("small.json", workshop.ripstop("check small.obj --json --unit mm").out);
+    const auto result = testing::run_command(
+        python + " " + workshop.path("validate.py") + " " RIPSTOP_SOURCE_DIR "/docs/check.schema.json " +
+        workshop.path("sound.json") + " " + workshop.path("broken.json") + " " + workshop.path("small.json"));
+    EXPECT_TRUE(Json::parse(workshop.ripstop("check small.obj --json --unit mm").out)["seams"].is_null());
     EXPECT_EQ(result.code, 0) << result.output;
 }
 

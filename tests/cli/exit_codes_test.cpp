@@ -131,7 +131,7 @@ TEST_F(ExitCode, Is3ForAFabricThatIsNotThereOrMakesNoSense) {
 TEST_F(ExitCode, Is3ForABadProjectFile) {
     expect_refused(3, "flatten envelope.obj -o plan --project none.json",
                    "none.json: the project file cannot be opened");
-    expect_refused(3, "flatten envelope.obj -o plan --project .", ".: the project file cannot be opened");
+    expect_refused(3, "flatten envelope.obj -o plan --project .", ".: is a folder");
     const auto expect_bad = [&](const std::string& project, const std::string& sentence) {
         workshop.write("project.json", project);
         expect_refused(3, "flatten envelope.obj -o plan --project project.json", sentence);

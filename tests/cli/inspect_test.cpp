@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -32,7 +34,9 @@ TEST(InspectCommand, SaysWhatARhinoFileHolds) {
 }
 
 TEST(InspectCommand, SaysWhatItCouldNotReadAndWhy) {
+    ::setenv("RIPSTOP_CAD", "/nowhere/ripstop-cad", 1);  // as where no extrusion can be read
     const ProgramRun run = Workshop().ripstop("inspect " + fixtures + "curves_v8.3dm");
+    ::unsetenv("RIPSTOP_CAD");
     EXPECT_EQ(run.code, 0) << "a file without a surface is read all the same";
     EXPECT_THAT(run.out, HasSubstr("not read       Extrusion wall on Default: an extrusion is not read; mesh it"));
 }

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include <Eigen/Geometry>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -212,8 +214,26 @@ TEST(RhinoFlatten, SaysWhatItLeavesOutAndTakesLayersByName) {
     EXPECT_EQ(report["tiles"][0]["name"], "G01P01");
 }
 
+TEST(RhinoFlatten, SaysWhyItsSurfacesAreNotReadWhereNodeIsMissing) {
+    const std::string path = ::getenv("PATH");
+    ::setenv("PATH", "/nowhere", 1);
+    const ProgramRun run = Workshop().ripstop("check " RIPSTOP_SOURCE_DIR "/tests/data/rhino/curves_v8.3dm");
+    ::setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(run.code, 3);
+    EXPECT_THAT(run.err, HasSubstr("rhino3dm (node) cannot be started"));
+}
+
+TEST(RhinoFlatten, NamesALayerWhoseSurfacesLieBelowIt) {
+    const ProgramRun run =
+        Workshop().ripstop("check " RIPSTOP_SOURCE_DIR "/tests/data/rhino/tiles_v8.3dm --layer Default");
+    EXPECT_EQ(run.code, 3);
+    EXPECT_THAT(run.err, HasSubstr("give \"Default::*\" for the layers below it"));
+}
+
 TEST(RhinoFlatten, NamesWhatIsThereWhereNoSurfaceIs) {
+    ::setenv("RIPSTOP_CAD", "/nowhere/ripstop-cad", 1);  // as where no extrusion can be read
     const ProgramRun run = Workshop().ripstop("flatten " RIPSTOP_SOURCE_DIR "/tests/data/rhino/curves_v8.3dm -o plan");
+    ::unsetenv("RIPSTOP_CAD");
     EXPECT_EQ(run.code, 3);
     EXPECT_THAT(run.err, HasSubstr("no surface that could be read"));
     EXPECT_THAT(run.err, HasSubstr("Extrusion wall: an extrusion is not read; mesh it in Rhino"));

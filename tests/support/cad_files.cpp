@@ -19,10 +19,12 @@
 #include <GCPnts_AbscissaPoint.hxx>
 #include <GProp_GProps.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <IGESCAFControl_Writer.hxx>
 #include <IGESControl_Controller.hxx>
+#include <IGESControl_Reader.hxx>
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Controller.hxx>
@@ -40,6 +42,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_Reader.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Trsf.hxx>
@@ -130,6 +133,36 @@ CadFigures step_figures(const std::string& file) {
     result.low = Vec3(low.X(), low.Y(), low.Z()) * 1e-3;
     result.high = Vec3(high.X(), high.Y(), high.Z()) * 1e-3;
     return result;
+}
+
+double greatest_distance(const std::string& file, const CadModel& model) {
+    const Quiet quiet;
+    STEPControl_Reader step;
+    IGESControl_Reader iges;
+    XSControl_Reader& reader = file.ends_with(".iges") ? static_cast<XSControl_Reader&>(iges) : step;
+    reader.ReadFile(file.c_str());
+    reader.TransferRoots();
+    double greatest = 0;
+    std::size_t i = 0;
+    for (TopExp_Explorer faces(reader.OneShape(), TopAbs_FACE); faces.More(); faces.Next(), ++i) {
+        const TriangleMesh& mesh = model.surfaces.at(i).mesh;
+        const TopoDS_Face face = TopoDS::Face(faces.Current());
+        double u[2], v[2];
+        BRepTools::UVBounds(face, u[0], u[1], v[0], v[1]);
+        GeomAPI_ProjectPointOnSurf nearest;
+        nearest.Init(BRep_Tool::Surface(face), u[0], u[1], v[0], v[1], 1e-6);
+        const auto take = [&](const Vec3& p) {
+            nearest.Perform({p.x(), p.y(), p.z()});
+            if (nearest.NbPoints() > 0) greatest = std::max(greatest, nearest.LowerDistance() * 1e-3);
+        };
+        for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+            const Vec3 a = mesh.positions.row(mesh.triangles(t, 0)), b = mesh.positions.row(mesh.triangles(t, 1)),
+                       c = mesh.positions.row(mesh.triangles(t, 2));
+            for (const Vec3& p : {Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2), Vec3((a + b + c) / 3)})
+                take(p);
+        }
+    }
+    return greatest;
 }
 
 void write_cube(const std::string& file, const std::string& unit) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ripstop/geometry/types.h"
+#include "ripstop/model/cad_model.h"
 
 /// CAD files written and measured by Open CASCADE, for what `ripstop-cad` makes of them. Only where it is installed.
 namespace ripstop::testing {
@@ -18,6 +19,10 @@ struct CadFigures {
     Vec3 low, high;  ///< the box around all [m]
 };
 CadFigures step_figures(const std::string& file);
+
+/// How far the triangles' middles and those of their edges lie off the faces of a STEP or IGES file at most [m]; both in
+/// millimetres, the surfaces in the order of the faces.
+double greatest_distance(const std::string& file, const CadModel& model);
 
 /// A cube of 1 m with one corner in the origin, as .step, .iges or .brep; `unit` as the writers call it: MM, INCH, M. BREP is in
 /// millimetres.

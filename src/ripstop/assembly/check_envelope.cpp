@@ -9,6 +9,7 @@
 #include "ripstop/assembly/faults.h"
 #include "ripstop/assembly/loose_edges.h"
 #include "ripstop/assembly/seam_runs.h"
+#include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
 
 namespace ripstop {
@@ -213,6 +214,16 @@ void add_figures_of_seams(const Envelope& envelope, const FoundSeams& found, Env
     for (const LooseLoop& loop : check.loops) check.loose_ends += loop.closed ? 0 : 2;
 }
 
+/// What is sewn as the envelope stands, though its unit is in doubt: a designer may want just that size.
+void add_figures_if_any(const Envelope& envelope, const SeamOptions& options, EnvelopeCheck& check) {
+    try {
+        add_figures_of_seams(envelope, find_seams(envelope.tiles, options), check);
+        check.seam_types = seam_types_used(envelope);
+    } catch (const InputError&) {  // the tiles are too small: the unit named is all there is to say
+        check.seams_sought = false;
+    }
+}
+
 void add(std::vector<EnvelopeIssue>& issues, std::vector<EnvelopeIssue> more) {
     issues.insert(issues.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
@@ -238,7 +249,10 @@ EnvelopeIssue tolerance_issue(const FoundSeams& found, const SeamOptions& option
 
 EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& options, double metres_per_unit) {
     EnvelopeCheck check = figures_of_tiles(envelope, options);
-    if (names_unit(envelope.tiles, metres_per_unit, check)) return check;
+    if (names_unit(envelope.tiles, metres_per_unit, check)) {
+        add_figures_if_any(envelope, options, check);
+        return check;
+    }
     const FoundSeams as_given = find_seams(envelope.tiles, options);
     add_figures_of_seams(envelope, as_given, check);
     check.seam_types = seam_types_used(envelope);
@@ -259,7 +273,7 @@ EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& option
     add(check.issues, move_back(tiles, found, options));
     add(check.issues, name_gaps(tiles, found, options.tolerance));
     add(check.issues, name_holes(tiles, found, options.tolerance));
-    add(check.issues, name_strays(tiles, found));
+    add(check.issues, name_strays(tiles, found, check.seams > 0));
     return check;
 }
 

@@ -14,8 +14,9 @@ namespace ripstop {
 /// says so.
 ///
 /// A hot-air balloon is 5 to 60 m tall: beyond 100 m or below 0.1 m, where another unit would make it one, that unit
-/// is named and nothing else, and no seams are searched for, since no tolerance in millimetres means anything then.
-/// `metres_per_unit` is that with which it was read. Some searches (`find_seams`): a few seconds for 5,000 tiles.
+/// is named and nothing else, since no tolerance in millimetres means anything then. The figures are those of the
+/// seams that `find_seams` finds all the same; where it refuses, `seams_sought` is false. `metres_per_unit` is that
+/// with which it was read. Some searches (`find_seams`): a few seconds for 5,000 tiles.
 ///
 /// Seam types are counted as the envelope has them; fabrics are left to `count_fabrics`.
 EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& options = {}, double metres_per_unit = 1);

@@ -192,14 +192,15 @@ std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const Foun
     return issues;
 }
 
-std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const FoundSeams& found) {
+std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const FoundSeams& found, bool sewn_as_given) {
     const int count = static_cast<int>(tiles.size());
     if (count < 2) return {};
     if (found.seams.empty())
         return {{"unsewn",
                  "no two of the " + std::to_string(count) +
-                     " tiles have an edge in common: there are no seams; give the tiles where they hang in space, not "
-                     "laid out flat, or a larger --seam-tolerance",
+                     (sewn_as_given ? " tiles have an edge in common once the faults above are mended"
+                                    : " tiles have an edge in common: there are no seams") +
+                     "; give the tiles where they hang in space, not laid out flat, or a larger --seam-tolerance",
                  {},
                  Vec3::Zero(),
                  0}};
@@ -220,7 +221,8 @@ std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const Fou
                           (some.size() == 1 ? "tile " + names[0] + " at " + place_text(at) + " is sewn to nothing"
                                             : std::to_string(some.size()) + " tiles (" + names_text(names) +
                                                   ") are sewn to one another but to nothing else") +
-                              "; bring it to its place or take it out of the file",
+                              (some.size() == 1 ? "; bring it to its place or take it out of the file"
+                                                : "; bring them to their place or take them out of the file"),
                           names, at, 0});
     }
     return issues;

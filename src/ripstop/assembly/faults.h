@@ -17,16 +17,18 @@ std::vector<EnvelopeIssue> remove_doubled(std::vector<Tile>& tiles, double toler
 std::vector<EnvelopeIssue> turn_back(std::vector<Tile>& tiles, const FoundSeams& found);
 
 /// Tiles that fit their neighbours or a hole when they are moved, turned or scaled: they are. The one that misses most
-/// neighbours goes first. `found` are their seams, before and after.
+/// neighbours goes first. A scale is 1/100 to 100 or that of a unit mistaken for another, and no tile is shrunk to a
+/// speck on an edge. `found` are their seams, before and after; moves that sew less than before are none.
 std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found, const SeamOptions& options);
 
 /// The whole envelope where it is nearly closed and its volume is negative.
 std::vector<EnvelopeIssue> name_inside_out(const std::vector<Tile>& tiles, const std::vector<LooseLoop>& loops);
 
-/// What is left then: gaps, holes, and groups of tiles that are sewn to nothing else.
+/// What is left then: gaps, holes, and groups of tiles that are sewn to nothing else. `sewn_as_given`: there were seams
+/// before any fault was mended.
 std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance);
 std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance);
-std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const FoundSeams& found);
+std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const FoundSeams& found, bool sewn_as_given);
 
 /// The number of the group of each tile that seams hold together; groups are numbered by their first tile.
 std::vector<int> sewn_groups(int tiles, const std::vector<Seam>& seams);

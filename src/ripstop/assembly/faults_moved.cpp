@@ -1,6 +1,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -15,6 +17,12 @@ namespace {
 constexpr int most_passes = 20;  // each mends every tile that misses its neighbours by itself
 constexpr int most_fitted = 40;  // tiles tried in the holes in a pass: with more loose ones a hole tells nothing
 constexpr double hole_openness = 0.01;
+constexpr double most_scale = 100;      // beyond it only a unit mistaken for another
+constexpr double close_to_unit = 0.05;  // a ratio of two units, to so much
+constexpr double most_residual = 0.02;  // of the tile as it is laid down: a tile shrunk onto an edge keeps its shape
+constexpr double least_of_edge = 0.05;  // extent of a panel beside a gore in one piece
+constexpr double least_of_hole = 0.5;   // extent
+constexpr double most_off_hole = 0.25;  // outline
 
 /// What a pass knows of the envelope.
 struct Picture {
@@ -53,9 +61,24 @@ std::vector<Standing> standings(const Picture& picture) {
     return all;
 }
 
-/// The tile brought to lie on these edges, by a motion if that will do.
+double extent_of(const Points3& points) {
+    return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+}
+
+/// Nearest points draw a tile together: shrunk to a speck it lies on any edge. Such a fit explains nothing.
+bool is_conditioned(const TileFit& fit, const Points3& points, double least_extent) {
+    const double ratio = std::max(fit.move.scale, 1 / fit.move.scale), extent = fit.move.scale * extent_of(points);
+    const std::array<double, 2> units = {304.8, 1000};  // mm for ft, mm for m
+    const bool may_be = ratio <= most_scale * (1 + close_to_unit) ||
+                        std::any_of(units.begin(), units.end(),
+                                    [&](double unit) { return std::abs(ratio / unit - 1) < close_to_unit; });
+    return may_be && extent >= least_extent && fit.residual <= most_residual * extent;
+}
+
+/// The tile brought to lie on these edges, by a motion if that will do; scaled only where it stays as large as
+/// `least_extent`.
 std::optional<TileFit> lay_on(const Points3& points, const std::vector<TargetEdge>& edges, const Similarity& start,
-                              double tolerance) {
+                              double tolerance, double least_extent) {
     if (points.rows() < 3 || edges.empty()) return {};
     Similarity unscaled = start;
     unscaled.scale = 1;
@@ -63,7 +86,9 @@ std::optional<TileFit> lay_on(const Points3& points, const std::vector<TargetEdg
     unscaled.shift = start(centre) - centre;
     const TileFit moved = fit_to_edges(points, edges, unscaled, false);
     const TileFit scaled = fit_to_edges(points, edges, start, true);
-    const TileFit& best = moved.residual <= 2 * scaled.residual + 0.1 * tolerance ? moved : scaled;
+    const bool may_scale = is_conditioned(scaled, points, least_extent);
+    const bool may_move = moved.residual <= 2 * scaled.residual + 0.1 * tolerance;
+    const TileFit& best = may_move || !may_scale ? moved : scaled;
     if (!(best.residual <= 2 * tolerance)) return {};
     double furthest = 0;
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
@@ -86,15 +111,18 @@ std::optional<TileFit> fit_to_neighbours(const Picture& picture, int tile) {
     for (const Seam& seam : picture.found.seams) add(seam.a.tile, seam.a.chain, seam.b.tile, seam.b.chain);
     std::vector<TargetEdge> edges;
     std::vector<Vec3> vertices;
+    double shortest = std::numeric_limits<double>::infinity();
     for (const PlacedChain& chain : picture.chains) {
-        if (other.contains({chain.tile, chain.chain}))
+        if (other.contains({chain.tile, chain.chain})) {
             for (int e = 0; e < chain.curve.edge_count(); ++e) edges.push_back({&chain.curve, e});
+            shortest = std::min(shortest, extent_of(chain.curve.points));
+        }
         if (own.contains({chain.tile, chain.chain}))
             for (int v = 0; v <= chain.curve.edge_count(); ++v) vertices.push_back(chain.curve.points.row(v));
     }
     Points3 points(static_cast<Eigen::Index>(vertices.size()), 3);
     for (Eigen::Index i = 0; i < points.rows(); ++i) points.row(i) = vertices[static_cast<std::size_t>(i)];
-    return lay_on(points, edges, {}, picture.tolerance);
+    return lay_on(points, edges, {}, picture.tolerance, least_of_edge * shortest);
 }
 
 Points3 boundary_points(const Tile& tile) {
@@ -158,9 +186,12 @@ std::optional<TileFit> fit_to_hole(const Picture& picture, int tile, std::vector
     std::optional<TileFit> best;
     for (const Hole& hole : holes) {
         const Similarity start = match_outlines(points, hole.outline);
-        if (std::abs(start.scale * length_round(points) / length_round(hole.outline) - 1) > 0.05) continue;
-        const std::optional<TileFit> fit = lay_on(points, hole.edges, start, picture.tolerance);
+        const double ratio = length_round(points) / length_round(hole.outline);
+        if (std::abs(start.scale * ratio - 1) > 0.05) continue;
+        const std::optional<TileFit> fit =
+            lay_on(points, hole.edges, start, picture.tolerance, least_of_hole * extent_of(hole.outline));
         if (!fit || (best && best->residual <= fit->residual)) continue;
+        if (std::abs(fit->move.scale * ratio - 1) > most_off_hole) continue;
         best = fit;
         around = hole.tiles;
     }
@@ -186,14 +217,18 @@ EnvelopeIssue moved_issue(const Tile& tile, const Similarity& move, const std::v
     }
     issue.code = "scaled";
     issue.value = scale;
-    const std::string ratio =
-        std::abs(scale - 1) < 0.5
-            ? format_fixed(100 * std::abs(scale - 1), 2) + " %"
-            : format_shortest(std::round(1000 * (scale > 1 ? scale : 1 / scale)) / 1000) + " times";
+    const std::string ratio = std::abs(scale - 1) < 0.5 ? format_fixed(100 * std::abs(scale - 1), 2) + " %"
+                                                        : format_fixed(scale > 1 ? scale : 1 / scale, 3) + " times";
     issue.message = "tile " + tile.name + " at " + place_text(centre) + " is " + ratio + " too " +
-                    (scale > 1 ? "large" : "small") + " (scaled by " + format_fixed(scale, 4) + turned + ")" + against +
-                    "; scale it by " + format_fixed(move.scale, 4);
+                    (scale > 1 ? "large" : "small") + " (scaled by " + format_fixed(scale, scale < 0.1 ? 6 : 4) +
+                    turned + ")" + against + "; scale it by " + format_fixed(move.scale, move.scale < 0.1 ? 6 : 4);
     return issue;
+}
+
+double length_sewn(const FoundSeams& found) {
+    double sum = 0;
+    for (const Seam& seam : found.seams) sum += seam.length;
+    return sum;
 }
 
 }  // namespace
@@ -201,6 +236,7 @@ EnvelopeIssue moved_issue(const Tile& tile, const Similarity& move, const std::v
 std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found, const SeamOptions& options) {
     std::vector<EnvelopeIssue> issues;
     for (int pass = 0; pass < most_passes; ++pass) {
+        const std::size_t issues_before = issues.size();
         const std::vector<PlacedChain> chains = place_chains(tiles);
         const Picture picture{tiles, found, chains, options.tolerance};
         std::vector<std::pair<int, Similarity>> moves;
@@ -227,11 +263,18 @@ std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found
             moves.emplace_back(t, fit->move);
         }
         if (moves.empty()) break;
+        std::vector<Tile> mended = tiles;
         for (const auto& [t, move] : moves) {
-            Points3& positions = tiles[static_cast<std::size_t>(t)].mesh.positions;
+            Points3& positions = mended[static_cast<std::size_t>(t)].mesh.positions;
             for (Eigen::Index v = 0; v < positions.rows(); ++v) positions.row(v) = move(positions.row(v).transpose());
         }
-        found = find_seams(tiles, options);
+        FoundSeams mended_seams = find_seams(mended, options);
+        if (length_sewn(mended_seams) < length_sewn(found) - options.tolerance) {  // that mends nothing
+            issues.resize(issues_before);
+            break;
+        }
+        tiles = std::move(mended);
+        found = std::move(mended_seams);
     }
     return issues;
 }

@@ -242,7 +242,7 @@ FoundSeams find_seams(const std::vector<Tile>& tiles, const SeamOptions& options
         throw InputError(
             "the edges of the tiles are short, half of them less than " +
             format_fixed(median_length(chains) / millimetre, 3) + " mm, and mean nothing against a seam tolerance of " +
-            format_shortest(tolerance / millimetre) + " mm; check --unit, or give a smaller --seam-tolerance");
+            format_fixed(tolerance / millimetre, 3) + " mm; check --unit, or give a smaller --seam-tolerance");
     const std::vector<Touch> touches = find_touches(chains, tolerance);
     const auto shorter = [&](const Run& run) {
         return std::min(chains[static_cast<std::size_t>(run.a)].curve.length(),

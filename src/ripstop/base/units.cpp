@@ -21,7 +21,12 @@ double metres_per_unit(std::string_view unit) {
 }
 
 double parse_length(std::string_view text, const std::string& what) {
-    const std::size_t split = text.find_first_not_of("+-.0123456789");
+    std::size_t split = text.find_first_not_of("+-.0123456789");
+    // 1e-3m: an exponent, where digits follow it; no unit begins so.
+    if (split != std::string_view::npos && (text[split] == 'e' || text[split] == 'E'))
+        if (const std::size_t digits = text.find_first_not_of("+-", split + 1);
+            digits != std::string_view::npos && text[digits] >= '0' && text[digits] <= '9')
+            split = text.find_first_not_of("0123456789", digits);
     const std::optional<double> number = parse_double(text.substr(0, split));
     if (!number || split == std::string_view::npos)
         throw InputError(what + ": \"" + std::string(text) +

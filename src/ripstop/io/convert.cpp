@@ -10,6 +10,7 @@
 #include "ripstop/base/child_process.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
+#include "ripstop/io/input_file.h"
 #include "ripstop/io/text.h"
 
 namespace ripstop {
@@ -71,11 +72,14 @@ fs::path find_rhino_script() {
         {fs::path(RIPSTOP_RHINO_SOURCE) / "convert.mjs", fs::path(RIPSTOP_RHINO_INSTALL) / "convert.mjs"});
 }
 
-/// What the child says is wrong: its last line, without its own name before it.
-std::string reason_in(const std::string& complaints, const std::string& program) {
+/// What the child says is wrong: its last line, without its own name and those of the files it was given before it.
+std::string reason_in(const std::string& complaints, const std::string& program,
+                      const std::vector<std::string>& arguments) {
     const std::string_view text = std::string_view(complaints).substr(0, complaints.find_last_not_of("\r\n ") + 1);
     std::string_view line = text.substr(text.rfind('\n') + 1);
-    if (line.substr(0, program.size()) == program) line.remove_prefix(program.size());
+    if (line.starts_with(program)) line.remove_prefix(program.size());
+    for (const std::string& argument : arguments)
+        if (line.starts_with(argument + ": ")) line.remove_prefix(argument.size() + 2);
     return readable_name(line.substr(0, 400));
 }
 
@@ -97,8 +101,8 @@ void require_run(const std::vector<std::string>& arguments, const std::string& n
             break;
     }
     if (end.code == 0) return;
-    const std::string reason = reason_in(end.complaints, name + ": ");
-    if (end.code == 3 && !reason.empty()) throw InputError(reason.rfind(begin, 0) == 0 ? reason : begin + reason);
+    const std::string reason = reason_in(end.complaints, name + ": ", arguments);
+    if (end.code == 3 && !reason.empty()) throw InputError(begin + reason);
     throw InputError(begin + name + " failed on it" + (reason.empty() ? "" : " (" + reason + ")") +
                      "; repair the surfaces in the CAD, or export them as meshes");
 }
@@ -121,12 +125,6 @@ ConvertedModel answer(const fs::path& output, const fs::path& file, const std::s
     return read_converted(in, file.string() + ": the answer of " + program);
 }
 
-void require_file(const fs::path& file) {
-    std::error_code unknown;
-    if (!std::ifstream(file, std::ios::binary) || fs::is_directory(file, unknown))
-        throw InputError(file.string() + ": the file cannot be opened; check its name and its permissions");
-}
-
 }  // namespace
 
 void require_sound(const MeshingOptions& options) {
@@ -146,7 +144,7 @@ std::span<const CadFormat> cad_formats() {
 
 CadModel convert_cad(const fs::path& file, const MeshingOptions& options) {
     require_sound(options);
-    require_file(file);
+    open_input(file);
     const fs::path mesher = find_mesher(options);
     if (mesher.empty())
         throw InputError(file.string() + ": the program ripstop-cad, which meshes CAD files, is not installed; " +
@@ -159,7 +157,7 @@ CadModel convert_cad(const fs::path& file, const MeshingOptions& options) {
 
 ConvertedModel convert_rhino(const fs::path& file, const MeshingOptions& options) {
     require_sound(options);
-    require_file(file);
+    open_input(file);
     const fs::path script = find_rhino_script();
     if (script.empty())
         throw InputError(file.string() +

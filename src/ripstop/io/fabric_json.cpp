@@ -8,6 +8,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/units.h"
+#include "ripstop/io/input_file.h"
 #include "ripstop/io/json_text.h"
 #include "ripstop/io/text.h"
 
@@ -41,8 +42,7 @@ std::filesystem::path preset_folder() {
 }
 
 Fabric read_fabric_file(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw InputError(path.string() + ": the fabric file cannot be opened; check its name and its permissions");
+    std::ifstream in = open_input(path, "the fabric file");
     return read_fabric(in, path.string());
 }
 

@@ -1,10 +1,10 @@
 #include "ripstop/io/mesh_file.h"
 
 #include <array>
-#include <fstream>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/sha256.h"
+#include "ripstop/io/input_file.h"
 #include "ripstop/io/obj.h"
 #include "ripstop/io/off.h"
 #include "ripstop/io/ply.h"
@@ -45,19 +45,6 @@ constexpr std::array<std::array<const char*, 2>, 14> others = {{
     {".sldprt", "SolidWorks"},
 }};
 
-void require_no_folder(const std::filesystem::path& path) {
-    std::error_code unknown;
-    if (std::filesystem::is_directory(path, unknown))
-        throw InputError(path.string() + ": is a folder, expected a file; name the file in it");
-}
-
-std::ifstream open_file(const std::filesystem::path& path) {
-    require_no_folder(path);
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw InputError(path.string() + ": the file cannot be opened; check its name and its permissions");
-    return in;
-}
-
 /// In lower case.
 std::string extension_of(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
@@ -97,12 +84,12 @@ std::span<const MeshFormat> mesh_formats() {
 }
 
 CadModel read_model(const std::filesystem::path& path, const MeshingOptions& options) {
-    require_no_folder(path);
+    require_plain_file(path);
     const std::string extension = extension_of(path);
     for (const CadFormat& format : cad_formats())
         if (extension == format.extension) return convert_cad(path, options);
     const MeshFormat& format = format_of(path, Use::read);
-    std::ifstream in = open_file(path);
+    std::ifstream in = open_input(path);
     CadModel model = format.read(in, path.string());
     if (format.read == read_rhino_3dm) add_rhino_surfaces(model, path, options);
     return model;
@@ -117,7 +104,7 @@ void write_model(std::ostream& out, const std::filesystem::path& path, const std
 }
 
 std::string sha256_of_file(const std::filesystem::path& path) {
-    std::ifstream in = open_file(path);
+    std::ifstream in = open_input(path);
     std::string digest = sha256(in);
     if (in.bad()) throw InputError(path.string() + ": the file cannot be read to its end; check the disk it is on");
     return digest;

@@ -28,7 +28,8 @@ struct Reference {
     Eigen::Affine3d place;
 };
 
-Reference read_reference(const RhinoObject& object) {
+/// Nothing where the map makes what it places flat, or is none.
+std::optional<Reference> read_reference(const RhinoObject& object) {
     RhinoBytes data = object.geometry.data;
     data.packed_version();
     Reference reference{data.id(), Eigen::Affine3d::Identity()};
@@ -38,10 +39,7 @@ Reference read_reference(const RhinoObject& object) {
     const double size = map.topLeftCorner<3, 3>().cwiseAbs().maxCoeff();
     if (!map.allFinite() || map.row(3) != Eigen::RowVector4d(0, 0, 0, 1) ||
         !(std::abs(map.topLeftCorner<3, 3>().determinant()) > 1e-12 * size * size * size))
-        throw InputError(
-            data.name() + ": " + rhino_called(object) +
-            ": it is placed by a map that makes it flat or is none, expected to move, turn, mirror or scale "
-            "it; explode it in Rhino or place it again");
+        return std::nullopt;
     reference.place.matrix() = map;
     return reference;
 }
@@ -117,7 +115,15 @@ class Placer {
             placing.placed.push_back(std::move(placed));
             return;
         }
-        const Reference reference = read_reference(object);
+        const std::optional<Reference> read = read_reference(object);
+        if (!read) {
+            placing.lost.push_back(
+                {std::move(placed),
+                 "it is placed by a map that makes it flat or is none, expected to move, turn, mirror "
+                 "or scale it; explode it in Rhino or place it again"});
+            return;
+        }
+        const Reference& reference = *read;
         const auto definition = definitions_.find(reference.definition);
         const bool here = definition != definitions_.end();
         const auto parts = here ? members(*definition->second) : std::vector<const RhinoObject*>();

@@ -46,6 +46,7 @@ struct FabricUse {
 /// What was understood of an envelope, and what is wrong with it.
 struct EnvelopeCheck {
     int tiles = 0, triangles = 0, chains = 0, corners = 0, seams = 0;
+    bool seams_sought = true;   ///< false: tiles too small for the tolerance; figures of seams and loops say nothing
     int self_seams = 0;         ///< seams of a tile with itself
     int t_junctions = 0;        ///< ends of seams within an edge or chain of the other side
     int parts = 0;              ///< groups of tiles that seams hold together

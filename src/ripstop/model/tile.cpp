@@ -15,7 +15,18 @@
 namespace ripstop {
 namespace {
 
-std::vector<int> corner_positions(const TriangleMesh& mesh, const std::vector<int>& boundary,
+constexpr double corner_reach = 0.1;  // of the tile's size: how far off its boundary a corner may be given
+
+void require_near(const std::string& name, const TriangleMesh& mesh, const Vec3& corner, double away) {
+    const double size = (mesh.positions.colwise().maxCoeff() - mesh.positions.colwise().minCoeff()).norm();
+    if (away <= corner_reach * size) return;
+    const auto metres = [](double length) { return format_fixed(length, 3); };
+    throw InputError("tile " + name + ": its corner (" + metres(corner.x()) + ", " + metres(corner.y()) + ", " +
+                     metres(corner.z()) + ") m is " + metres(away) +
+                     " m off its boundary, expected a point on it; correct it, or the unit");
+}
+
+std::vector<int> corner_positions(const std::string& name, const TriangleMesh& mesh, const std::vector<int>& boundary,
                                   const TileOptions& options) {
     const std::size_t count = boundary.size();
     std::vector<bool> corner(count, false);
@@ -30,6 +41,7 @@ std::vector<int> corner_positions(const TriangleMesh& mesh, const std::vector<in
                 if ((Vec3(mesh.positions.row(boundary[i])) - point).squaredNorm() <
                     (Vec3(mesh.positions.row(boundary[nearest])) - point).squaredNorm())
                     nearest = i;
+            require_near(name, mesh, point, (Vec3(mesh.positions.row(boundary[nearest])) - point).norm());
             corner[nearest] = true;
         }
     }
@@ -226,7 +238,7 @@ Tile make_tile(std::string name, TriangleMesh mesh, const TileOptions& options) 
     const Adjacency adjacency(mesh.triangles, mesh.vertex_count());
     Tile tile;
     tile.boundary = require_disk(mesh, adjacency, name);
-    tile.chains = cut_into_chains(tile.boundary, corner_positions(mesh, tile.boundary, options));
+    tile.chains = cut_into_chains(tile.boundary, corner_positions(name, mesh, tile.boundary, options));
     tile.grain = make_grain(name, mesh, options);
     tile.drawn = options.drawn;
     tile.compensation = options.compensation;

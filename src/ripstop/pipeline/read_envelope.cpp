@@ -48,22 +48,28 @@ void keep_layers(CadModel& model, const std::vector<std::string>& layers,
                  const std::vector<std::string>& grain_layers) {
     if (layers.empty()) return;
     require_wanted(model.layers, layers, "layer");
+    const bool any = !model.surfaces.empty();
     const auto elsewhere = [&layers](const auto& object) {
         const auto layer = object.attributes.find("layer");
         return layer == object.attributes.end() || !wanted(layer->second, layers);
     };
     std::erase_if(model.surfaces, elsewhere);
+    if (any && model.surfaces.empty())
+        throw InputError("no surface lies on layer \"" + layers.front() +
+                         "\" itself; choose one that has some, or give \"" + layers.front() +
+                         "::*\" for the layers below it");
     std::erase_if(model.unread, elsewhere);
     // Grain lines have layers of their own, and lie where they lie.
     std::erase_if(model.curves,
                   [&](const NamedCurve& curve) { return elsewhere(curve) && !is_grain_line(curve, grain_layers); });
 }
 
-void require_surfaces(const CadModel& model, const std::string& file) {
+void require_surfaces(const CadModel& model, const std::vector<std::string>& remarks, const std::string& file) {
     if (!model.surfaces.empty()) return;
     std::string text = file + ": no surface that could be read, expected the tiles as meshes or surfaces";
     for (std::size_t i = 0; i < std::min(model.unread.size(), shown_faults); ++i)
         text += "\n" + model.unread[i].type + " " + model.unread[i].name + ": " + model.unread[i].reason;
+    for (std::size_t i = 0; i < std::min(remarks.size(), shown_faults); ++i) text += "\n" + remarks[i];
     throw InputError(text);
 }
 
@@ -120,7 +126,7 @@ EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& o
     const std::vector<std::string> grain_layers =
         options.project ? options.project->grain_layers : std::vector<std::string>();
     keep_layers(model, options.layers, grain_layers);
-    require_surfaces(model, file.string());
+    require_surfaces(model, input.remarks, file.string());
     for (const UnreadObject& object : model.unread)
         input.remarks.push_back(object.type + " " + object.name + " left out: " + object.reason);
     model = in_metres(std::move(model), input.unit.metres);

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/report/figures.h"
 
@@ -21,16 +22,33 @@ std::string plural(int count, const char* one, const char* many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
+constexpr const char* not_sought = "not looked for";  // beside figures that seams decide
+
+std::string count_text(const EnvelopeCheck& check, int count) {
+    return check.seams_sought ? std::to_string(count) : not_sought;
+}
+
+std::string seams_text(const EnvelopeCheck& check) {
+    if (!check.seams_sought)
+        return fmt::format("{}: the tiles are too small for the tolerance of {:.3g} mm", not_sought,
+                           check.seam_tolerance / millimetre);
+    return fmt::format("{}, {:.2f} m, edges up to {:.3f} mm apart (tolerance {:.3g} mm); {} within a tile, {}",
+                       check.seams, check.seam_length, check.gap_max / millimetre, check.seam_tolerance / millimetre,
+                       check.self_seams, plural(check.t_junctions, "T-junction", "T-junctions"));
+}
+
 std::string loops_text(const EnvelopeCheck& check) {
+    if (!check.seams_sought) return not_sought;
     if (check.loops.empty()) return "none: the envelope is closed";
     std::string text;
     for (std::size_t i = 0; i < std::min(check.loops.size(), shown_loops); ++i) {
         const LooseLoop& loop = check.loops[i];
-        text += fmt::format("{}{:.2f} m round ({:.2f}, {:.2f}, {:.2f}) m, {}, {}{}", i ? "\n               " : "",
-                            loop.length, loop.centre.x(), loop.centre.y(), loop.centre.z(),
-                            plural(static_cast<int>(loop.tiles.size()), "tile", "tiles"),
-                            loop.corners == 0 ? "no corner" : plural(loop.corners, "corner", "corners"),
-                            loop.closed ? "" : ", not closed");
+        text +=
+            fmt::format("{}{:.2f} m round ({}, {}, {}) m, {}, {}{}", i ? "\n               " : "", loop.length,
+                        format_fixed(loop.centre.x(), 2), format_fixed(loop.centre.y(), 2),
+                        format_fixed(loop.centre.z(), 2), plural(static_cast<int>(loop.tiles.size()), "tile", "tiles"),
+                        loop.corners == 0 ? "no corner" : plural(loop.corners, "corner", "corners"),
+                        loop.closed ? "" : ", not closed");
     }
     if (check.loops.size() > shown_loops)
         text += fmt::format("\n               and {} more", check.loops.size() - shown_loops);
@@ -56,6 +74,7 @@ std::string issues_text(const EnvelopeCheck& check) {
 }
 
 std::string sampling_text(const EnvelopeCheck& check) {
+    if (!check.seams_sought) return not_sought;
     if (check.sampling.empty()) return "no seams";
     const SeamSampling& worst =
         *std::max_element(check.sampling.begin(), check.sampling.end(),
@@ -107,17 +126,16 @@ std::string check_text(const EnvelopeCheck& check, const std::string& file, cons
     std::string text = fmt::format(
         "{}, in {}\n"
         "size           {:.4g} x {:.4g} x {:.4g} m, {:.4g} m2 of cloth\n"
-        "tiles          {}, {} triangles, {} chains, {} corners, in {}\n"
+        "tiles          {}, {} triangles, {} chains, {} corners{}\n"
         "warp           {}\n"
-        "seams          {}, {:.2f} m, edges up to {:.3f} mm apart (tolerance {:.3g} mm); {} within a tile, {}\n",
+        "seams          {}\n",
         file, unit, check.size.x(), check.size.y(), check.size.z(), check.area, check.tiles, check.triangles,
-        check.chains, check.corners, plural(check.parts, "part", "parts"),
-        fmt::format("{}", fmt::join(check.grain_sources, ", ")), check.seams, check.seam_length,
-        check.gap_max / millimetre, check.seam_tolerance / millimetre, check.self_seams,
-        plural(check.t_junctions, "T-junction", "T-junctions"));
+        check.chains, check.corners, check.seams_sought ? ", in " + plural(check.parts, "part", "parts") : "",
+        fmt::format("{}", fmt::join(check.grain_sources, ", ")), seams_text(check));
     text += seam_types_text(check) + fabrics_text(check) + fmt::format("open edges     {}\n", loops_text(check));
-    text += fmt::format("loose ends     {}\nodd corners    {}\nchord error    {}\n", check.loose_ends,
-                        check.odd_corners, sampling_text(check));
+    text +=
+        fmt::format("loose ends     {}\nodd corners    {}\nchord error    {}\n", count_text(check, check.loose_ends),
+                    count_text(check, check.odd_corners), sampling_text(check));
     for (const std::string& note : check.notes) text += fmt::format("note           {}\n", note);
     text += issues_text(check);
     text += check.sound() ? "Sound: nothing is wrong with this envelope.\n"
@@ -174,6 +192,10 @@ std::string check_json(const EnvelopeCheck& check, const std::string& file, cons
         json["issues"].push_back(std::move(entry));
     }
     json["notes"] = check.notes;
+    if (!check.seams_sought)
+        for (const char* key : {"odd_corners", "parts", "seam_length_mm", "seam_gap_max_mm", "seam_types", "self_seams",
+                                "t_junctions", "loose_ends", "seams", "loops"})
+            json[key] = nullptr;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

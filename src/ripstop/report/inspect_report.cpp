@@ -105,7 +105,8 @@ std::string inspect_text(const CadModel& model, const std::string& file) {
     };
     list("not read", model.unread.size(), [&model](std::size_t i) {
         const UnreadObject& object = model.unread[i];
-        return fmt::format("{} {} on {}: {}", object.type, object.name, layer_of(object.attributes), object.reason);
+        const std::string on = object.attributes.count("layer") > 0 ? " on " + object.attributes.at("layer") : "";
+        return fmt::format("{} {}{}: {}", object.type, object.name, on, object.reason);
     });
     list("remark", model.remarks.size(), [&model](std::size_t i) { return model.remarks[i]; });
     return text;
