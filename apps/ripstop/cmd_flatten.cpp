@@ -85,7 +85,7 @@ ExitCode run(const Arguments& given) {
     PieceOptions piece_options;
     piece_options.revision = given.revision.empty() ? plan.input_sha256.substr(0, 8) : given.revision;
     const PieceSet pieces = make_piece_set(plan, make_pieces(plan, piece_options, given.jobs), piece_options.revision);
-    write_directory(given.directory, plan, pieces, {given.force, given.reproducible, true});
+    write_directory(given.directory, plan, pieces, {given.force, given.reproducible});
     if (given.json)
         fmt::print("{}", report_json(plan, given.reproducible));
     else if (!given.quiet)

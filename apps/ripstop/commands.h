@@ -13,5 +13,6 @@ void add_inspect(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_methods(CLI::App& app);
 void add_design(CLI::App& app);
+void add_export(CLI::App& app);
 
 }  // namespace ripstop::cli

@@ -66,6 +66,7 @@ int main(int argc, char** argv) {
     cli::add_compare(app);
     cli::add_methods(app);
     cli::add_design(app);
+    cli::add_export(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::RuntimeError& result) {

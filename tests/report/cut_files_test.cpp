@@ -49,9 +49,9 @@ TEST(PieceSet, ComesBackFromItsFileToTheLastBit) {
 TEST(PieceSet, WritesTheSameCutFilesAfterItWasRead) {
     const testing::ScratchDirectory scratch;
     const PieceSet set = two_pieces();
-    write_cut_files(scratch.path("a"), set);
+    write_cut_files(scratch.path("a"), set, {"dxf", "svg"});
     std::istringstream in(pieces_json(set));
-    write_cut_files(scratch.path("b"), read_pieces(in, "pieces.json"));
+    write_cut_files(scratch.path("b"), read_pieces(in, "pieces.json"), {"dxf", "svg"});
     for (const char* name : {"envelope.dxf", "envelope.svg", "tiles/G01_P01.dxf", "tiles/G01_P01.svg"})
         EXPECT_EQ(testing::content(scratch.path("a") + "/" + name), testing::content(scratch.path("b") + "/" + name));
 }

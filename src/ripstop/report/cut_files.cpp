@@ -5,9 +5,7 @@
 #include <fstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/dxf.h"
 #include "ripstop/io/pieces_json.h"
-#include "ripstop/io/svg.h"
 #include "ripstop/report/figures.h"
 #include "ripstop/report/output_file.h"
 
@@ -46,17 +44,21 @@ PieceSet make_piece_set(const CutPlan& plan, std::vector<PatternPiece> pieces, c
     return set;
 }
 
-void write_cut_files(const fs::path& cut, const PieceSet& set) {
-    const std::vector<PatternPiece>& pieces = set.pieces;
-    fs::create_directories(cut / "tiles");
-    const std::vector<Vec2> shifts = lay_out(pieces, sheet_gap);
-    write_file(cut / "envelope.dxf", [&](std::ostream& out) { write_dxf(out, pieces, shifts); });
-    write_file(cut / "envelope.svg", [&](std::ostream& out) { write_svg(out, pieces, shifts); });
-    for (const PatternPiece& piece : pieces) {
-        const std::vector<PatternPiece> alone{piece};
-        const std::vector<Vec2> shift{-piece.lower()};
-        write_file(cut / "tiles" / (piece.file + ".dxf"), [&](std::ostream& out) { write_dxf(out, alone, shift); });
-        write_file(cut / "tiles" / (piece.file + ".svg"), [&](std::ostream& out) { write_svg(out, alone, shift); });
+void write_cut_files(const fs::path& cut, const PieceSet& set, const std::vector<std::string>& formats,
+                     PieceFileOptions options) {
+    const std::vector<Vec2> shifts = lay_out(set.pieces, sheet_gap);
+    options.style = set.input;
+    options.revision = set.revision;
+    fs::create_directories(cut);
+    for (const std::string& name : formats) {
+        const PieceFormat& format = piece_format_named(name);
+        write_file(cut / ("envelope." + format.extension),
+                   [&](std::ostream& out) { format.write(out, set.pieces, shifts, options); });
+        if (!format.one_a_piece) continue;
+        fs::create_directories(cut / "tiles");
+        for (const PatternPiece& piece : set.pieces)
+            write_file(cut / "tiles" / (piece.file + "." + format.extension),
+                       [&](std::ostream& out) { format.write(out, {piece}, {-piece.lower()}, options); });
     }
 }
 

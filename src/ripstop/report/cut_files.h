@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
+#include "ripstop/io/piece_format.h"
 #include "ripstop/model/cut_plan.h"
 #include "ripstop/model/pattern_piece.h"
 
@@ -12,9 +14,11 @@ namespace ripstop {
 /// report.json. Throws InputError where a piece has the name of no tile.
 PieceSet make_piece_set(const CutPlan& plan, std::vector<PatternPiece> pieces, const std::string& revision);
 
-/// Fills the folder `cut`: envelope.dxf and .svg with all pieces on one sheet (`lay_out`), tiles/NAME.dxf and .svg with each
-/// piece at the origin. Throws InputError where a file cannot be written.
-void write_cut_files(const std::filesystem::path& cut, const PieceSet& set);
+/// Fills the folder `cut`: for each of `formats` (names of `piece_formats`) envelope.EXT with all pieces on one sheet
+/// (`lay_out`) and, where the format has them, tiles/NAME.EXT with each piece at the origin. `options` are completed by what
+/// the set says of itself. Throws InputError where a file cannot be written or a format is not known.
+void write_cut_files(const std::filesystem::path& cut, const PieceSet& set, const std::vector<std::string>& formats,
+                     PieceFileOptions options = {});
 
 /// cut/pieces.json, and back. Throw InputError naming the file.
 void write_pieces(const std::filesystem::path& file, const PieceSet& set);

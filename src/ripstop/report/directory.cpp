@@ -16,15 +16,15 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What a plan's directory holds; anything else in it is somebody else's.
-const std::vector<std::string_view> ours{"report.json", "report.html", "tiles.csv", "seams.csv", "bom.csv",
-                                         "flat",        "cut",         "marker",    "pictures",  "inflated"};
+const std::vector<std::string_view> ours{"report.json", "report.html", "tiles.csv", "seams.csv", "bom.csv", "flat",
+                                         "cut",         "cut-*",       "marker",    "pictures",  "inflated"};
 
 void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces, const DirectoryOptions& options) {
     fs::create_directory(dir / "flat");
     const std::vector<std::string> stems = file_stems(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
         if (is_drawable(plan.tiles[i])) write_file(dir / "flat" / (stems[i] + ".obj"), flat_obj(plan.tiles[i]));
-    write_cut_files(dir / "cut", pieces);
+    write_cut_files(dir / "cut", pieces, options.formats);
     write_pieces(dir / "cut" / "pieces.json", pieces);
     if (options.pictures) {
         fs::create_directory(dir / "pictures");

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/glob.h"
 
 namespace ripstop {
 namespace {
@@ -36,7 +37,8 @@ void replace(const fs::path& fresh, const fs::path& dir, const fs::path& aside,
     std::vector<fs::path> kept;
     for (const fs::directory_entry& entry : fs::directory_iterator(aside)) kept.push_back(entry.path().filename());
     for (const fs::path& name : kept)
-        if (std::find(ours.begin(), ours.end(), name.string()) == ours.end()) fs::rename(aside / name, dir / name);
+        if (std::none_of(ours.begin(), ours.end(), [&](auto glob) { return glob_match(glob, name.string()); }))
+            fs::rename(aside / name, dir / name);
     fs::remove_all(aside);
 }
 

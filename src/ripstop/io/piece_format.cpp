@@ -1,0 +1,32 @@
+#include "ripstop/io/piece_format.h"
+
+#include <array>
+
+#include "ripstop/base/error.h"
+#include "ripstop/io/dxf.h"
+#include "ripstop/io/svg.h"
+
+namespace ripstop {
+
+std::span<const PieceFormat> piece_formats() {
+    static const std::array formats{
+        PieceFormat{"dxf", "dxf", "DXF for cutters and CAD", true,
+                    [](std::ostream& out, const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts,
+                       const PieceFileOptions&) { write_dxf(out, pieces, shifts); }},
+        PieceFormat{"svg", "svg", "SVG in true size, an edge a path", true,
+                    [](std::ostream& out, const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts,
+                       const PieceFileOptions&) { write_svg(out, pieces, shifts); }},
+    };
+    return formats;
+}
+
+const PieceFormat& piece_format_named(const std::string& name) {
+    std::string known;
+    for (const PieceFormat& format : piece_formats()) {
+        if (format.name == name) return format;
+        known += (known.empty() ? "" : ", ") + format.name;
+    }
+    throw InputError("no format \"" + name + "\" for pieces; known: " + known);
+}
+
+}  // namespace ripstop
