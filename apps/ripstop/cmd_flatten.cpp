@@ -6,12 +6,12 @@
 
 #include "commands.h"
 #include "options.h"
+#include "piece_options.h"
 #include "progress_bar.h"
 #include "ripstop/assembly/check_envelope.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/sha256.h"
 #include "ripstop/io/mesh_file.h"
-#include "ripstop/pattern/pieces.h"
 #include "ripstop/pipeline/envelope_faults.h"
 #include "ripstop/pipeline/flatten_envelope.h"
 #include "ripstop/pipeline/propose_redesign.h"
@@ -32,7 +32,7 @@ struct Arguments {
     bool force = false, json = false, quiet = false, reproducible = false;
     std::string propose = "auto";
     bool propose_merges = false;
-    std::string revision;
+    PieceArguments pieces;
 };
 
 /// Where no unit was given, the size tells whether metres were the right guess.
@@ -67,6 +67,7 @@ void take_faults(CutPlan& plan, const Envelope& envelope, double seam_tolerance,
 
 ExitCode run(const Arguments& given) {
     const std::string method = method_of(given.input);
+    PieceOptions pattern = piece_options(given.pieces);
     require_writable(given.directory, given.force);
     const Input input = resolve(given.input);
     const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
@@ -82,9 +83,8 @@ ExitCode run(const Arguments& given) {
     if (given.input.tiles.empty()) take_faults(plan, envelope, input.read.seam_tolerance, unit, given.quiet);
     propose(plan, method, given);
 
-    PieceOptions piece_options;
-    piece_options.revision = given.revision.empty() ? plan.input_sha256.substr(0, 8) : given.revision;
-    const PieceSet pieces = make_piece_set(plan, make_pieces(plan, piece_options, given.jobs), piece_options.revision);
+    if (pattern.revision.empty()) pattern.revision = plan.input_sha256.substr(0, 8);
+    const PieceSet pieces = make_piece_set(plan, make_pieces(plan, pattern, given.jobs), pattern.revision);
     write_directory(given.directory, plan, pieces, {given.force, given.reproducible});
     if (given.json)
         fmt::print("{}", report_json(plan, given.reproducible));
@@ -115,8 +115,7 @@ void add_flatten(CLI::App& app) {
     command->add_flag(
         "--propose-merges", given->propose_merges,
         "Try every two neighbours as one tile and list those that could be made; flattens once more a seam");
-    command->add_option("--revision", given.revision,
-                        "Written on every piece (else the first letters of the input's hash)");
+    add_piece_options(*command, given->pieces);
     command->footer("Example: ripstop flatten envelope.obj --unit mm --fabric nylon -o cut-plan");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);

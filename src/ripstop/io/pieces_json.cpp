@@ -1,6 +1,7 @@
 #include "ripstop/io/pieces_json.h"
 
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "ripstop/base/error.h"
@@ -97,6 +98,12 @@ class Reader {
                    " to " + std::to_string(most));
         return static_cast<int>(value);
     }
+    bool flag(const char* key) const {
+        const auto found = value_.find(key);
+        if (found == value_.end() || !found->is_boolean())
+            refuse(std::string(key) + " is missing, expected true or false");
+        return *found;
+    }
     std::string text(const char* key) const { return text_at(value_, key, place_).value_or(""); }
     const json& list(const char* key) const {
         const auto found = value_.find(key);
@@ -191,8 +198,11 @@ PatternPiece read_piece(const Reader& from) {
     piece.notches = from.each<PieceNotch>("notches", [edges](const Reader& notch) { return read_notch(notch, edges); });
     if (edges == 0 && !piece.notches.empty()) from.refuse("has notches and no edges");
     piece.grain_line = from.points("grain_line_m", 2);
+    if (piece.grain_line.rows() > 2) from.refuse("grain_line_m has more than its two ends");
     piece.lines = from.each<DrawnLine>("lines", [](const Reader& line) {
-        return DrawnLine{line.text("name"), line.points("points_m", 2)};
+        DrawnLine drawn{line.text("name"), line.points("points_m", 2)};
+        if (drawn.points.rows() == 0) line.refuse("points_m is empty");
+        return drawn;
     });
     piece.labels = from.each<Label>("labels", [](const Reader& label) {
         return Label{label.text("text"), label.point("middle_m"), label.number("height_m"), label.number("turn_rad")};
@@ -229,10 +239,12 @@ PieceSet read_pieces(std::istream& in, const std::string& name) {
     });
     if (set.fabrics.empty()) from.refuse("no fabric");
     set.seam_types = from.each<SeamType>("seam_types", [](const Reader& type) {
-        return SeamType{type.text("name"), type.number("allowance_m"), type.whole("rows", 0, 100),
-                        type.value().value("tape", false)};
+        return SeamType{type.text("name"), type.number("allowance_m"), type.whole("rows", 0, 100), type.flag("tape")};
     });
     set.pieces = from.each<PatternPiece>("pieces", read_piece);
+    std::set<std::string> files;
+    for (const PatternPiece& piece : set.pieces)
+        if (!files.insert(piece.file).second) from.refuse("two pieces have the file " + piece.file);
     return set;
 }
 

@@ -1,0 +1,60 @@
+#include "piece_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ripstop/base/error.h"
+#include "ripstop/base/units.h"
+
+namespace ripstop::cli {
+namespace {
+
+double length_within(const std::string& text, const char* option, double least, double most) {
+    const double length = parse_length(text, option);
+    if (!(length >= least && length <= most))
+        throw InputError(
+            fmt::format("{} {}: expected {:g} to {:g} mm", option, text, least / millimetre, most / millimetre));
+    return length;
+}
+
+}  // namespace
+
+void add_piece_options(CLI::App& command, PieceArguments& given) {
+    command
+        .add_option("--revision", given.revision, "Written on every piece (else the first letters of the input's hash)")
+        ->group("Pieces");
+    command
+        .add_option("--corners", given.corners,
+                    "How the cut line goes round a corner between two seams; hems are always folded back")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"mitre", "square", "fold"}))
+        ->group("Pieces");
+    command
+        .add_option("--notch-spacing", given.notch_spacing,
+                    "Between match marks on a straight seam, e.g. 500mm (default 750mm; a third of it on curves)")
+        ->group("Pieces");
+    command.add_option("--notch-depth", given.notch_depth, "Of the cut, never over 0.4 of the allowance (default 6mm)")
+        ->group("Pieces");
+    command
+        .add_option("--simplify", given.simplify,
+                    "By how much the sew line may leave out points of the mesh (default 0.05mm)")
+        ->group("Pieces");
+}
+
+PieceOptions piece_options(const PieceArguments& given) {
+    PieceOptions options;
+    options.revision = given.revision;
+    if (given.corners == "square") options.corners = CornerRule::square;
+    if (given.corners == "fold") options.corners = CornerRule::fold;
+    if (!given.notch_spacing.empty()) {
+        options.notches.straight_spacing = length_within(given.notch_spacing, "--notch-spacing", 0.05, 100);
+        options.notches.curved_spacing = options.notches.straight_spacing / 3;
+    }
+    if (!given.notch_depth.empty())
+        options.notches.depth = length_within(given.notch_depth, "--notch-depth", 0.0005, 0.05);
+    if (!given.simplify.empty()) options.chord_error = length_within(given.simplify, "--simplify", 1e-7, 0.01);
+    return options;
+}
+
+}  // namespace ripstop::cli
