@@ -132,6 +132,35 @@ TEST_P(EveryEnvelope, KnowsTheMatesOfEveryEdge) {
     }
 }
 
+TEST_P(EveryEnvelope, NotchesPiecesOfOnePatternAlike) {
+    const std::vector<Vec2> middles = [this] {
+        std::vector<Vec2> found;
+        for (const PatternPiece& piece : pieces) found.push_back(area_centroid(piece.sew_line));
+        return found;
+    }();
+    int copies = 0;
+    for (std::size_t t = 0; t < pieces.size(); ++t) {
+        const FlatTile& tile = plan.tiles[t];
+        if (tile.equal_to < 0) continue;
+        ++copies;
+        const auto first = static_cast<std::size_t>(tile.equal_to);
+        ASSERT_EQ(pieces[t].notches.size(), pieces[first].notches.size()) << pieces[t].name;
+        // up to half a turn, which the warp leaves open
+        const auto fits = [&](double half_turn) {
+            const Vec2 signs(half_turn, tile.mirrored ? -half_turn : half_turn);
+            return std::all_of(pieces[t].notches.begin(), pieces[t].notches.end(), [&](const PieceNotch& notch) {
+                return std::any_of(
+                    pieces[first].notches.begin(), pieces[first].notches.end(), [&](const PieceNotch& other) {
+                        const Vec2 there = (other.on_sew - middles[first]).cwiseProduct(signs);
+                        return other.count == notch.count && (notch.on_sew - middles[t] - there).norm() < 0.5e-3;
+                    });
+            });
+        };
+        EXPECT_TRUE(fits(1) || fits(-1)) << pieces[t].name << " and " << pieces[first].name;
+    }
+    EXPECT_GT(copies, 3);
+}
+
 TEST_P(EveryEnvelope, CarriesTheNamesOfTheNeighbours) {
     int named = 0, mates = 0;
     for (const PatternPiece& piece : pieces)
