@@ -27,20 +27,27 @@ CadModel read_obj(std::istream& in, const std::string& name) {
     return model;
 }
 
+namespace {
+
+/// A record a row.
+template <class Matrix>
+void add_rows(std::string& text, const char* key, const Matrix& rows) {
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+        text += key;
+        for (Eigen::Index k = 0; k < rows.cols(); ++k) text += " " + format_shortest(rows(i, k));
+        text += "\n";
+    }
+}
+
+}  // namespace
+
 void write_obj(std::ostream& out, const std::vector<NamedMesh>& meshes) {
     Eigen::Index first_vertex = 1;
     Eigen::Index first_texture = 1;
     for (const NamedMesh& surface : meshes) {
         std::string text = "o " + surface.name + "\n";
-        const auto rows = [&text](const char* key, const auto& points) {
-            for (Eigen::Index i = 0; i < points.rows(); ++i) {
-                text += key;
-                for (Eigen::Index k = 0; k < points.cols(); ++k) text += " " + format_shortest(points(i, k));
-                text += "\n";
-            }
-        };
-        rows("v", surface.mesh.positions);
-        if (surface.drawn) rows("vt", *surface.drawn);
+        add_rows(text, "v", surface.mesh.positions);
+        if (surface.drawn) add_rows(text, "vt", *surface.drawn);
         for (Eigen::Index t = 0; t < surface.mesh.triangles.rows(); ++t) {
             text += "f";
             for (Eigen::Index k = 0; k < 3; ++k) {
@@ -53,6 +60,17 @@ void write_obj(std::ostream& out, const std::vector<NamedMesh>& meshes) {
         out << text;
         first_vertex += surface.mesh.positions.rows();
         if (surface.drawn) first_texture += surface.drawn->rows();
+    }
+}
+
+void write_obj_curves(std::ostream& out, const std::vector<NamedCurve>& curves) {
+    Eigen::Index vertex = 0;
+    for (const NamedCurve& curve : curves) {
+        std::string text = "o " + curve.name + "\n";
+        add_rows(text, "v", curve.points);
+        text += "l";
+        for (Eigen::Index i = 0; i < curve.points.rows(); ++i) text += " " + std::to_string(++vertex);
+        out << text << "\n";
     }
 }
 

@@ -39,4 +39,7 @@ CadModel read_obj(std::istream& in, const std::string& name);
 /// the shortest that read back as they were, so that reading gives equal meshes where every vertex is used.
 void write_obj(std::ostream& out, const std::vector<NamedMesh>& meshes);
 
+/// Each curve as an object of one polyline: `o`, `v`, `l`. `read_obj` gives the same curves beside a surface.
+void write_obj_curves(std::ostream& out, const std::vector<NamedCurve>& curves);
+
 }  // namespace ripstop

@@ -1,0 +1,75 @@
+/// ripstop lift: what was drawn on flat pieces, as curves on the tiles in space.
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "ripstop/base/error.h"
+#include "ripstop/base/glob.h"
+#include "ripstop/io/drawing_file.h"
+#include "ripstop/io/mesh_file.h"
+#include "ripstop/io/obj.h"
+#include "ripstop/pipeline/lift_drawing.h"
+#include "ripstop/report/cut_files.h"
+#include "ripstop/report/output_file.h"
+
+namespace ripstop::cli {
+namespace {
+
+struct Arguments {
+    std::filesystem::path plan, drawing, output;
+    std::vector<std::string> layers;
+    std::string unit = "m";
+    bool force = false;
+};
+
+NamedMesh flat_tile(const std::filesystem::path& plan, const PatternPiece& piece) {
+    const std::filesystem::path file = plan / "flat" / (piece.file + ".obj");
+    CadModel model = read_model(file);
+    if (model.surfaces.size() != 1 || !model.surfaces[0].drawn)
+        throw InputError(file.string() + ": holds no tile with flat positions; flatten the envelope again");
+    return std::move(model.surfaces[0]);
+}
+
+ExitCode run(const Arguments& given) {
+    if (std::filesystem::exists(given.output) && !given.force)
+        throw InputError(given.output.string() + ": is there already; choose another name, or replace it with --force");
+    const PieceSet set = read_pieces_of(given.plan);
+    const LengthUnit unit = length_unit(given.unit);
+    auto [drawing, drawing_unit] = read_drawing(given.drawing);
+    std::erase_if(drawing.paths, [&given](const DrawnPath& path) {
+        return path.is_closed ? false
+                              : !given.layers.empty() &&
+                                    std::none_of(given.layers.begin(), given.layers.end(),
+                                                 [&](const std::string& glob) { return glob_match(glob, path.layer); });
+    });
+    LiftedLines lifted = lift_drawing(drawing, drawing_unit.metres, set,
+                                      [&given](const PatternPiece& piece) { return flat_tile(given.plan, piece); });
+    if (lifted.pieces == 0)
+        throw InputError(given.drawing.string() +
+                         ": none of the plan's pieces is in it: expected their closed cut lines, of their size and not "
+                         "turned, beside what was drawn on them; draw on a file of cut/");
+    for (NamedCurve& curve : lifted.curves) curve.points /= unit.metres;
+    write_file(given.output, [&lifted](std::ostream& out) { write_obj_curves(out, lifted.curves); });
+    fmt::print("{} pieces found, {} lines lifted, in {}: {}\n", lifted.pieces, lifted.curves.size(), unit.name,
+               given.output.string());
+    return manufacturable;
+}
+
+}  // namespace
+
+void add_lift(CLI::App& app) {
+    auto given = std::make_shared<Arguments>();
+    CLI::App* command =
+        app.add_subcommand("lift", "What was drawn on flat pieces, as curves on the tiles in space, for the model");
+    command->add_option("plan", given->plan, "A folder that `ripstop flatten` wrote")->required();
+    command->add_option("drawing", given->drawing, "A DXF or SVG of its pieces with lines drawn on them")->required();
+    command->add_option("-o,--output", given->output, "The OBJ to write: a polyline (l) a line")->required();
+    command->add_option("--layer", given->layers, "Only lines on layers of these names; * and ? stand for anything");
+    command->add_option("--unit", given->unit, "Of the OBJ: mm, cm, m, in or ft")->capture_default_str();
+    command->add_flag("--force", given->force, "Replace the file where it exists");
+    command->footer("Example: ripstop lift cut-plan cut-plan/cut/tiles/G01P05.svg --layer artwork -o artwork.obj");
+    command->callback([given] {
+        if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
+    });
+}
+
+}  // namespace ripstop::cli
