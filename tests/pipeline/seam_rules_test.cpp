@@ -73,6 +73,23 @@ TEST(SeamRules, AllowanceAloneKeepsTheDefaultType) {
     EXPECT_EQ(found.at("G02P02 G03P02"), SeamType{});
 }
 
+TEST(SeamRules, CutTheMatesEdgeAsWideAsItIsSaid) {
+    const Envelope envelope = sewn(R"({"seams": [
+        {"between": ["G01P02", "G01P01"], "allowance_mm": 12, "mate_allowance_mm": 30}]})");
+    int found = 0;
+    for (const Seam& seam : envelope.seams)
+        for (const SeamSide* side : {&seam.a, &seam.b}) {
+            const std::string& name = envelope.tiles[static_cast<std::size_t>(side->tile)].name;
+            if (seam.type.allowance == SeamType{}.allowance) {
+                EXPECT_EQ(seam.allowance(*side), SeamType{}.allowance);
+                continue;
+            }
+            EXPECT_EQ(seam.allowance(*side), name == "G01P02" ? 0.012 : 0.030) << name;
+            ++found;
+        }
+    EXPECT_EQ(found, 2);
+}
+
 TEST(SeamRules, TypesOfTheProjectTakeThePlaceOfTheDefaults) {
     const Envelope envelope = sewn(R"({"seam_types": [{"name": "flat-felled", "allowance_mm": 20},
         {"name": "hem", "allowance_mm": 50, "tape": true}, {"name": "glued", "allowance_mm": 10, "rows": 0}],

@@ -75,9 +75,9 @@ TEST(ReportJson, TellsHowSeamsAreSewnAndFreeEdgesFinished) {
     for (FlatTile& tile : plan.tiles) tile.accuracy.chains.resize(4, {1, 1});
     const Json json = report(plan);
     EXPECT_EQ(json["seams"][0]["type"], "flat-felled");
-    EXPECT_EQ(json["seams"][0]["allowance_mm"], 25);
+    EXPECT_EQ(json["seams"][0]["allowance_a_mm"], 25);
     EXPECT_EQ(json["seams"][1]["type"], "plain");
-    EXPECT_EQ(json["seams"][1]["allowance_mm"], 13);
+    EXPECT_EQ(json["seams"][1]["allowance_b_mm"], 13);
     const Json& left = json["tiles"][0]["chains"];
     EXPECT_EQ(left[0]["type"], "hem");
     EXPECT_EQ(left[0]["free_mm"], 1000);

@@ -17,15 +17,19 @@ using nlohmann::json;
 constexpr double widest_mm = 1000;  // a wider allowance is a unit taken for another
 constexpr int most_rows = 20;
 
+bool fits(const std::string& pattern, const std::string& name) {
+    return pattern == name || glob_match(pattern, name);
+}
+
 bool is_pattern(const std::string& name) {
     return name.find_first_of("*?") != std::string::npos;
 }
 
-std::optional<double> allowance_at(const json& value, const std::string& place) {
-    const std::optional<double> given = number_at(value, "allowance_mm", place);
+std::optional<double> allowance_at(const json& value, const char* key, const std::string& place) {
+    const std::optional<double> given = number_at(value, key, place);
     if (!given) return std::nullopt;
     if (!(*given >= 0 && *given <= widest_mm))
-        throw InputError(place + ": allowance_mm is " + format_shortest(*given) +
+        throw InputError(place + ": " + key + " is " + format_shortest(*given) +
                          ", expected millimetres of cloth beyond the sew line, 0 to 1000");
     return *given * millimetre;
 }
@@ -38,7 +42,7 @@ SeamType read_type(const json& value, const std::vector<SeamType>& known, const 
     const auto like = std::find_if(known.begin(), known.end(), [&](const SeamType& type) { return type.name == name; });
     SeamType type = like != known.end() ? *like : SeamType{};
     type.name = name;
-    const std::optional<double> allowance = allowance_at(value, place);
+    const std::optional<double> allowance = allowance_at(value, "allowance_mm", place);
     if (!allowance)
         throw InputError(place + " (" + shown(name) +
                          "): no allowance_mm, expected the cloth beyond the sew line; add it");
@@ -97,13 +101,16 @@ void read_place(const json& value, const std::string& place, SeamRule& rule) {
 }
 
 SeamRule read_rule(const json& value, const std::vector<SeamType>& types, const std::string& place) {
-    require_known_keys(value, {"between", "free", "direction", "type", "allowance_mm"}, place);
+    require_known_keys(value, {"between", "free", "direction", "type", "allowance_mm", "mate_allowance_mm"}, place);
     SeamRule rule;
     read_place(value, place, rule);
     rule.direction = direction_at(value, place);
     const std::optional<std::string> type = text_at(value, "type", place);
-    const std::optional<double> allowance = allowance_at(value, place);
-    if (!type && !allowance)
+    const std::optional<double> allowance = allowance_at(value, "allowance_mm", place);
+    rule.mate_allowance = allowance_at(value, "mate_allowance_mm", place);
+    if (rule.mate_allowance && !rule.mate)
+        throw InputError(place + ": mate_allowance_mm is for seams, expected allowance_mm alone for a free edge");
+    if (!type && !allowance && !rule.mate_allowance)
         throw InputError(place + ": says nothing of the " + rule.text() +
                          ", expected \"type\", \"allowance_mm\" or both");
     rule.type = seam_type_named(type ? *type : rule.mate ? SeamType{}.name : default_hem().name, types, place);
@@ -117,15 +124,16 @@ std::string SeamRule::text() const {
     return mate ? "seam between " + shown(tile) + " and " + shown(*mate) : "free edge of " + shown(tile);
 }
 
+bool SeamRule::is_in_order(const std::string& a, const std::string& b) const {
+    return mate && fits(tile, a) && fits(*mate, b);
+}
+
 bool SeamRule::fits_seam(const std::string& a, const std::string& b) const {
-    const auto fits = [](const std::string& pattern, const std::string& name) {
-        return pattern == name || glob_match(pattern, name);
-    };
-    return mate && ((fits(tile, a) && fits(*mate, b)) || (fits(tile, b) && fits(*mate, a)));
+    return is_in_order(a, b) || is_in_order(b, a);
 }
 
 bool SeamRule::fits_free(const std::string& tile_name) const {
-    return !mate && (tile == tile_name || glob_match(tile, tile_name));
+    return !mate && fits(tile, tile_name);
 }
 
 bool SeamRule::is_exact() const {

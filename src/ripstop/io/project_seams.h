@@ -18,12 +18,15 @@ struct SeamRule {
     std::optional<std::string> mate;  ///< of the other side, either way round; none: free edges
     EdgeDirection direction = EdgeDirection::any;
     SeamType type;
+    std::optional<double> mate_allowance = {};  ///< on the side of `mate`, where it is not the type's [m]
 
     /// For messages: `seam between "A" and "B"`, `free edge of "A"`.
     std::string text() const;
     /// Whether the rule is for a seam of these tiles; for a free edge of this one.
     bool fits_seam(const std::string& a, const std::string& b) const;
     bool fits_free(const std::string& tile_name) const;
+    /// Whether `a` fits `tile` and `b` fits `mate`, in this order.
+    bool is_in_order(const std::string& a, const std::string& b) const;
     /// No pattern: names its tiles in full.
     bool is_exact() const;
 };

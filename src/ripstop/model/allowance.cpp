@@ -24,14 +24,15 @@ template <class Work>
 void for_each_part(const std::vector<Seam>& seams, Work&& work) {
     for (const Seam& seam : seams)
         for (const SeamSide* side : {&seam.a, &seam.b})
-            for (const SeamPart& part : side->parts) work(static_cast<std::size_t>(side->tile), part, seam);
+            for (const SeamPart& part : side->parts)
+                work(static_cast<std::size_t>(side->tile), part, seam.allowance(*side));
 }
 
 /// How much of each boundary edge of each tile is in no seam [m].
 std::vector<Eigen::VectorXd> free_of_edges(const Tiles& tiles, const std::vector<Seam>& seams) {
     std::vector<Eigen::VectorXd> left;
     for (const Tile* tile : tiles) left.push_back(drawn_lengths(*tile));
-    for_each_part(seams, [&](std::size_t t, const SeamPart& part, const Seam&) { left[t][part.edge] -= part.length; });
+    for_each_part(seams, [&](std::size_t t, const SeamPart& part, double) { left[t][part.edge] -= part.length; });
     for (Eigen::VectorXd& lengths : left) lengths = (lengths.array() > no_length).select(lengths, 0).eval();
     return left;
 }
@@ -93,8 +94,8 @@ std::vector<Eigen::VectorXd> edge_allowances(const CutPlan& plan) {
             if (allowances[t][i] > 0)
                 allowances[t][i] = tiles[t]->chains[chains[static_cast<std::size_t>(i)]].finish.allowance;
     }
-    for_each_part(plan.seams, [&](std::size_t t, const SeamPart& part, const Seam& seam) {
-        allowances[t][part.edge] = std::max(allowances[t][part.edge], seam.type.allowance);
+    for_each_part(plan.seams, [&](std::size_t t, const SeamPart& part, double allowance) {
+        allowances[t][part.edge] = std::max(allowances[t][part.edge], allowance);
     });
     return allowances;
 }

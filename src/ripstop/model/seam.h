@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,10 @@ struct SeamPart {
 
 /// One side of a seam: a run along a tile's boundary that lies within one of its chains.
 struct SeamSide {
-    int tile = 0;                 ///< in `Envelope::tiles`
-    int chain = 0;                ///< in `Tile::chains`
-    std::vector<SeamPart> parts;  ///< in the order of the tile's boundary, counter-clockwise seen from outside
+    int tile = 0;                          ///< in `Envelope::tiles`
+    int chain = 0;                         ///< in `Tile::chains`
+    std::vector<SeamPart> parts;           ///< in the order of the tile's boundary, counter-clockwise seen from outside
+    std::optional<double> allowance = {};  ///< cloth beyond the sew line on this side, where it is not the type's [m]
 };
 
 /// Two runs of boundary that are sewn together. Both are measured on one curve, so their lengths agree however differently
@@ -30,6 +32,9 @@ struct Seam {
     double uncertainty = 0;  ///< by how much the meshes leave `length` open [m]
     double gap = 0;          ///< largest distance between the two sides in space [m]
     SeamType type = {};      ///< how it is sewn
+
+    /// Cloth beyond the sew line on one of its sides [m].
+    double allowance(const SeamSide& side) const { return side.allowance.value_or(type.allowance); }
 };
 
 }  // namespace ripstop

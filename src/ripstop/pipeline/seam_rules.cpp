@@ -117,6 +117,10 @@ void give_seam_types(Envelope& envelope, const Project& project) {
         const SeamRule* rule =
             deciding_rule(project, [&](const SeamRule& one) { return fits(one, seam, envelope, edges); });
         seam.type = rule ? rule->type : felled;
+        if (!rule || !rule->mate_allowance) continue;
+        // where both sides fit both names, b is the mate
+        const bool a_is_mate = !rule->is_in_order(name_of(envelope, seam.a), name_of(envelope, seam.b));
+        (a_is_mate ? seam.a : seam.b).allowance = rule->mate_allowance;
     }
     for (std::size_t t = 0; t < envelope.tiles.size(); ++t)
         for (Chain& chain : envelope.tiles[t].chains) {

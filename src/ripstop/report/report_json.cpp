@@ -173,7 +173,8 @@ Json seam_json(const Seam& seam, const SeamWalk& walk, const CutPlan& plan) {
             {"uncertainty_mm", in_millimetres(walk.uncertainty)},
             {"gap_mm", in_millimetres(seam.gap)},
             {"type", seam.type.name},
-            {"allowance_mm", in_millimetres(seam.type.allowance)},
+            {"allowance_a_mm", in_millimetres(seam.allowance(seam.a))},
+            {"allowance_b_mm", in_millimetres(seam.allowance(seam.b))},
             {"notches", notches},
             {"certain", walk.is_certain()},
             {"ok", walk.ok}};

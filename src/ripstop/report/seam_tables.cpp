@@ -12,9 +12,9 @@ namespace ripstop {
 namespace {
 
 constexpr std::array csv_columns{
-    "id",        "tile_a",      "chain_a",      "tile_b",       "chain_b",         "length_mm", "flat_a_mm",
-    "flat_b_mm", "mismatch_mm", "mismatch_pct", "drift_max_mm", "drift_max_at_mm", "limit_mm",  "uncertainty_mm",
-    "gap_mm",    "certain",     "ok",           "type",         "allowance_mm"};
+    "id",        "tile_a",      "chain_a",      "tile_b",       "chain_b",         "length_mm",     "flat_a_mm",
+    "flat_b_mm", "mismatch_mm", "mismatch_pct", "drift_max_mm", "drift_max_at_mm", "limit_mm",      "uncertainty_mm",
+    "gap_mm",    "certain",     "ok",           "type",         "allowance_a_mm",  "allowance_b_mm"};
 
 const std::string& tile_name(const CutPlan& plan, const SeamSide& side) {
     return plan.tiles[static_cast<std::size_t>(side.tile)].tile.name;
@@ -68,12 +68,26 @@ std::string seams_csv(const CutPlan& plan) {
         const Seam& seam = plan.seams[i];
         const SeamWalk& walk = plan.walks[i];
         const auto mm = [](double length) { return csv_figure(length / millimetre); };
-        add_csv_line(text, {seam.id, tile_name(plan, seam.a), std::to_string(seam.a.chain + 1), tile_name(plan, seam.b),
-                            std::to_string(seam.b.chain + 1), mm(walk.length), mm(walk.flat_a), mm(walk.flat_b),
-                            mm(walk.mismatch()), csv_figure(walk.mismatch_ratio() / percent), mm(walk.drift_max),
-                            mm(walk.drift_max_at), mm(walk.limit), mm(walk.uncertainty), mm(seam.gap),
-                            walk.is_certain() ? "true" : "false", walk.ok ? "true" : "false", seam.type.name,
-                            mm(seam.type.allowance)});
+        add_csv_line(text, {seam.id,
+                            tile_name(plan, seam.a),
+                            std::to_string(seam.a.chain + 1),
+                            tile_name(plan, seam.b),
+                            std::to_string(seam.b.chain + 1),
+                            mm(walk.length),
+                            mm(walk.flat_a),
+                            mm(walk.flat_b),
+                            mm(walk.mismatch()),
+                            csv_figure(walk.mismatch_ratio() / percent),
+                            mm(walk.drift_max),
+                            mm(walk.drift_max_at),
+                            mm(walk.limit),
+                            mm(walk.uncertainty),
+                            mm(seam.gap),
+                            walk.is_certain() ? "true" : "false",
+                            walk.ok ? "true" : "false",
+                            seam.type.name,
+                            mm(seam.allowance(seam.a)),
+                            mm(seam.allowance(seam.b))});
     }
     return text;
 }
