@@ -64,7 +64,7 @@ void write_header(DxfEntities& out, const DxfDialect& dialect, const Placing& pl
 void draw_contours(DxfEntities& out, const PatternPiece& piece) {
     out.polyline("CUT", piece.cut_line, true);
     out.polyline("SEW", piece.sew_line, true);
-    draw_slits(out, "NOTCH", "INTERNAL", piece);
+    draw_slits(out, "NOTCH", piece);
     for (const DrawnLine& line : piece.lines) out.polyline("INTERNAL", line.points, false);
     draw_grain_arrow(out, "GRAIN", piece);
     for (const Label& label : piece.labels) out.centred_text("TEXT", label);

@@ -19,8 +19,7 @@ struct DxfOptions {
 /// Writes the pieces as a DXF: millimetres, ASCII, CR LF, four decimals, Release 12 (`clo`: 10).
 ///
 /// Dialect `cam`: one closed POLYLINE a contour; layers CUT (red), SEW (green), NOTCH (a LINE from the cut line inwards,
-/// two for a double one), GRAIN (three LINEs: shaft and barbs), INTERNAL (open polylines: drawn, not cut; also the marks of
-/// notches that are not to be cut), TEXT and REF. REF holds a square of 100 mm with that text, right of the pieces, to check
+/// two for a double one), GRAIN (three LINEs: shaft and barbs), INTERNAL (open polylines: drawn, not cut), TEXT and REF. REF holds a square of 100 mm with that text, right of the pieces, to check
 /// the size by. $INSUNITS and $MEASUREMENT say millimetres too; Release 12 does not know the first, and readers that do not
 /// either skip it.
 ///

@@ -102,7 +102,7 @@ void draw_points(DxfEntities& out, const Contour& contour) {
 /// The angle points into the piece, counter-clockwise from +x.
 void draw_notches(DxfEntities& out, const DxfDialect& dialect, const PatternPiece& piece) {
     using NotchMark = DxfDialect::NotchMark;
-    if (dialect.notch == NotchMark::line) return draw_slits(out, layer::notch, layer::internal, piece);
+    if (dialect.notch == NotchMark::line) return draw_slits(out, layer::notch, piece);
     for (const PieceNotch& notch : piece.notches)
         for (const auto& [at, end] : notch.slits()) {
             out.entity("POINT", layer::notch);

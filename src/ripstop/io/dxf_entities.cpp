@@ -162,15 +162,9 @@ void draw_grain_arrow(DxfEntities& out, const char* layer, const PatternPiece& p
     for (const int end : {0, 2, 3}) out.line(layer, arrow.row(end), arrow.row(1));
 }
 
-void draw_slits(DxfEntities& out, const char* cut, const char* drawn, const PatternPiece& piece) {
-    constexpr double mark = 0.003;
+void draw_slits(DxfEntities& out, const char* layer, const PatternPiece& piece) {
     for (const PieceNotch& notch : piece.notches)
-        for (const auto& [from, to] : notch.slits()) {
-            if (notch.depth > 0)
-                out.line(cut, from, to);
-            else
-                out.line(drawn, from, from - mark * notch.outward);
-        }
+        for (const auto& [from, to] : notch.slits()) out.line(layer, from, to);
 }
 
 }  // namespace ripstop

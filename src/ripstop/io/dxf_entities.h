@@ -55,7 +55,7 @@ std::string dxf_millimetres(double metres);
 /// The shaft and the barbs of the grain arrow, as lines.
 void draw_grain_arrow(DxfEntities& out, const char* layer, const PatternPiece& piece);
 
-/// The slits of all notches as lines on `cut`. A notch without depth is not cut: it is drawn, 3 mm inwards, on `drawn`.
-void draw_slits(DxfEntities& out, const char* cut, const char* drawn, const PatternPiece& piece);
+/// The slits of all notches, as lines.
+void draw_slits(DxfEntities& out, const char* layer, const PatternPiece& piece);
 
 }  // namespace ripstop

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/stated_unit.h"
 #include "ripstop/io/dxf_shapes.h"
 #include "ripstop/io/dxf_tags.h"
-#include "ripstop/io/stated_unit.h"
 #include "ripstop/io/text.h"
 
 namespace ripstop {

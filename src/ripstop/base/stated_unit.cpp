@@ -1,13 +1,18 @@
-#include "ripstop/io/stated_unit.h"
+#include "ripstop/base/stated_unit.h"
 
 #include <algorithm>
 #include <string>
 
 #include "ripstop/base/number_text.h"
-#include "ripstop/io/text.h"
 
 namespace ripstop {
 namespace {
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+    return text;
+}
 
 std::string lower_case(std::string_view text) {
     std::string lower(text);
