@@ -4,9 +4,10 @@
 #include "commands.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/glob.h"
-#include "ripstop/io/drawing_file.h"
 #include "ripstop/io/mesh_file.h"
 #include "ripstop/io/obj.h"
+#include "ripstop/io/pattern_file.h"
+#include "ripstop/pattern/check_drawing.h"
 #include "ripstop/pipeline/lift_drawing.h"
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/output_file.h"
@@ -29,24 +30,26 @@ NamedMesh flat_tile(const std::filesystem::path& plan, const PatternPiece& piece
     return std::move(model.surfaces[0]);
 }
 
+bool is_wanted(const Arguments& given, const NamedCurve& curve) {
+    return given.layers.empty() ||
+           std::any_of(given.layers.begin(), given.layers.end(),
+                       [&curve](const std::string& glob) { return glob_match(glob, curve.attributes.at("layer")); });
+}
+
 ExitCode run(const Arguments& given) {
     if (std::filesystem::exists(given.output) && !given.force)
         throw InputError(given.output.string() + ": is there already; choose another name, or replace it with --force");
     const PieceSet set = read_pieces_of(given.plan);
-    const LengthUnit unit = length_unit(given.unit);
-    auto [drawing, drawing_unit] = read_drawing(given.drawing);
-    std::erase_if(drawing.paths, [&given](const DrawnPath& path) {
-        return path.is_closed ? false
-                              : !given.layers.empty() &&
-                                    std::none_of(given.layers.begin(), given.layers.end(),
-                                                 [&](const std::string& glob) { return glob_match(glob, path.layer); });
-    });
-    LiftedLines lifted = lift_drawing(drawing, drawing_unit.metres, set,
-                                      [&given](const PatternPiece& piece) { return flat_tile(given.plan, piece); });
+    const LengthUnit unit{given.unit, metres_per_unit(given.unit)};
+    const PatternDrawing drawing = read_pattern_file(given.drawing);
+    const double scale = check_drawing(drawing).unit.value_or(LengthUnit{"mm", millimetre}).metres;
+    LiftedLines lifted =
+        lift_drawing(drawing, scale, set, [&given](const PatternPiece& piece) { return flat_tile(given.plan, piece); });
     if (lifted.pieces == 0)
         throw InputError(given.drawing.string() +
                          ": none of the plan's pieces is in it: expected their closed cut lines, of their size and not "
                          "turned, beside what was drawn on them; draw on a file of cut/");
+    std::erase_if(lifted.curves, [&given](const NamedCurve& curve) { return !is_wanted(given, curve); });
     for (NamedCurve& curve : lifted.curves) curve.points /= unit.metres;
     write_file(given.output, [&lifted](std::ostream& out) { write_obj_curves(out, lifted.curves); });
     fmt::print("{} pieces found, {} lines lifted, in {}: {}\n", lifted.pieces, lifted.curves.size(), unit.name,

@@ -12,7 +12,10 @@ std::span<const PieceFormat> piece_formats() {
     static const std::array formats{
         PieceFormat{"dxf", "dxf", "DXF for cutters and CAD", true,
                     [](std::ostream& out, const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts,
-                       const PieceFileOptions&) { write_dxf(out, pieces, shifts); }},
+                       const PieceFileOptions& options) {
+                        write_dxf(out, pieces, shifts,
+                                  {options.dialect, options.style, options.revision, options.date, options.grain_axis});
+                    }},
         PieceFormat{"svg", "svg", "SVG in true size, an edge a path", true,
                     [](std::ostream& out, const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts,
                        const PieceFileOptions&) { write_svg(out, pieces, shifts); }},
