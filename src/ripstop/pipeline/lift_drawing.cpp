@@ -49,8 +49,7 @@ bool is_own(const Points2& line, const PatternPiece& piece) {
     if (piece.grain_line.rows() != 2) return false;
     const Vec2 head = piece.grain_line.row(1);
     const double barb = 1.2 * arrow_head((head - Vec2(piece.grain_line.row(0))).norm());
-    const bool is_barb =
-        line.rows() == 2 && ((Vec2(line.row(0)) - head).norm() < barb && (Vec2(line.row(1)) - head).norm() < barb);
+    const bool is_barb = (line.rowwise() - head.transpose()).rowwise().norm().maxCoeff() < barb;
     return is_barb || lies(piece.grain_line);
 }
 
