@@ -161,6 +161,24 @@ TEST(SeamMarks, StandCloserWhereTheSeamBends) {
     EXPECT_LT(closest, widest);
 }
 
+TEST(Pieces, DrawTheMarksWhereNothingIsAllowedToBeCut) {
+    CutPlan plan = balloon();
+    for (Seam& seam : plan.seams) seam.type = {"raw", 0, 0, false};
+    for (const PatternPiece& piece : make_pieces(plan)) {
+        std::size_t strokes = 0;
+        for (const PieceNotch& notch : piece.notches) {
+            EXPECT_TRUE(notch.slits().empty());
+            strokes += static_cast<std::size_t>(notch.count);
+        }
+        ASSERT_GT(strokes, 2U);
+        EXPECT_EQ(piece.lines.size(), strokes);
+        for (const DrawnLine& line : piece.lines) {
+            EXPECT_LT(distance_to_outline(piece.sew_line, line.points.row(0)), 0.2e-3) << "begins on the sew line";
+            EXPECT_TRUE(contains(piece.sew_line, Vec2(line.points.row(1)))) << "and goes inwards";
+        }
+    }
+}
+
 TEST(Pieces, NotchWhereASeamEndsWithinAnEdge) {
     int ends = 0;
     for (const PatternPiece& piece : make_pieces(wall()))
