@@ -94,7 +94,8 @@ class Plotter {
 
 /// What is drawn goes before what is cut, so that no piece moves under the pen.
 void plot(Plotter& plotter, const PatternPiece& piece, const Vec2& shift) {
-    if (piece.sew_line.rows() == 0 || !plotter.sees(piece.lower().x() + shift.x(), piece.upper().x() + shift.x())) return;
+    if (piece.sew_line.rows() == 0 || !plotter.sees(piece.lower().x() + shift.x(), piece.upper().x() + shift.x()))
+        return;
     plotter.take(Pen::draw);
     if (piece.cut_line.rows() > 0) plotter.line(closed_line(piece.sew_line), shift);
     for (const DrawnLine& line : piece.lines) plotter.line(line.points, shift);

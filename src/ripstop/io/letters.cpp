@@ -47,8 +47,7 @@ void choose_letters(cairo_t* context) {
 }
 
 std::string writable(cairo_t* context, const std::string& text) {
-    const bool is_own_font =
-        cairo_scaled_font_get_type(cairo_get_scaled_font(context)) == CAIRO_FONT_TYPE_USER;
+    const bool is_own_font = cairo_scaled_font_get_type(cairo_get_scaled_font(context)) == CAIRO_FONT_TYPE_USER;
     return is_own_font ? ascii_text(text) : readable_name(text);
 }
 
@@ -80,7 +79,8 @@ std::vector<Points2> letter_outlines(const Label& label) {
     for (std::vector<Vec2>& run : runs_of(*path)) {
         if (run.size() < 3) continue;
         for (Vec2& point : run)
-            point = label.middle + scale * ((point.x() - extents.x_advance / 2) * along - (point.y() + height / 2) * up);
+            point =
+                label.middle + scale * ((point.x() - extents.x_advance / 2) * along - (point.y() + height / 2) * up);
         outlines.push_back(rows_of(run));
     }
     return outlines;

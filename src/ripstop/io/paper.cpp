@@ -20,9 +20,12 @@ constexpr double air = 0.003;  // round the piece, for the width of its lines
 // What stands on every page, the test square, needs room on the page of a small piece.
 constexpr double smallest_window = 0.14;
 
-const std::array sheets{Paper{"A4", 0.210, 0.297},   Paper{"A3", 0.297, 0.420},
-                        Paper{"A2", 0.420, 0.594},   Paper{"A1", 0.594, 0.841},
-                        Paper{"A0", 0.841, 1.189},   Paper{"Letter", 8.5 * inch, 11 * inch},
+const std::array sheets{Paper{"A4", 0.210, 0.297},
+                        Paper{"A3", 0.297, 0.420},
+                        Paper{"A2", 0.420, 0.594},
+                        Paper{"A1", 0.594, 0.841},
+                        Paper{"A0", 0.841, 1.189},
+                        Paper{"Letter", 8.5 * inch, 11 * inch},
                         Paper{"Tabloid", 11 * inch, 17 * inch}};
 
 std::string in_lower_case(std::string text) {
@@ -89,7 +92,8 @@ Paper paper_named(const std::string& name) {
 
 std::string PageWindow::name() const {
     std::string letters;
-    for (int n = row + 1; n > 0; n = (n - 1) / 26) letters.insert(letters.begin(), static_cast<char>('A' + (n - 1) % 26));
+    for (int n = row + 1; n > 0; n = (n - 1) / 26)
+        letters.insert(letters.begin(), static_cast<char>('A' + (n - 1) % 26));
     return letters + std::to_string(column + 1);
 }
 

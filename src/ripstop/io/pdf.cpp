@@ -1,5 +1,6 @@
 #include "ripstop/io/pdf.h"
 
+#include <algorithm>
 #include <ostream>
 
 #include "ripstop/base/error.h"
@@ -8,13 +9,20 @@
 namespace ripstop {
 namespace {
 
+bool is_cut(const PatternPiece& piece) {
+    return piece.quantity + piece.quantity_mirrored > 0;
+}
+
 PrintRun plan_run(const std::vector<PatternPiece>& pieces, const PrintOptions& options) {
     const Paper paper = paper_named(options.paper);
     PrintRun run{options.style, paper.name};
     if (!options.revision.empty()) run.title += (run.title.empty() ? "revision " : ", revision ") + options.revision;
     if (paper.name == "Letter" || paper.name == "Tabloid") run.cover_size = {0.2159, 0.2794};
+    const bool is_any_cut = std::any_of(pieces.begin(), pieces.end(), is_cut);
     for (const PatternPiece& piece : pieces)
-        if (piece.sew_line.rows() > 0) {
+        if (is_any_cut && !is_cut(piece)) {
+            ++run.equal_pieces;
+        } else if (piece.sew_line.rows() > 0) {
             run.pieces.push_back({&piece, make_page_grid(piece, paper)});
             run.pages += static_cast<int>(run.pieces.back().grid.windows.size());
             if (run.pages > most_pages)

@@ -10,8 +10,8 @@ namespace ripstop {
 
 /// What is printed, and on what.
 struct PrintOptions {
-    std::string style = {};     ///< what the pieces belong to
-    std::string revision = {};  ///< of the patterns
+    std::string style = {};      ///< what the pieces belong to
+    std::string revision = {};   ///< of the patterns
     std::string paper = "roll";  ///< as `paper_named` takes it
 };
 
@@ -23,6 +23,7 @@ struct PrintOptions {
 /// map of which page lies where. Pages of one piece overlap; a dashed line shows where the neighbour's edge comes to lie,
 /// crosses in circles lie on each other. Every page has a frame, a ruler in mm, a square of 100 mm and one of 4 in, the
 /// piece's name, the place on the map and the page's number.
+/// A piece of quantity 0, which is cut by an equal one's pattern, is left out unless there are no others.
 /// Cut line and notches are red, sew line (dashed), grain and internal lines blue, letters black with their fonts embedded. The
 /// same bytes on every run with the same fonts; no date.
 ///

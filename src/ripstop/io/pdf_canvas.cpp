@@ -116,8 +116,7 @@ void PdfCanvas::end_clip() {
 }
 
 void PdfCanvas::line(const Points2& points, const Ink& ink, double dashed) {
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-        i == 0 ? cairo_->go(points.row(i)) : cairo_->draw(points.row(i));
+    for (Eigen::Index i = 0; i < points.rows(); ++i) i == 0 ? cairo_->go(points.row(i)) : cairo_->draw(points.row(i));
     cairo_->stroke(ink, dashed);
 }
 

@@ -14,7 +14,7 @@ using Colour = std::array<double, 3>;  ///< red, green, blue from 0 to 1
 /// How a line is drawn.
 struct Ink {
     Colour colour = {0, 0, 0};
-    double width = 0.0003;             ///< [m]
+    double width = 0.0003;            ///< [m]
     std::vector<double> dashes = {};  ///< lengths of dash and gap in turn [m]; none: drawn through
 };
 

@@ -14,16 +14,25 @@ constexpr Colour black = {0, 0, 0};
 constexpr double margin = 0.018;
 constexpr double line_height = 0.0055;
 constexpr double letters = 0.0024;
-constexpr double head = 0.105;    // what stands above the list on the first page
-constexpr double headings = 0.016;  // on the others
+constexpr double head = 0.074;                                       // what stands above the list on the first page
+constexpr double joining = 0.030;                                    // and the lines on how to join pages
+constexpr double headings = 0.016;                                   // on the others
 constexpr std::array<double, 4> columns = {0, 0.022, 0.088, 0.128};  // of the list, from the margin
 
 std::string in_mm(double metres) {
     return format_fixed(metres / millimetre, 0);
 }
 
+bool has_joints(const PrintRun& run) {
+    return std::any_of(run.pieces.begin(), run.pieces.end(), [](const PrintedPiece& p) { return p.map_page > 0; });
+}
+
+double above_list(const PrintRun& run, bool is_first) {
+    return !is_first ? headings : head + (has_joints(run) ? joining : 0);
+}
+
 std::size_t rows_on(const PrintRun& run, bool is_first) {
-    const double room = run.cover_size.y() - 2 * margin - (is_first ? head : headings);
+    const double room = run.cover_size.y() - 2 * margin - above_list(run, is_first);
     return static_cast<std::size_t>(std::floor(room / line_height));
 }
 
@@ -57,36 +66,39 @@ void draw_legend(PdfCanvas& canvas, double y, bool with_matches) {
 }
 
 void draw_head(PdfCanvas& canvas, const PrintRun& run) {
-    const bool with_matches =
-        std::any_of(run.pieces.begin(), run.pieces.end(), [](const PrintedPiece& p) { return p.map_page > 0; });
     double y = run.cover_size.y() - margin - 0.004;
     const auto next = [&](const std::string& text) { write(canvas, run, y -= line_height, text); };
     write(canvas, run, y, run.title.empty() ? "Cut patterns" : run.title, 0.005);
     y -= 0.004;
     next(std::to_string(run.pieces.size()) + (run.pieces.size() == 1 ? " pattern on " : " patterns on ") +
          std::to_string(run.pages) + " pages; paper: " + run.paper + "; seen on the outside of the cloth");
+    if (run.equal_pieces > 0)
+        next(std::to_string(run.equal_pieces) + " more pieces are equal to some of these and counted there");
     y -= 0.003;
     next("1. Print at 100 %: no scaling, no fitting to the page, no borders taken off.");
     next("2. Measure the square on the first page you print: 100 mm; dashed, 4 in. Check the ruler on long ones.");
     next("    Where it is off, do not cut: the printer has scaled.");
-    if (with_matches) {
-        next("3. The map before a piece shows where its pages lie. Cut each page along its frame on the right and below.");
+    if (has_joints(run)) {
+        next(
+            "3. The map before a piece shows where its pages lie. Cut each page along its frame on the right and "
+            "below.");
         next("    Lay these edges on the dotted lines of the next pages, so that the crosses in circles meet; glue.");
         next("    Check the whole: its size is in the list below.");
     }
-    draw_legend(canvas, y -= 0.009, with_matches);
+    draw_legend(canvas, y -= 0.009, has_joints(run));
 }
 
 void draw_list(PdfCanvas& canvas, const PrintRun& run, double top, std::size_t from, std::size_t to) {
-    draw_row(canvas, run, top, {"page", "piece", "cut", "size over all, along the warp and across"});
+    draw_row(canvas, run, top, {"page", "piece", "cut", "size along the warp × across"});
     const double right = run.cover_size.x() - margin;
     canvas.line({margin, top - 0.0028}, {right, top - 0.0028}, {black, 0.0002});
     for (std::size_t i = from; i < to; ++i) {
         const PatternPiece& piece = *run.pieces[i].piece;
         const Vec2 size = piece.upper() - piece.lower();
-        draw_row(canvas, run, top - line_height * static_cast<double>(i - from + 1),
-                 {pages_text(run.pieces[i]), piece.name, count_text(piece),
-                  format_fixed(size.x() / millimetre, 1) + " \u00d7 " + format_fixed(size.y() / millimetre, 1) + " mm"});
+        draw_row(
+            canvas, run, top - line_height * static_cast<double>(i - from + 1),
+            {pages_text(run.pieces[i]), piece.name, count_text(piece),
+             format_fixed(size.x() / millimetre, 1) + " \u00d7 " + format_fixed(size.y() / millimetre, 1) + " mm"});
     }
 }
 
@@ -107,7 +119,7 @@ void draw_cover(PdfCanvas& canvas, const PrintRun& run) {
             canvas.add_bookmark("Cover");
             draw_head(canvas, run);
         }
-        draw_list(canvas, run, run.cover_size.y() - margin - (page == 0 ? head : headings) + line_height, from, to);
+        draw_list(canvas, run, run.cover_size.y() - margin - above_list(run, page == 0) + line_height, from, to);
         from = to;
     }
 }
@@ -140,9 +152,9 @@ void draw_map(PdfCanvas& canvas, const PrintRun& run, const PrintedPiece& printe
         const Vec2 middle = at((window.lower + window.upper) / 2), size = scale * (window.upper - window.lower);
         const double height = std::min(0.004, 0.2 * size.minCoeff());
         canvas.text({window.name(), middle + Vec2(0, 0.8 * height), height, 0}, black, Align::middle, 0.8 * size.x());
-        canvas.text({std::to_string(printed.first_page + static_cast<int>(i)), middle - Vec2(0, 0.8 * height),
-                     0.7 * height, 0},
-                    black, Align::middle, 0.8 * size.x());
+        canvas.text(
+            {std::to_string(printed.first_page + static_cast<int>(i)), middle - Vec2(0, 0.8 * height), 0.7 * height, 0},
+            black, Align::middle, 0.8 * size.x());
     }
 }
 

@@ -71,8 +71,7 @@ void draw_ruler(PdfCanvas& canvas, const Vec2& from, double length) {
         const double tick = mm % 10 == 0 ? 0.0025 : mm % 5 == 0 ? 0.0018 : 0.001;
         canvas.line(at, at - Vec2(0, tick), {black, 0.0001});
         const bool is_numbered = mm > 0 && mm % (mm <= fine ? 10 : 100) == 0 && mm + 5 < end;
-        if (is_numbered)
-            canvas.text({std::to_string(mm / 10), at - Vec2(0, 0.0036), 0.0015, 0}, black);
+        if (is_numbered) canvas.text({std::to_string(mm / 10), at - Vec2(0, 0.0036), 0.0015, 0}, black);
     }
     canvas.text({"cm", from - Vec2(0, 0.0036), 0.0015, 0}, black, Align::left);
 }
@@ -130,7 +129,7 @@ void draw_joints(PdfCanvas& canvas, const PageGrid& grid, const PageWindow& wind
 std::string place_text(const PrintedPiece& printed, const PageWindow& window) {
     if (printed.map_page == 0) return "";
     return window.name() + " of " + std::to_string(printed.grid.rows) + " rows, " +
-           std::to_string(printed.grid.columns) + " columns (map: page " + std::to_string(printed.map_page) + "); ";
+           std::to_string(printed.grid.columns) + " columns, map on page " + std::to_string(printed.map_page) + "; ";
 }
 
 void draw_header(PdfCanvas& canvas, const PrintRun& run, const PrintedPiece& printed, const PageWindow& window,
@@ -172,7 +171,8 @@ void draw_page(PdfCanvas& canvas, const PrintRun& run, const PrintedPiece& print
     const PageGrid& grid = printed.grid;
     const PageWindow& shown = grid.windows[window];
     const int page = printed.first_page + static_cast<int>(window);
-    canvas.begin_page(grid.page, grid.windows.size() > 1 ? printed.piece->name + " " + shown.name() : printed.piece->name);
+    canvas.begin_page(grid.page,
+                      grid.windows.size() > 1 ? printed.piece->name + " " + shown.name() : printed.piece->name);
     if (window == 0 && printed.map_page == 0) canvas.add_bookmark(printed.piece->name);
     const Vec2 lower(margin, margin), upper = grid.page - lower;
     draw_test_squares(canvas, lower + Vec2::Constant(overlap + 0.005));

@@ -21,11 +21,12 @@ struct PrintedPiece {
 
 /// What all pages have in common.
 struct PrintRun {
-    std::string title;                      ///< style and revision
-    std::string paper;                      ///< its name
+    std::string title;                     ///< style and revision
+    std::string paper;                     ///< its name
     Vec2 cover_size = Vec2(0.210, 0.297);  ///< of cover and maps
     std::vector<PrintedPiece> pieces = {};
-    int pages = 0;  ///< all of them
+    int equal_pieces = 0;  ///< left out, as they are cut by the pattern of an equal one
+    int pages = 0;         ///< all of them
 };
 
 /// How a line of a piece is drawn; the cover explains it.

@@ -11,8 +11,8 @@ namespace ripstop {
 
 /// What a pattern file says besides the pieces, and how.
 struct PieceFileOptions {
-    std::string style = {};     ///< what the pieces belong to: the input's name
-    std::string revision = {};  ///< of the patterns
+    std::string style = {};      ///< what the pieces belong to: the input's name
+    std::string revision = {};   ///< of the patterns
     std::string paper = "roll";  ///< PDF: as `paper_named` takes it
     double frame = 0;            ///< HPGL: length of a frame [m]; 0: all in one
 };
