@@ -33,6 +33,11 @@ std::string in_metres(double length) {
     return format_fixed(length, 2) + " m";
 }
 
+/// Not by the stream, which may group digits.
+std::string in_units(double length) {
+    return std::to_string(std::lround(std::ceil(length / unit - 1e-6)));
+}
+
 /// A run of the sheet along x, and how far the plotter counts from the origin.
 struct Frame {
     Vec2 origin = Vec2::Zero();
@@ -149,12 +154,12 @@ void plot_frames(std::ostream& out, const std::vector<PatternPiece>& pieces, con
 void write_hpgl(std::ostream& out, const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts,
                 const HpglOptions& options) {
     const Sheet sheet = make_sheet(pieces, shifts);
-    const Vec2 size = (sheet.upper - sheet.lower) / unit;
+    const Vec2 size = sheet.upper - sheet.lower;
     out << "IN;\n";
     if (options.frame != 0) {
         plot_frames(out, pieces, sheet, options.frame);
     } else {
-        out << "PS" << std::lround(std::ceil(size.x())) << "," << std::lround(std::ceil(size.y())) << ";\n";
+        out << "PS" << in_units(size.x()) << "," << in_units(size.y()) << ";\n";
         Plotter plotter(out, {sheet.lower});
         plot_all(plotter, pieces, sheet);
     }

@@ -14,10 +14,10 @@ constexpr Colour black = {0, 0, 0};
 constexpr double margin = 0.018;
 constexpr double line_height = 0.0055;
 constexpr double letters = 0.0024;
-constexpr double head = 0.074;                                       // what stands above the list on the first page
-constexpr double joining = 0.030;                                    // and the lines on how to join pages
+constexpr double head = 0.068;                                       // what stands above the list on the first page
+constexpr double joining = 0.026;                                    // and the lines on how to join pages
 constexpr double headings = 0.016;                                   // on the others
-constexpr std::array<double, 4> columns = {0, 0.022, 0.088, 0.128};  // of the list, from the margin
+constexpr std::array<double, 4> columns = {0, 0.022, 0.075, 0.118};  // of the list, from the margin
 
 std::string in_mm(double metres) {
     return format_fixed(metres / millimetre, 0);

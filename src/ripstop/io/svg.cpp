@@ -66,7 +66,7 @@ void draw_edge(std::ostream& out, const Page& page, const PatternPiece& piece, s
         seams += (seams.empty() ? "" : " ") + xml_text(mate.seam);
         mates += (mates.empty() ? "" : ", ") + xml_text(mate.piece);
     }
-    out << "<path class=\"sew\" stroke=\"#0000ff\" data-edge=\"" << e + 1 << '"';
+    out << "<path class=\"sew\" stroke=\"#0000ff\" data-edge=\"" << std::to_string(e + 1) << '"';
     if (!seams.empty()) out << " data-seam=\"" << seams << "\" data-mate=\"" << mates << '"';
     out << " data-type=\"" << xml_text(edge.seam_type) << "\" data-length-mm=\""
         << format_fixed(edge.length / millimetre, 3) << "\" data-allowance-mm=\""
