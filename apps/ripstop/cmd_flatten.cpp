@@ -88,7 +88,7 @@ ExitCode run(const Arguments& given) {
 
     if (pattern.revision.empty()) pattern.revision = plan.input_sha256.substr(0, 8);
     const PieceSet pieces = make_piece_set(plan, make_pieces(plan, pattern, given.jobs), pattern.revision);
-    write_directory(given.directory, plan, pieces, {given.force, given.reproducible, given.files.formats, files});
+    write_directory(given.directory, plan, pieces, {given.force, given.reproducible, true, given.files.formats, files});
     if (given.json)
         fmt::print("{}", report_json(plan, given.reproducible));
     else if (!given.quiet)
