@@ -11,13 +11,14 @@ namespace ripstop::cli {
 /// Which cut files are written, and how; lengths with their units, empty: the default.
 struct FormatArguments {
     std::vector<std::string> formats;
-    std::string paper = "roll", frame = {};
+    PieceFileOptions files = {};
+    std::string frame = {};
 };
 
-/// `--format --paper --frame`.
-void add_format_options(CLI::App& command, FormatArguments& given);
+/// `--format --paper --frame` and those of DXF, with `dialect` for what its dialect is called by.
+void add_format_options(CLI::App& command, FormatArguments& given, const char* dialect);
 
-/// Throws InputError for formats and papers that are not known and for a frame that is no length.
+/// Throws InputError for formats, papers and dialects that are not known and for a frame that is no length.
 PieceFileOptions file_options(const FormatArguments& given);
 
 }  // namespace ripstop::cli

@@ -20,9 +20,10 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-std::string pdf(const std::vector<PatternPiece>& pieces, const std::string& paper = "roll") {
+std::string pdf(const std::vector<PatternPiece>& pieces, const std::string& paper = "roll",
+                const std::string& date = "") {
     std::ostringstream out;
-    write_pdf(out, pieces, {"balloon.obj", "B", paper});
+    write_pdf(out, pieces, {"balloon.obj", "B", paper, date});
     return out.str();
 }
 
@@ -197,7 +198,7 @@ TEST(Pdf, WritesNamesWithTheirFonts) {
     EXPECT_THAT(file.told_by("pdftotext -f 2 -l 2", "-"), HasSubstr("page 2 of 5"));
 }
 
-TEST(Pdf, AsksToBePrintedInTrueSizeAndKnowsNoDate) {
+TEST(Pdf, AsksToBePrintedInTrueSizeAndKnowsNoDateButTheOneGiven) {
     const std::string bytes = pdf({testing::band("P", 0.5, 0.3)});
     EXPECT_THAT(bytes, HasSubstr("/ViewerPreferences << /PrintScaling /None >>"));
     EXPECT_THAT(bytes, Not(HasSubstr("Date")));
@@ -208,6 +209,9 @@ TEST(Pdf, AsksToBePrintedInTrueSizeAndKnowsNoDate) {
     EXPECT_THAT(info, HasSubstr("PDF version:     1.6"));
     EXPECT_THAT(file.told_by("pdfinfo -f 2 -l 2"), HasSubstr("Page    2 size:  1570.39 x 1003.46 pts"))
         << "524 x 324 mm, 3 mm round it and 12 mm margins: 554 x 354 mm";
+    const PrintedFile dated(pdf({}, "roll", "2026-05-04"));
+    EXPECT_THAT(dated.told_by("env TZ=UTC pdfinfo"), HasSubstr("CreationDate:    Mon May  4 12:00:00 2026 UTC"));
+    EXPECT_THAT(dated.told_by("pdftotext", "-"), HasSubstr("balloon.obj, revision B, 2026-05-04"));
 }
 
 TEST(Pdf, GivesEqualPiecesOnePattern) {

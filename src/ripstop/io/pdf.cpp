@@ -17,6 +17,7 @@ PrintRun plan_run(const std::vector<PatternPiece>& pieces, const PrintOptions& o
     const Paper paper = paper_named(options.paper);
     PrintRun run{options.style, paper.name};
     if (!options.revision.empty()) run.title += (run.title.empty() ? "revision " : ", revision ") + options.revision;
+    if (!options.date.empty()) run.title += (run.title.empty() ? "" : ", ") + options.date;
     if (paper.name == "Letter" || paper.name == "Tabloid") run.cover_size = {0.2159, 0.2794};
     const bool is_any_cut = std::any_of(pieces.begin(), pieces.end(), is_cut);
     for (const PatternPiece& piece : pieces)
@@ -42,7 +43,7 @@ PrintRun plan_run(const std::vector<PatternPiece>& pieces, const PrintOptions& o
 
 void write_pdf(std::ostream& out, const std::vector<PatternPiece>& pieces, const PrintOptions& options) {
     const PrintRun run = plan_run(pieces, options);
-    PdfCanvas canvas(run.title.empty() ? "Cut patterns" : run.title);
+    PdfCanvas canvas(run.title.empty() ? "Cut patterns" : run.title, options.date);
     draw_cover(canvas, run);
     for (const PrintedPiece& printed : run.pieces) {
         if (printed.map_page > 0) draw_map(canvas, run, printed);

@@ -13,6 +13,7 @@ struct PrintOptions {
     std::string style = {};      ///< what the pieces belong to
     std::string revision = {};   ///< of the patterns
     std::string paper = "roll";  ///< as `paper_named` takes it
+    std::string date = {};       ///< of their making, YYYY-MM-DD; none: none is stated
 };
 
 /// Writes the pieces as a PDF in true size, for paper templates.
@@ -25,7 +26,7 @@ struct PrintOptions {
 /// piece's name, the place on the map and the page's number.
 /// A piece of quantity 0, which is cut by an equal one's pattern, is left out unless there are no others.
 /// Cut line and notches are red, sew line (dashed), grain and internal lines blue, letters black with their fonts embedded. The
-/// same bytes on every run with the same fonts; no date.
+/// same bytes on every run with the same fonts.
 ///
 /// Throws InputError for a paper that is not known and where there would be more than `most_pages` pages.
 void write_pdf(std::ostream& out, const std::vector<PatternPiece>& pieces, const PrintOptions& options = {});

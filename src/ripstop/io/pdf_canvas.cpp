@@ -73,13 +73,14 @@ struct PdfCanvas::Cairo {
     }
 };
 
-PdfCanvas::PdfCanvas(const std::string& title) : cairo_(std::make_unique<Cairo>()) {
+PdfCanvas::PdfCanvas(const std::string& title, const std::string& date) : cairo_(std::make_unique<Cairo>()) {
     cairo_->surface = cairo_pdf_surface_create_for_stream(append, &cairo_->bytes, 1, 1);
     cairo_pdf_surface_restrict_to_version(cairo_->surface, CAIRO_PDF_VERSION_1_4);
     cairo_pdf_surface_set_metadata(cairo_->surface, CAIRO_PDF_METADATA_TITLE, readable_name(title).c_str());
     cairo_pdf_surface_set_metadata(cairo_->surface, CAIRO_PDF_METADATA_CREATOR, "Ripstop");
     // Empty: no date. cairo would put in today's.
-    cairo_pdf_surface_set_metadata(cairo_->surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
+    const std::string noon = date.empty() ? "" : date + "T12:00:00Z";
+    cairo_pdf_surface_set_metadata(cairo_->surface, CAIRO_PDF_METADATA_CREATE_DATE, noon.c_str());
     cairo_->context = cairo_create(cairo_->surface);
     cairo_set_line_join(cairo_->context, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(cairo_->context, CAIRO_LINE_CAP_BUTT);

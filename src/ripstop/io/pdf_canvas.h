@@ -24,7 +24,8 @@ enum class Align { left, middle, right };
 /// time or the place it is made. The file asks its reader to print it without scaling (`/PrintScaling /None`).
 class PdfCanvas {
   public:
-    explicit PdfCanvas(const std::string& title);
+    /// `date`: of its making, YYYY-MM-DD; none: none is stated.
+    explicit PdfCanvas(const std::string& title, const std::string& date = {});
     ~PdfCanvas();
     PdfCanvas(const PdfCanvas&) = delete;
     PdfCanvas& operator=(const PdfCanvas&) = delete;
