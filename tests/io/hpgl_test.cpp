@@ -42,7 +42,7 @@ TEST(Hpgl, HasThePensDoWhatTheirNumbersSay) {
     const testing::Plot plot = testing::plot_of(hpgl({piece})), bare = testing::plot_of(hpgl({}));
     EXPECT_EQ(plot.fault, "");
     EXPECT_TRUE(plot.is_ended);
-    EXPECT_THAT(plot.pens, ElementsAre(1, 3, 2, 0)) << "drawn first, cut last";
+    EXPECT_THAT(plot.pens, ElementsAre(1, 3, 2, 1, 0)) << "drawn first, cut last; then the square";
     EXPECT_NEAR(plot.length(2), testing::cut_length(piece), rounding(piece.cut_line));
     ASSERT_EQ(plot.strokes.at(2).size(), 1U);
     EXPECT_EQ(plot.strokes.at(2)[0].row(0), plot.strokes.at(2)[0].bottomRows(1)) << "the cut closes";
@@ -61,7 +61,7 @@ TEST(Hpgl, DrawsYUpAndNothingMirrored) {
     Points2 expected(4, 2);
     expected << 0, 0, 8000, 0, 0, 4000, 0, 0;
     EXPECT_EQ(plot.strokes.at(2).at(0), expected);
-    Points2 square = plot.strokes.at(1).at(0);
+    Points2 square = plot.strokes.at(1).at(0);  // nothing is drawn on this piece
     EXPECT_EQ(square.colwise().maxCoeff() - square.colwise().minCoeff(), Eigen::RowVector2d(4000, 4000)) << "100 mm";
 }
 

@@ -124,14 +124,16 @@ void plot(Plotter& plotter, const PatternPiece& piece, const Vec2& shift) {
     plotter.line(closed_line(piece.outline()), shift);
 }
 
+/// The square last: it stands right of the pieces, where a plotter that feeds its paper comes last.
 void plot_all(Plotter& plotter, const std::vector<PatternPiece>& pieces, const Sheet& sheet) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) plot(plotter, pieces[i], sheet.shifts[i]);
     constexpr double side = Sheet::square_side;
     Points2 square(4, 2);
     square << 0, 0, side, 0, side, side, 0, side;
+    plotter.take(Pen::draw);
     plotter.line(closed_line(square), sheet.square);
     for (const Points2& outline : letter_outlines({"100 mm", Vec2(side / 2, side / 2), 0.01, 0}))
         plotter.line(outline, sheet.square);
-    for (std::size_t i = 0; i < pieces.size(); ++i) plot(plotter, pieces[i], sheet.shifts[i]);
 }
 
 void plot_frames(std::ostream& out, const std::vector<PatternPiece>& pieces, const Sheet& sheet, double frame) {
