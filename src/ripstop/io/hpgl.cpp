@@ -63,11 +63,12 @@ class Plotter {
     Place place(const Vec2& p) const {
         const Vec2 units = (p - frame_.origin) / unit;
         if (!(units.cwiseAbs().maxCoeff() <= static_cast<double>(frame_.reach)))
-            throw InputError("the drawing goes on beyond the " + in_metres(static_cast<double>(frame_.reach) * unit) +
-                             " that HPGL counts" +
-                             (frame_.reach == largest ? "; take the files of the pieces by themselves"
-                                                      : " on either side of a frame's middle; lay the pieces on a "
-                                                        "narrower sheet, or leave the frames out for HP-GL/2"));
+            throw InputError(
+                "the drawing goes on beyond the " + in_metres(static_cast<double>(frame_.reach) * unit) +
+                " that HPGL counts" +
+                (frame_.reach == largest
+                     ? "; take the files of the pieces by themselves"
+                     : " on either side of a frame's middle; leave the frames out for a plotter that takes HP-GL/2"));
         return {std::lround(units.x()), std::lround(units.y())};
     }
     void stroke(const Points2& points) {
