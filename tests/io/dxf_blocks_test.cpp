@@ -124,15 +124,15 @@ TEST(DxfBlocks, StateTheUnitTheStyleAndThePiece) {
     PatternPiece piece = sample_piece("G01P03");
     EXPECT_THAT(texts(dxf_of({piece}, "aama", options)),
                 IsSupersetOf({"Style Name: balloon.obj rev B", "Creation Date: 11-02-2026", "Author: Ripstop",
-                              "Sample Size: ONE", "Units: METRIC", "Piece Name: G01P03", "Size: ONE", "Quantity: 3",
-                              "Annotation: 2 as drawn and 1 mirrored", "Category: 03", "Fabric: nylon"}));
+                              "Sample Size: ONE", "Units: METRIC", "Piece Name: G01P03", "SIZE: ONE", "Quantity: 3",
+                              "ANNOTATION: 2 as drawn and 1 mirrored", "CATEGORY: 03", "Fabric: nylon"}));
     EXPECT_THAT(texts(dxf_of({piece}, "astm", options)),
                 IsSupersetOf({"ASTM/D13Proposal 1 Version: D 6673-04", "Quantity: 2,1", "Units: METRIC"}));
     EXPECT_THAT(texts(dxf_of({piece}, "clo", options)), IsSupersetOf({"PIECE NAME: G01P03", "SIZE: ONE", "QUANTITY: 3",
                                                                       "UNITS: METRIC", "CREATION DATE: 02-11-2026"}));
     piece.quantity = piece.quantity_mirrored = 0;
     EXPECT_THAT(texts(dxf_of({piece}, "gerber")),
-                IsSupersetOf({"Quantity: 0,0", "Annotation: cut by the pattern of an equal piece"}));
+                IsSupersetOf({"Quantity: 0,0", "ANNOTATION: cut by the pattern of an equal piece"}));
     EXPECT_THAT(dxf_of({piece}, "gerber"), Not(::testing::HasSubstr("Creation"))) << "no date was given";
 }
 
