@@ -16,13 +16,17 @@ void add_format_options(CLI::App& command, FormatArguments& given, const char* d
     command
         .add_option("--format,--formats", given.formats,
                     fmt::format("The cut files, several with commas ({}):{}", fmt::join(given.formats, ","), known))
-        ->delimiter(',');
+        ->delimiter(',')
+        ->group("Cut files");
     command
         .add_option("--paper", given.files.paper,
                     "PDF: roll (a page a piece), how wide the roll is (914mm), or sheets: a4 ... a0, letter, tabloid")
-        ->capture_default_str();
-    command.add_option("--frame", given.frame,
-                       "HPGL: length of a frame, for plotters that count to 32,767 (else HP-GL/2: all in one)");
+        ->capture_default_str()
+        ->group("Cut files");
+    command
+        .add_option("--frame", given.frame,
+                    "HPGL: length of a frame, for plotters that count to 32,767 (else HP-GL/2: all in one)")
+        ->group("Cut files");
     add_dxf_options(command, given.files, dialect);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <sstream>
 
 #include "support/outside.h"
@@ -9,10 +10,10 @@
 namespace ripstop::testing {
 
 void expect_golden(const std::string& name, const std::string& text) {
-    const std::string golden = content(std::string(RIPSTOP_SOURCE_DIR) + "/tests/data/golden/" + name);
+    const std::string file = std::string(RIPSTOP_SOURCE_DIR) + "/tests/data/golden/" + name;
+    if (std::getenv("RIPSTOP_RENEW_GOLDEN")) write_text(file, text);
+    const std::string golden = content(file);
     if (golden == text) return;
-    const std::string written = ::testing::TempDir() + name;
-    write_text(written, text);
     std::istringstream old_lines(golden), new_lines(text);
     int number = 0;
     std::string before, now;
@@ -23,8 +24,7 @@ void expect_golden(const std::string& name, const std::string& text) {
         const bool has_new = static_cast<bool>(std::getline(new_lines, now));
         is_same = has_old && has_new && before == now;
     }
-    ADD_FAILURE() << name << " is another from line " << number << ": was \"" << before << "\", is \"" << now
-                  << "\"; see " << written;
+    ADD_FAILURE() << name << " is another from line " << number << ": was \"" << before << "\", is \"" << now << '"';
 }
 
 }  // namespace ripstop::testing
