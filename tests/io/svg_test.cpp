@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <regex>
 #include <sstream>
 
+#include "ripstop/geometry/polygon.h"
 #include "ripstop/pattern/pieces.h"
 #include "ripstop/report/cut_files.h"
 #include "support/flat_tiles.h"
@@ -154,6 +156,37 @@ TEST(Svg, IsMeasuredInTrueSizeByInkscape) {
     EXPECT_NEAR(measured("reference", "width"), 100 + line, 0.01);
     EXPECT_NEAR(measured("P", "width"), 524 + line, 0.01) << "500 mm and the allowances";
     EXPECT_NEAR(measured("P", "height"), 324 + line, 0.01);
+}
+
+Points2 points_of(const std::string& path) {
+    const std::regex number("(-?[0-9.]+) (-?[0-9.]+)");
+    std::vector<Vec2> points;
+    for (std::sregex_iterator p(path.begin(), path.end(), number), end; p != end; ++p)
+        points.emplace_back(std::stod((*p)[1]), std::stod((*p)[2]));
+    Points2 rows(static_cast<Eigen::Index>(points.size()), 2);
+    for (std::size_t i = 0; i < points.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+    return rows;
+}
+
+TEST(Svg, LeavesTheAllowanceItStatesBetweenEachEdgeAndTheCutLine) {
+    for (const PatternPiece& piece : make_pieces(testing::two_tile_plan())) {
+        const std::string text = svg({piece});
+        std::smatch cut;
+        ASSERT_TRUE(std::regex_search(text, cut, std::regex("class=\"cut\"[^>]* d=\"([^\"]*) Z\"")));
+        const Points2 outline = points_of(cut[1]);
+        const std::regex sew("class=\"sew\"[^>]*data-allowance-mm=\"([0-9.]+)\" d=\"([^\"]*)\"");
+        int edges = 0;
+        for (std::sregex_iterator edge(text.begin(), text.end(), sew), end; edge != end; ++edge, ++edges) {
+            const double allowance = std::stod((*edge)[1]);
+            const Points2 line = points_of((*edge)[2]);
+            EXPECT_GT(allowance, 1);
+            for (Eigen::Index i = 0; i < line.rows(); ++i) EXPECT_TRUE(contains(outline, Vec2(line.row(i))));
+            // away from the corners, where the neighbour's allowance counts; both lines leave out 0.05 mm of a curve
+            const Vec2 middle = (line.row((line.rows() - 1) / 2) + line.row(line.rows() / 2)) / 2;
+            EXPECT_NEAR(distance_to_outline(outline, middle), allowance, 0.1) << piece.name << " edge " << edges + 1;
+        }
+        EXPECT_EQ(edges, static_cast<int>(piece.edges.size()));
+    }
 }
 
 TEST(Svg, IsWhatItWasLastTime) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
@@ -98,8 +99,11 @@ std::string PageWindow::name() const {
 }
 
 bool PageGrid::has(int column, int row) const {
-    return std::any_of(windows.begin(), windows.end(),
-                       [=](const PageWindow& window) { return window.column == column && window.row == row; });
+    const auto place = [](const PageWindow& window) { return std::pair(window.row, window.column); };
+    const auto found = std::lower_bound(
+        windows.begin(), windows.end(), std::pair(row, column),
+        [&place](const PageWindow& window, const std::pair<int, int>& sought) { return place(window) < sought; });
+    return found != windows.end() && place(*found) == std::pair(row, column);
 }
 
 PageGrid make_page_grid(const PatternPiece& piece, const Paper& paper) {

@@ -119,11 +119,12 @@ class Reader {
 
     void enter(const pugi::xml_node& node, Place& place) {
         const std::string label = readable_name(node.attribute("inkscape:label").value());
-        if (std::string_view(node.attribute("inkscape:groupmode").value()) == "layer") {
+        const pugi::xml_attribute name = node.attribute("data-name");  // of a piece, which may be a layer to Inkscape
+        if (std::string_view(node.attribute("inkscape:groupmode").value()) == "layer" && !name) {
             if (!label.empty()) place.layer = label;
             return;
         }
-        std::string id = readable_name(node.attribute("data-name").value());
+        std::string id = readable_name(name.value());
         if (id.empty()) id = readable_name(node.attribute("id").value());
         if (id.empty()) return;
         place.group = static_cast<int>(drawing_.groups.size());
