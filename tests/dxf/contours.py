@@ -14,7 +14,8 @@ def contours(entities):
             continue
         points = [(v.dxf.location.x, v.dxf.location.y) for v in line.vertices]
         last = found[-1] if found else None
-        if last and not last[3] and last[0] == line.dxf.layer and not line.is_closed and dist(last[1][-1], points[0]) <= 0.001:
+        goes_on = last and not last[3] and last[0] == line.dxf.layer and not line.is_closed
+        if goes_on and dist(last[1][-1], points[0]) <= 0.001:
             last[1].extend(points[1:])
             last[2] += 1
         else:

@@ -170,9 +170,20 @@ TEST_P(EveryDialect, IsDrawnByLibreCad) {
     EXPECT_GT(testing::content(scratch.path("p.pdf")).size(), 4000U);
 }
 
+/// As in Germany, without the locale being installed.
+struct CommaAndThousands : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
 TEST_P(EveryDialect, WritesTheSameBytesInAnyLocaleAndTwice) {
     const std::string text = written(sample_pieces());
     EXPECT_EQ(written(sample_pieces()), text);
+    std::locale::global(std::locale(std::locale::classic(), new CommaAndThousands));
+    EXPECT_EQ(written(sample_pieces()), text);
+    EXPECT_TRUE(checked(sample_pieces()).sound());
+    std::locale::global(std::locale::classic());
     for (const char* name : {"de_DE.UTF-8", "cs_CZ.UTF-8", "fr_FR.UTF-8"}) {
         try {
             std::locale::global(std::locale(name));

@@ -91,6 +91,7 @@ TEST(ReadSvg, NamesWhatItDoesNotReadAndLeavesOutWhatIsNotDrawn) {
 TEST(ReadSvg, RefusesWithThePlaceWhatItCannotUse) {
     EXPECT_THAT(refusal("<svg><path"), HasSubstr("a.svg: byte "));
     EXPECT_THAT(refusal("<html/>"), HasSubstr("expected svg"));
+    EXPECT_THAT(refusal("<svg width='1e28cm' viewBox='0 0 1 1'/>"), HasSubstr("expected less than 10 m"));
     EXPECT_THAT(refusal("<svg><path d='L1 1'/></svg>"), HasSubstr("expected M at its start"));
     EXPECT_THAT(refusal("<svg><path d='M1 x'/></svg>"), HasSubstr("expected a number"));
     EXPECT_THAT(refusal("<svg><path d='M1 1e99'/></svg>"), HasSubstr("within 1e9"));

@@ -84,6 +84,9 @@ class Reader {
             const double metres = length->number * length->unit->metres / (box.size() == 4 ? box[index] : 96.0);
             // Without a viewBox a user unit is 1/96 inch, whatever the width.
             const double unit = box.size() == 4 ? metres : metres_per_unit("in") / 96;
+            if (!(unit > 1e-9 && unit < 10))
+                refuse(root, std::string(key) + " makes a user unit of " + std::to_string(unit) +
+                                 " m, expected less than 10 m and some length; export the drawing again");
             drawing_.units.push_back({key + std::string(box.size() == 4 ? " and viewBox" : ""), unit_of(unit)});
             return;
         }
