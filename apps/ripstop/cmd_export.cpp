@@ -3,7 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "commands.h"
-#include "dxf_options.h"
+#include "format_options.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/glob.h"
 #include "ripstop/report/cut_files.h"
@@ -14,9 +14,8 @@ namespace {
 
 struct Arguments {
     std::filesystem::path plan, output;
-    std::vector<std::string> formats{"dxf"};
+    FormatArguments files{{"dxf"}};
     std::vector<std::string> tiles;
-    PieceFileOptions files;
     bool force = false, quiet = false;
 };
 
@@ -29,24 +28,26 @@ void keep_named(PieceSet& set, const std::vector<std::string>& globs) {
     if (set.pieces.empty()) throw InputError("no piece is called as --tile says; the names stand in tiles.csv");
 }
 
-/// After what is in it: dialects beside each other, as formats.
-std::string default_name(const Arguments& given) {
-    const PieceFileOptions usual;
-    std::string axis = given.files.grain_axis.empty() ? "" : "-grain-" + given.files.grain_axis;
-    if (given.files.dialect != usual.dialect && given.formats == std::vector<std::string>{"dxf"})
-        return given.files.dialect + axis;
-    return fmt::format("{}{}{}", fmt::join(given.formats, "-"),
-                       given.files.dialect == usual.dialect ? "" : "-" + given.files.dialect, axis);
+/// After what is in it: dialects and papers beside each other, as formats.
+std::string default_name(const FormatArguments& given) {
+    const PieceFileOptions usual, &files = given.files;
+    std::vector<std::string> words = given.formats;
+    if (files.dialect != usual.dialect) {
+        if (words == std::vector<std::string>{"dxf"}) words.clear();
+        words.push_back(files.dialect);
+    }
+    if (!files.grain_axis.empty()) words.push_back("grain-" + files.grain_axis);
+    if (files.paper != usual.paper) words.push_back(files.paper);
+    return fmt::format("{}", fmt::join(words, "-"));
 }
 
 ExitCode run(Arguments given) {
-    const PieceFileOptions files = dxf_options(given.files);
-    if (given.output.empty()) given.output = given.plan / ("cut-" + default_name(given));
-    for (const std::string& format : given.formats) piece_format_named(format);
+    const PieceFileOptions files = file_options(given.files);
+    if (given.output.empty()) given.output = given.plan / ("cut-" + default_name(given.files));
     PieceSet set = read_pieces_of(given.plan);
     keep_named(set, given.tiles);
     write_whole_directory(given.output, given.force, {"envelope.*", "tiles"}, [&](const std::filesystem::path& folder) {
-        write_cut_files(folder, set, given.formats, files);
+        write_cut_files(folder, set, given.files.formats, files);
     });
     if (!given.quiet) fmt::print("{} pieces: {}\n", set.pieces.size(), given.output.string());
     return manufacturable;
@@ -60,11 +61,7 @@ void add_export(CLI::App& app) {
         app.add_subcommand("export", "The pieces of a cut plan as other cut files, without solving again");
     command->add_option("plan", given->plan, "A folder that `ripstop flatten` wrote")->required();
     command->add_option("-o,--output", given->output, "The folder to write; else one in the plan's");
-    std::string known;
-    for (const PieceFormat& format : piece_formats())
-        known += fmt::format("\n{:<6}{}", format.name, format.description);
-    command->add_option("--format", given->formats, "What to write, several with commas:" + known)->delimiter(',');
-    add_dxf_options(*command, given->files, "--dialect");
+    add_format_options(*command, given->files, "--dialect");
     command->add_option("--tile", given->tiles, "Only pieces of these names; * and ? stand for anything");
     command->add_flag("--force", given->force, "Replace the folder where it is not empty");
     command->add_flag("--quiet", given->quiet, "Say nothing where all is well");

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "commands.h"
-#include "dxf_options.h"
+#include "format_options.h"
 #include "options.h"
 #include "piece_options.h"
 #include "progress_bar.h"
@@ -34,7 +34,7 @@ struct Arguments {
     std::string propose = "auto";
     bool propose_merges = false;
     PieceArguments pieces;
-    PieceFileOptions files;
+    FormatArguments files{DirectoryOptions{}.formats};
 };
 
 /// Where no unit was given, the size tells whether metres were the right guess.
@@ -71,7 +71,8 @@ ExitCode run(const Arguments& given) {
     const std::string method = method_of(given.input);
     PieceOptions pattern = piece_options(given.pieces);
     DirectoryOptions writing{given.force, given.reproducible};
-    writing.files = dxf_options(given.files);
+    writing.formats = given.files.formats;
+    writing.files = file_options(given.files);
     require_writable(given.directory, given.force);
     const Input input = resolve(given.input);
     const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
@@ -120,7 +121,7 @@ void add_flatten(CLI::App& app) {
         "--propose-merges", given->propose_merges,
         "Try every two neighbours as one tile and list those that could be made; flattens once more a seam");
     add_piece_options(*command, given->pieces);
-    add_dxf_options(*command, given->files, "--dxf-dialect");
+    add_format_options(*command, given->files, "--dxf-dialect");
     command->footer("Example: ripstop flatten envelope.obj --unit mm --fabric nylon -o cut-plan");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);

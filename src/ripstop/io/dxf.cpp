@@ -80,6 +80,7 @@ void write_contours(DxfEntities& out, const Placing& placing) {
     square.rowwise() += corner.transpose();
     out.polyline("REF", square, true);
     out.centred_text("REF", {"100 mm", corner + Vec2(side / 2, side / 2), 0.01, 0});
+    out.centred_text("REF", {"Units: METRIC", corner + Vec2(side / 2, side / 4), 0.005, 0});
     out.end();
 }
 

@@ -19,9 +19,9 @@ struct DxfOptions {
 /// Writes the pieces as a DXF: millimetres, ASCII, CR LF, four decimals, Release 12 (`clo`: 10).
 ///
 /// Dialect `cam`: one closed POLYLINE a contour; layers CUT (red), SEW (green), NOTCH (a LINE from the cut line inwards,
-/// two for a double one), GRAIN (three LINEs: shaft and barbs), INTERNAL (open polylines: drawn, not cut), TEXT and REF. REF holds a square of 100 mm with that text, right of the pieces, to check
-/// the size by. $INSUNITS and $MEASUREMENT say millimetres too; Release 12 does not know the first, and readers that do not
-/// either skip it.
+/// two for a double one), GRAIN (three LINEs: shaft and barbs), INTERNAL (open polylines: drawn, not cut), TEXT and REF.
+/// REF holds a square of 100 mm with that text and `Units: METRIC`, right of the pieces, to check the size by. $INSUNITS and
+/// $MEASUREMENT say millimetres too; Release 12 does not know the first, and readers that do not either skip it.
 ///
 /// The others: a BLOCK a piece, inserted at the origin, on the layers 1 cut line and the piece's texts, 2 corners, 3 the
 /// other points of the contours, 4 notches, 7 grain, 8 internal lines, 14 sew line, 15 labels; the unit is the text

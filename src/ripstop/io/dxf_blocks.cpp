@@ -136,10 +136,10 @@ void write_piece_texts(DxfEntities& out, const DxfDialect& dialect, const Patter
         at.y() -= 2 * system_height;
     };
     write("Piece Name", piece.name.empty() ? symbol_letters(piece.name) : piece.name);
-    write("Size", size_name);
+    write("SIZE", size_name);
     write("Quantity", quantity(dialect, piece));
-    write("Annotation", annotation(dialect, piece));
-    write("Category", piece.row);
+    write("ANNOTATION", annotation(dialect, piece));
+    write("CATEGORY", piece.row);
     write("Fabric", piece.fabric);
 }
 
@@ -187,8 +187,8 @@ void write_style_texts(DxfEntities& out, const DxfDialect& dialect, Vec2 at, con
         write_entry("Author", std::string("Ripstop ; ripstop ; ") + version);
     } else {
         write_entry("Author", "Ripstop");
-        write_entry("Product", "ripstop");
-        write_entry("Version", version);
+        write_entry("PRODUCT", "ripstop");
+        write_entry("VERSION", version);
     }
     write_entry("Sample Size", size_name);
     write_entry("Units", "METRIC");

@@ -84,6 +84,9 @@ class Reader {
             const double metres = length->number * length->unit->metres / (box.size() == 4 ? box[index] : 96.0);
             // Without a viewBox a user unit is 1/96 inch, whatever the width.
             const double unit = box.size() == 4 ? metres : metres_per_unit("in") / 96;
+            if (!(unit > 1e-9 && unit < 10))
+                refuse(root, std::string(key) + " makes a user unit of " + std::to_string(unit) +
+                                 " m, expected less than 10 m and some length; export the drawing again");
             drawing_.units.push_back({key + std::string(box.size() == 4 ? " and viewBox" : ""), unit_of(unit)});
             return;
         }
@@ -119,11 +122,12 @@ class Reader {
 
     void enter(const pugi::xml_node& node, Place& place) {
         const std::string label = readable_name(node.attribute("inkscape:label").value());
-        if (std::string_view(node.attribute("inkscape:groupmode").value()) == "layer") {
+        const pugi::xml_attribute name = node.attribute("data-name");  // of a piece, which may be a layer to Inkscape
+        if (std::string_view(node.attribute("inkscape:groupmode").value()) == "layer" && !name) {
             if (!label.empty()) place.layer = label;
             return;
         }
-        std::string id = readable_name(node.attribute("data-name").value());
+        std::string id = readable_name(name.value());
         if (id.empty()) id = readable_name(node.attribute("id").value());
         if (id.empty()) return;
         place.group = static_cast<int>(drawing_.groups.size());

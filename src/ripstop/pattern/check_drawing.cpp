@@ -125,7 +125,9 @@ class Checker {
     }
 
     void drop_square() {
-        std::erase_if(contours_, [this](const FoundContour& contour) { return contour.points == *square_; });
+        std::erase_if(contours_, [this](const FoundContour& contour) {
+            return contour.points.rows() == square_->rows() && contour.points == *square_;
+        });
     }
 
     void check_sizes() {

@@ -16,10 +16,10 @@ constexpr double same_place = 0.01 * millimetre;
 constexpr double slit_reach = 0.05 * millimetre;  // of a notch that is drawn from the contour
 
 /// Lines drawn over each other have the same box and the same length.
-using Key = std::tuple<std::string, long long, long long, long long, long long, long long>;
+using Key = std::tuple<std::string, double, double, double, double, double>;
 
 Key key_of(const DrawingSurvey& survey, const DrawnPath& path) {
-    const auto step = [&](double number) { return std::llround(number * survey.metres_per_unit / same_place); };
+    const auto step = [&](double number) { return std::round(number * survey.metres_per_unit / same_place); };
     const Vec2 lower = path.points.colwise().minCoeff(), upper = path.points.colwise().maxCoeff();
     return {path.layer,      step(lower.x()), step(lower.y()),
             step(upper.x()), step(upper.y()), step(line_length({path.points, {}, path.is_closed}))};
