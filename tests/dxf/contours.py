@@ -38,6 +38,7 @@ space = doc.modelspace()
 lines = [("-", contour) for contour in contours(space)]
 for insert in space.query("INSERT"):
     assert insert.dxf.insert == (0, 0, 0), insert.dxf.name
+    list(insert.virtual_entities())  # what drawing it needs: every entity can be moved
     lines += [(insert.dxf.name, contour) for contour in contours(doc.blocks.get(insert.dxf.name))]
 # The audit of ezdxf 0.18 takes the SEQEND of polylines in blocks for orphans and deletes it, so it comes last.
 audit = doc.audit()

@@ -109,7 +109,7 @@ void draw_notches(DxfEntities& out, const DxfDialect& dialect, const PatternPiec
             out.number(10, at.x());
             out.number(20, at.y());
             out.number(30, dialect.notch == NotchMark::sized_point ? dialect.depth_sign * notch.depth : 0);
-            if (dialect.notch == NotchMark::sized_point) out.number(39, dialect.notch_width);
+            if (dialect.notch_width > 0) out.number(39, dialect.notch_width);
             const double angle = std::atan2(-notch.outward.y(), -notch.outward.x()) / degree;
             out.pair(50, format_fixed(angle < 0 ? angle + 360 : angle, 4));
         }

@@ -35,7 +35,7 @@ struct DxfDialect {
     bool packs_author = false;       ///< `vendor ; product ; version` in one text
     NotchMark notch = NotchMark::point;
     double depth_sign = 1;   ///< of a sized notch's depth
-    double notch_width = 0;  ///< of a sized notch [m]
+    double notch_width = 0;  ///< of a sized notch; 0: not stated, for ezdxf 0.18 cannot move a POINT of width 0 [m]
 };
 
 /// Every dialect; the command line, the tests and the documentation walk it.
