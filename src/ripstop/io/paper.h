@@ -20,8 +20,8 @@ struct Paper {
     static constexpr double overlap = 0.015;
 };
 
-/// `a4`, `a3`, `a2`, `a1`, `a0`, `letter`, `tabloid`; `roll`; or how wide the roll is, such as `914mm`. A page of a roll is 5 m
-/// long at most: PDF ends at 200 in (5.08 m). Throws InputError naming the known ones.
+/// `a4`, `a3`, `a2`, `a1`, `a0`, `letter`, `tabloid`; `roll`; or how wide the roll is, such as `914mm`. A page of a
+/// roll is 5 m long at most: PDF ends at 200 in (5.08 m). Throws InputError naming the known ones.
 Paper paper_named(const std::string& name);
 
 /// The part of a piece that a page shows, in the piece's coordinates.
@@ -42,9 +42,9 @@ struct PageGrid {
 };
 
 /// How a piece is spread over pages, upright or lengthwise, whichever takes fewer. Windows side by side share
-/// `Paper::overlap`; the piece lies in the middle of them. A page is left out where it shows nothing of the piece that the pages
-/// left of and above it do not. Requires a piece with an outline. Throws InputError where there would be more than
-/// `most_pages`. O(windows #V).
+/// `Paper::overlap`; the piece lies in the middle of them. A page is left out where it shows nothing of the piece that
+/// the pages left of and above it do not. Requires a piece with an outline. Throws InputError where there would be more
+/// than `most_pages`. O(windows #V).
 PageGrid make_page_grid(const PatternPiece& piece, const Paper& paper);
 inline constexpr int most_pages = 20000;
 

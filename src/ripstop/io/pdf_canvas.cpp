@@ -20,8 +20,8 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
     return CAIRO_STATUS_SUCCESS;
 }
 
-/// cairo cannot ask for printing without scaling, so that the catalogue is written again at the end, with that in it: an
-/// incremental update as PDF 1.4 has them. The key is of PDF 1.6, which the catalogue says.
+/// cairo cannot ask for printing without scaling, so that the catalogue is written again at the end, with that in it:
+/// an incremental update as PDF 1.4 has them. The key is of PDF 1.6, which the catalogue says.
 std::string with_true_size(std::string pdf) {
     const auto after = [&pdf](const std::string& text, std::size_t from) {
         const std::size_t at = pdf.find(text, from);

@@ -20,8 +20,8 @@ struct Ink {
 
 enum class Align { left, middle, right };
 
-/// The pages of a PDF, in true size: metres from the lower left corner of the page, y up. Nothing in the file depends on the
-/// time or the place it is made. The file asks its reader to print it without scaling (`/PrintScaling /None`).
+/// The pages of a PDF, in true size: metres from the lower left corner of the page, y up. Nothing in the file depends
+/// on the time or the place it is made. The file asks its reader to print it without scaling (`/PrintScaling /None`).
 class PdfCanvas {
   public:
     /// `date`: of its making, YYYY-MM-DD; none: none is stated.
@@ -44,8 +44,8 @@ class PdfCanvas {
     void line(const Vec2& from, const Vec2& to, const Ink& ink);
     void rectangle(const Vec2& lower, const Vec2& upper, const Ink& ink);
     void circle(const Vec2& centre, double radius, const Ink& ink);
-    /// `label.middle` is half the letters' height above the line they stand on and, along it, where `align` says. Letters
-    /// shrink so that the text is no longer than `longest` [m].
+    /// `label.middle` is half the letters' height above the line they stand on and, along it, where `align` says.
+    /// Letters shrink so that the text is no longer than `longest` [m].
     void text(const Label& label, const Colour& colour, Align align = Align::middle, double longest = 1e3);
 
     /// The file; nothing may be drawn after. Throws std::runtime_error where cairo could not.
