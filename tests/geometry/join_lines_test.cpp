@@ -52,6 +52,17 @@ TEST(JoinLines, GoesOnBothWaysFromWhereItBegins) {
     EXPECT_EQ(joined[0].points.col(0), Eigen::Vector4d(0, 1, 2, 3));
 }
 
+TEST(JoinLines, ClosesAnOutlineThoughLinesThatEndComeFirst) {
+    const Vec2 a(0, 0), b(1, 0), c(1, 1);
+    const std::vector<JoinedLine> joined =
+        join_lines({line(a, {0.1, 0.1}), line(b, {0.9, 0.1}), line(a, b), line(b, c), line(c, a)}, 1e-6);
+    ASSERT_EQ(joined.size(), 3U);
+    EXPECT_TRUE(joined[2].is_closed);
+    EXPECT_EQ(joined[2].points.rows(), 3);
+    EXPECT_EQ(joined[0].lines, (std::vector<int>{0}));
+    EXPECT_EQ(joined[1].lines, (std::vector<int>{1}));
+}
+
 TEST(JoinLines, TakesASingleLineThatEndsWhereItBeginsForClosed) {
     Points2 ring(4, 2);
     ring << 0, 0, 1, 0, 1, 1, 0, 0;

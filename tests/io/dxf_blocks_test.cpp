@@ -147,8 +147,8 @@ TEST(DxfBlocks, MarkNotchesAsTheDialectDoes) {
     struct Expected {
         const char *dialect, *depth, *width;
     };
-    for (const Expected& e : {Expected{"aama", "0.0000", ""}, Expected{"astm", "4.0000", ""},
-                              Expected{"gerber", "-4.0000", "3.0000"}}) {
+    for (const Expected& e :
+         {Expected{"aama", "0.0000", ""}, Expected{"astm", "4.0000", ""}, Expected{"gerber", "-4.0000", "3.0000"}}) {
         const std::vector<DxfPairs> found = notches(e.dialect, "POINT");
         ASSERT_EQ(found.size(), 3U) << "one single and one double";
         EXPECT_EQ(value_of(found[0], 10), "410.0000") << "on the cut line";

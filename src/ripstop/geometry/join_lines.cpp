@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace ripstop {
@@ -22,7 +23,11 @@ class Joiner {
         for (int i = 0; i < static_cast<int>(lines.size()); ++i)
             if (lines[static_cast<std::size_t>(i)].rows() > 1)
                 for (const bool is_last : {false, true}) cells_[cell(at({i, is_last}))].push_back({i, is_last});
+        for (int i = 0; i < static_cast<int>(lines.size()); ++i) dangling_.push_back(dangles(i));
     }
+
+    /// Has it an end where no other line begins? A ring goes on with the others first.
+    bool is_dangling(int line) const { return dangling_[static_cast<std::size_t>(line)]; }
 
     JoinedLine from(int line) {
         std::deque<End> chain{{line, false}};  // each enters at this end
@@ -64,9 +69,9 @@ class Joiner {
         return (chain.size() > 1 || first.rows() > 2) && (end - at(chain.front())).norm() <= tolerance_;
     }
 
-    std::optional<End> nearest(const Vec2& place) const {
-        std::optional<End> best;
-        double least = tolerance_;
+    /// `visit(end, distance)` for every end within the tolerance.
+    template <class Visit>
+    void for_each_near(const Vec2& place, Visit&& visit) const {
         const auto [x, y] = cell(place);
         for (long long i = x - 1; i <= x + 1; ++i)
             for (long long j = y - 1; j <= y + 1; ++j) {
@@ -74,12 +79,33 @@ class Joiner {
                 if (found == cells_.end()) continue;
                 for (const End& end : found->second) {
                     const double distance = (at(end) - place).norm();
-                    const bool is_nearer = distance < least || (distance == least && (!best || end.line < best->line));
-                    if (is_used(end.line) || !is_nearer) continue;
-                    best = end;
-                    least = distance;
+                    if (distance <= tolerance_) visit(end, distance);
                 }
             }
+    }
+
+    bool dangles(int line) const {
+        if (lines_[static_cast<std::size_t>(line)].rows() < 2) return true;
+        for (const bool is_last : {false, true}) {
+            bool meets_another = false;
+            for_each_near(at({line, is_last}), [&](const End& end, double) {
+                meets_another = meets_another || end.line != line || end.is_last != is_last;
+            });
+            if (!meets_another) return true;
+        }
+        return false;
+    }
+
+    std::optional<End> nearest(const Vec2& place) const {
+        std::optional<End> best;
+        std::tuple<bool, double, int> least;
+        for_each_near(place, [&](const End& end, double distance) {
+            if (is_used(end.line)) return;
+            const std::tuple<bool, double, int> rank{is_dangling(end.line), distance, end.line};
+            if (best && least <= rank) return;
+            best = end;
+            least = rank;
+        });
         return best;
     }
 
@@ -108,7 +134,7 @@ class Joiner {
 
     const std::vector<Points2>& lines_;
     double tolerance_;
-    std::vector<bool> used_;
+    std::vector<bool> used_, dangling_;
     std::map<Cell, std::vector<End>> cells_;
 };
 
@@ -117,8 +143,12 @@ class Joiner {
 std::vector<JoinedLine> join_lines(const std::vector<Points2>& lines, double tolerance) {
     Joiner joiner(lines, tolerance);
     std::vector<JoinedLine> joined;
-    for (int i = 0; i < static_cast<int>(lines.size()); ++i)
-        if (!joiner.is_used(i)) joined.push_back(joiner.from(i));
+    for (const bool dangling : {false, true})
+        for (int i = 0; i < static_cast<int>(lines.size()); ++i)
+            if (!joiner.is_used(i) && joiner.is_dangling(i) == dangling) joined.push_back(joiner.from(i));
+    const auto first = [](const JoinedLine& line) { return *std::min_element(line.lines.begin(), line.lines.end()); };
+    std::sort(joined.begin(), joined.end(),
+              [&first](const JoinedLine& a, const JoinedLine& b) { return first(a) < first(b); });
     return joined;
 }
 

@@ -45,19 +45,33 @@ Gap nearest_gap(const std::vector<const JoinedLine*>& open, const JoinedLine& li
     const auto first = [](const JoinedLine& l) { return Vec2(l.points.row(0)); };
     const auto last = [](const JoinedLine& l) { return Vec2(l.points.row(l.points.rows() - 1)); };
     Gap gap{(last(line) - first(line)).norm(), last(line), first(line)};
-    constexpr std::size_t most = 500;  // of more the own ends tell enough
+    constexpr std::size_t most = 500;
+    if (open.size() > most) return gap;  // the own ends tell enough
     for (const JoinedLine* other : open)
         for (const Vec2& here : {first(line), last(line)})
             for (const Vec2& there : {first(*other), last(*other)})
-                if (other != &line && open.size() <= most && (there - here).norm() < gap.width)
-                    gap = {(there - here).norm(), here, there};
+                if (other != &line && (there - here).norm() < gap.width) gap = {(there - here).norm(), here, there};
     return gap;
 }
 
-bool is_slit(const JoinedLine& line, const std::vector<const JoinedLine*>& closed) {
-    for (const JoinedLine* contour : closed)
-        for (const Eigen::Index end : {Eigen::Index{0}, line.points.rows() - 1})
-            if (distance_to_outline(contour->points, line.points.row(end)) <= slit_reach) return true;
+/// A closed line with its box, widened by what a slit may miss it by.
+struct Ring {
+    const JoinedLine* line;
+    Vec2 lower, upper;
+    explicit Ring(const JoinedLine& ring)
+        : line(&ring),
+          lower(Vec2(ring.points.colwise().minCoeff()) - Vec2::Constant(slit_reach)),
+          upper(Vec2(ring.points.colwise().maxCoeff()) + Vec2::Constant(slit_reach)) {}
+};
+
+bool is_slit(const JoinedLine& line, const std::vector<Ring>& rings) {
+    for (const Eigen::Index i : {Eigen::Index{0}, line.points.rows() - 1}) {
+        const Vec2 end = line.points.row(i);
+        for (const Ring& ring : rings) {
+            const bool is_near = (end.array() >= ring.lower.array()).all() && (end.array() <= ring.upper.array()).all();
+            if (is_near && distance_to_outline(ring.line->points, end) <= slit_reach) return true;
+        }
+    }
     return false;
 }
 
@@ -65,14 +79,19 @@ class ContourFinder {
   public:
     ContourFinder(DrawingSurvey& survey, const LayerLines& layer)
         : survey_(survey), layer_(layer), use_(use_of(survey.convention, layer.layer)) {
-        for (const JoinedLine& line : layer.lines) (line.is_closed ? closed_ : open_).push_back(&line);
+        for (const JoinedLine& line : layer.lines) {
+            if (line.is_closed)
+                closed_.emplace_back(line);
+            else
+                open_.push_back(&line);
+        }
     }
 
     void add_to(std::vector<FoundContour>& contours) {
         const bool is_known = survey_.convention != LayerConvention::unknown;
         const bool counts = use_ == LayerUse::cut || use_ == LayerUse::sew || (!is_known && use_ == LayerUse::other);
         if (!counts) return;
-        for (const JoinedLine* line : closed_) contours.push_back(contour_of(*line));
+        for (const Ring& ring : closed_) contours.push_back(contour_of(*ring.line));
         for (const JoinedLine* line : open_) report_open(*line, is_known);
     }
 
@@ -123,7 +142,8 @@ class ContourFinder {
     DrawingSurvey& survey_;
     const LayerLines& layer_;
     LayerUse use_;
-    std::vector<const JoinedLine*> closed_, open_;
+    std::vector<Ring> closed_;
+    std::vector<const JoinedLine*> open_;
 };
 
 }  // namespace
