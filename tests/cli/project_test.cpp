@@ -59,7 +59,7 @@ TEST(ProjectFile, OfTheDocsIsTakenAsItSays) {
     for (const Json& seam : report["seams"]) {
         const bool top =
             seam["tile_a"].get<std::string>().ends_with("P04") != seam["tile_b"].get<std::string>().ends_with("P04");
-        EXPECT_EQ(seam["allowance_mm"], top ? 30 : 25) << seam["id"];
+        EXPECT_EQ(seam["allowance_b_mm"], top ? 30 : 25) << seam["id"];
         felled += seam["type"] == "flat-felled";
         taped += seam["type"] == "taped";
     }
@@ -76,7 +76,7 @@ TEST(ProjectFile, OfTheDocsIsTakenAsItSays) {
             EXPECT_NEAR(chain["free_mm"].get<double>(), chain["length_mm"].get<double>(), 1e-6) << "summed twice";
         }
     EXPECT_EQ(hems, 24);
-    EXPECT_THAT(workshop.read("plan/seams.csv"), HasSubstr(",ok,type,allowance_mm"));
+    EXPECT_THAT(workshop.read("plan/seams.csv"), HasSubstr(",ok,type,allowance_a_mm,allowance_b_mm"));
     EXPECT_THAT(workshop.read("plan/seams.csv"), HasSubstr(",true,taped,25"));
     EXPECT_THAT(workshop.read("plan/tiles.csv"), HasSubstr(",nylon-silicone\n"));
 }

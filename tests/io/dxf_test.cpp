@@ -48,7 +48,7 @@ TEST(Dxf, IsRelease12InMillimetres) {
     EXPECT_EQ(after(all, "$ACADVER"), "AC1009");
     EXPECT_EQ(after(all, "$INSUNITS"), "4");
     EXPECT_EQ(after(all, "$MEASUREMENT"), "1");
-    EXPECT_EQ(after(all, "$EXTMIN"), "0.0000");
+    EXPECT_EQ(after(all, "$EXTMIN"), "-25.0000") << "a hem all round";
     EXPECT_EQ(all.back(), (std::pair<int, std::string>(0, "EOF")));
     const std::set<std::string> known{"SECTION",  "ENDSEC", "TABLE",  "ENDTAB", "LTYPE", "LAYER", "STYLE",
                                       "POLYLINE", "VERTEX", "SEQEND", "LINE",   "TEXT",  "EOF"};

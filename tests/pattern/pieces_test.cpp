@@ -169,7 +169,7 @@ TEST(PatternPiece, OfAnOutlineWithoutInsideStillEnds) {
         tile.flattening.positions.col(0) *= x;
         tile.flattening.positions.col(1).setZero();
         const PatternPiece piece = testing::piece_of(tile);
-        EXPECT_EQ(piece.sew_line.rows(), 40);
+        EXPECT_EQ(piece.sew_line.rows(), 4) << "corners stay where they are, though they coincide";
         EXPECT_EQ(piece.labels.size(), 1u);
         EXPECT_TRUE(piece.grain_line.allFinite());
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
+#include <numeric>
 
 #include "ripstop/design/gores.h"
 #include "ripstop/geometry/polygon.h"
@@ -10,6 +12,7 @@
 #include "ripstop/pipeline/flatten_envelope.h"
 #include "ripstop/pipeline/read_envelope.h"
 #include "support/envelopes.h"
+#include "support/shapes.h"
 
 namespace ripstop {
 namespace {
@@ -24,8 +27,30 @@ const CutPlan& balloon() {
         flattened(testing::meshed_apart({.gores = 8, .panels = 4, .volume = 500, .edge_length = 0.35}, 3));
     return plan;
 }
+const CutPlan& gores() {
+    static const CutPlan plan = flattened(design_natural({.gores = 8, .panels = 3, .volume = 500, .edge_length = 0.5}));
+    return plan;
+}
 const CutPlan& wall() {
     static const CutPlan plan = flattened(testing::brick_wall(4, 12, 0.5));
+    return plan;
+}
+
+/// Rights and lefts: slanted pieces round a cylinder, each the mirror image of its neighbours, in three rows.
+const CutPlan& rights_and_lefts() {
+    static const CutPlan plan = [] {
+        constexpr int columns = 12, rows = 3, cells = 8;
+        std::vector<NamedMesh> tiles;
+        for (int c = 0; c < columns; ++c)
+            for (int r = 0; r < rows; ++r) {
+                const TriangleMesh mesh = testing::grid(cells, cells, [&](double u, double v) {
+                    const double angle = (c + u) * std::numbers::pi / 6, slant = 0.4 * (c % 2 == 0 ? u : 1 - u);
+                    return Vec3(3 * std::cos(angle), 3 * std::sin(angle), r + v + slant);
+                });
+                tiles.push_back({std::string(1, static_cast<char>('A' + c)).append(std::to_string(r + 1)), mesh});
+            }
+        return flattened(std::move(tiles));
+    }();
     return plan;
 }
 
@@ -84,9 +109,11 @@ TEST_P(EveryEnvelope, HasNotchesThatMeetOnBothSidesOfEverySeam) {
             EXPECT_NEAR(a.at[i], a.notches[i]->along, 1e-3 * seam.length) << seam.id;
             EXPECT_EQ(a.notches[i]->count, b.notches[i]->count);
         }
+        const int all = std::accumulate(a.notches.begin(), a.notches.end(), 0,
+                                        [](int sum, const PieceNotch* notch) { return sum + notch->count; });
         if (a.at.size() > 1) {
-            EXPECT_EQ(a.notches.front()->count, 2) << "the start is marked";
-            EXPECT_EQ(a.notches.back()->count, 1) << "the end is another";
+            EXPECT_EQ(all, int(a.at.size()) + 1) << seam.id << ": one of them is double";
+            EXPECT_EQ(a.notches.front()->count + a.notches.back()->count, 3) << "at one of the ends";
         }
     }
 }
@@ -132,6 +159,35 @@ TEST_P(EveryEnvelope, KnowsTheMatesOfEveryEdge) {
     }
 }
 
+TEST_P(EveryEnvelope, NotchesPiecesOfOnePatternAlike) {
+    const std::vector<Vec2> middles = [this] {
+        std::vector<Vec2> found;
+        for (const PatternPiece& piece : pieces) found.push_back(area_centroid(piece.sew_line));
+        return found;
+    }();
+    int copies = 0;
+    for (std::size_t t = 0; t < pieces.size(); ++t) {
+        const FlatTile& tile = plan.tiles[t];
+        if (tile.equal_to < 0) continue;
+        ++copies;
+        const auto first = static_cast<std::size_t>(tile.equal_to);
+        ASSERT_EQ(pieces[t].notches.size(), pieces[first].notches.size()) << pieces[t].name;
+        // up to half a turn, which the warp leaves open
+        const auto fits = [&](double half_turn) {
+            const Vec2 signs(half_turn, tile.mirrored ? -half_turn : half_turn);
+            return std::all_of(pieces[t].notches.begin(), pieces[t].notches.end(), [&](const PieceNotch& notch) {
+                return std::any_of(
+                    pieces[first].notches.begin(), pieces[first].notches.end(), [&](const PieceNotch& other) {
+                        const Vec2 there = (other.on_sew - middles[first]).cwiseProduct(signs);
+                        return other.count == notch.count && (notch.on_sew - middles[t] - there).norm() < 0.5e-3;
+                    });
+            });
+        };
+        EXPECT_TRUE(fits(1) || fits(-1)) << pieces[t].name << " and " << pieces[first].name;
+    }
+    EXPECT_EQ(copies > 3, GetParam() != &balloon) << "panels meshed each on its own are not equal";
+}
+
 TEST_P(EveryEnvelope, CarriesTheNamesOfTheNeighbours) {
     int named = 0, mates = 0;
     for (const PatternPiece& piece : pieces)
@@ -144,8 +200,13 @@ TEST_P(EveryEnvelope, CarriesTheNamesOfTheNeighbours) {
     EXPECT_GT(named, 0.9 * mates);
 }
 
-INSTANTIATE_TEST_SUITE_P(, EveryEnvelope, ::testing::Values(&balloon, &wall),
-                         [](const auto& plan) { return plan.param == &balloon ? "balloon" : "wall"; });
+INSTANTIATE_TEST_SUITE_P(, EveryEnvelope, ::testing::Values(&balloon, &gores, &wall, &rights_and_lefts),
+                         [](const auto& plan) {
+                             return plan.param == &balloon ? "balloon"
+                                    : plan.param == &gores ? "gores"
+                                    : plan.param == &wall  ? "wall"
+                                                           : "rights_and_lefts";
+                         });
 
 TEST(SeamMarks, StandCloserWhereTheSeamBends) {
     const CutPlan& plan = balloon();
@@ -159,6 +220,24 @@ TEST(SeamMarks, StandCloserWhereTheSeamBends) {
     }
     EXPECT_LE(widest, NotchOptions{}.straight_spacing * (1 + 1e-9));
     EXPECT_LT(closest, widest);
+}
+
+TEST(Pieces, DrawTheMarksWhereNothingIsAllowedToBeCut) {
+    CutPlan plan = balloon();
+    for (Seam& seam : plan.seams) seam.type = {"raw", 0, 0, false};
+    for (const PatternPiece& piece : make_pieces(plan)) {
+        std::size_t strokes = 0;
+        for (const PieceNotch& notch : piece.notches) {
+            EXPECT_EQ(notch.slits().empty(), notch.reach == 0);
+            if (notch.reach == 0) strokes += static_cast<std::size_t>(notch.count);
+        }
+        ASSERT_GT(strokes, 2U);
+        EXPECT_EQ(piece.lines.size(), strokes);
+        for (const DrawnLine& line : piece.lines) {
+            EXPECT_LT(distance_to_outline(piece.sew_line, line.points.row(0)), 0.2e-3);
+            EXPECT_TRUE(contains(piece.sew_line, Vec2(line.points.row(1)))) << "and goes inwards";
+        }
+    }
 }
 
 TEST(Pieces, NotchWhereASeamEndsWithinAnEdge) {

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 /// Two pieces of one cylinder about the z axis, 1 m in radius and height, side by side.
 std::vector<NamedMesh> two_sheets() {
-    TriangleMesh left = testing::cylinder(1, 1, 0.5, 24, 12), right = left;
+    TriangleMesh left = testing::cylinder(1, 0.5, 1, 24, 12), right = left;
     const double turn = 0.5;
     for (int v = 0; v < right.vertex_count(); ++v) {
         const Vec3 p = right.positions.row(v);

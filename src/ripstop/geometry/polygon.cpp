@@ -64,6 +64,19 @@ double signed_area(const Points2& polygon) {
     return twice / 2;
 }
 
+Vec2 area_centroid(const Points2& polygon) {
+    const Vec2 start = polygon.row(0);  // coordinates from a corner lose no digits far from the origin
+    Vec2 sum = Vec2::Zero();
+    double area = 0;
+    for (Eigen::Index i = 1; i + 1 < polygon.rows(); ++i) {
+        const Vec2 a = Vec2(polygon.row(i)) - start, b = Vec2(polygon.row(i + 1)) - start;
+        const double twice = cross(a, b);
+        sum += twice * (a + b) / 3;
+        area += twice;
+    }
+    return start + sum / area;
+}
+
 double perimeter(const Points2& polygon) {
     double sum = 0;
     for (Eigen::Index i = 0; i < polygon.rows(); ++i) sum += (corner(polygon, i + 1) - corner(polygon, i)).norm();

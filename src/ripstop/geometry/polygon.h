@@ -12,6 +12,9 @@ namespace ripstop {
 /// Area by the shoelace sum [m2], positive counter-clockwise. O(#P), as all here that say nothing else.
 double signed_area(const Points2& polygon);
 
+/// Centroid of the area inside [m]. Requires an area.
+Vec2 area_centroid(const Points2& polygon);
+
 /// Length of the outline, the closing edge included [m].
 double perimeter(const Points2& polygon);
 

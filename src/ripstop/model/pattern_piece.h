@@ -43,20 +43,22 @@ struct PieceNotch {
     Vec2 on_sew = Vec2::Zero();                     ///< on the sew line
     Vec2 outward = Vec2::UnitX();                   ///< unit normal of the sew line there, away from the piece
     double reach = 0;                               ///< from the sew line to the cut line along `outward` [m]
-    double depth = 0;                               ///< of the cut, less than the reach [m]
+    double depth = 0;                               ///< of the cut, less than the reach; 0: drawn, not cut [m]
     int count = 1;                                  ///< 2: a double notch, `twin_distance` apart along the edge
     static constexpr double twin_distance = 0.008;  ///< [m]
 
     Vec2 on_cut() const { return on_sew + reach * outward; }
     Vec2 along_edge() const { return {-outward.y(), outward.x()}; }
-    /// The slits, from the cut line inwards; one or two.
-    std::vector<std::pair<Vec2, Vec2>> slits() const {
-        std::vector<std::pair<Vec2, Vec2>> cuts;
-        for (int i = 0; i < count; ++i) {
-            const Vec2 at = on_cut() + twin_distance * (i - (count - 1) / 2.0) * along_edge();
-            cuts.emplace_back(at, at - depth * outward);
+    /// The slits, from the cut line inwards; one or two, none where there is no depth.
+    std::vector<std::pair<Vec2, Vec2>> slits() const { return strokes(on_cut(), depth); }
+    /// Strokes from `start` inwards, as many as the notch has; none without length.
+    std::vector<std::pair<Vec2, Vec2>> strokes(const Vec2& start, double length) const {
+        std::vector<std::pair<Vec2, Vec2>> lines;
+        for (int i = 0; i < count && length > 0; ++i) {
+            const Vec2 at = start + twin_distance * (i - (count - 1) / 2.0) * along_edge();
+            lines.emplace_back(at, at - length * outward);
         }
-        return cuts;
+        return lines;
     }
 };
 

@@ -96,9 +96,15 @@ class Collector {
 
 }  // namespace
 
-std::vector<SeamMark> seam_marks(const std::vector<FlatTile>& tiles, const Seam& seam, const NotchOptions& options) {
+std::vector<SeamMark> seam_marks(const std::vector<FlatTile>& tiles, const Seam& seam, const NotchOptions& options,
+                                 MarkDirection direction) {
     if (seam.length < options.shortest_seam) return {};
-    if (seam.length < room_for_two) return {{lone_mark * seam.length, 1}};
+    if (seam.length < room_for_two) {
+        const double share = direction == MarkDirection::from_start ? lone_mark
+                             : direction == MarkDirection::from_end ? 1 - lone_mark
+                                                                    : 0.5;
+        return {{share * seam.length, 1}};
+    }
     const Bends a = bends_of(tiles, seam, false), b = bends_of(tiles, seam, true);
     std::vector<double> run(samples + 1, 0);  // the integral of ds / h up to each sample
     for (int i = 0; i < samples; ++i) {
@@ -108,12 +114,15 @@ std::vector<SeamMark> seam_marks(const std::vector<FlatTile>& tiles, const Seam&
         run[static_cast<std::size_t>(i) + 1] = run[static_cast<std::size_t>(i)] + seam.length / samples / spacing;
     }
     const int intervals = std::max(3, static_cast<int>(std::ceil(run.back() - 1e-9)));
+    const int twice = direction == MarkDirection::from_start ? 1
+                      : direction == MarkDirection::from_end ? intervals - 1
+                                                             : 0;  // the double mark
     std::vector<SeamMark> marks;
     for (int k = 1; k < intervals; ++k) {
         const double wanted = run.back() * k / intervals;
         const auto i = static_cast<std::size_t>(std::upper_bound(run.begin(), run.end() - 1, wanted) - run.begin());
         const double share = (wanted - run[i - 1]) / (run[i] - run[i - 1]);
-        marks.push_back({seam.length * (static_cast<double>(i - 1) + share) / samples, k == 1 ? 2 : 1});
+        marks.push_back({seam.length * (static_cast<double>(i - 1) + share) / samples, k == twice ? 2 : 1});
     }
     return marks;
 }
@@ -123,8 +132,10 @@ std::vector<std::vector<PieceNotch>> make_notches(const CutPlan& plan, const std
     std::vector<Collector> collectors;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
         collectors.emplace_back(plan.tiles[i], outlines[i], options.depth);
-    for (const Seam& seam : plan.seams) {
-        const std::vector<SeamMark> marks = seam_marks(plan.tiles, seam, options);
+    const std::vector<MarkDirection> directions = mark_directions(plan);
+    for (std::size_t s = 0; s < plan.seams.size(); ++s) {
+        const Seam& seam = plan.seams[s];
+        const std::vector<SeamMark> marks = seam_marks(plan.tiles, seam, options, directions[s]);
         for (const bool second : {false, true}) {
             const SeamSide& side = second ? seam.b : seam.a;
             const auto tile = static_cast<std::size_t>(side.tile);

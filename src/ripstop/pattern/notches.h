@@ -4,6 +4,7 @@
 
 #include "ripstop/model/cut_plan.h"
 #include "ripstop/pattern/outline.h"
+#include "ripstop/pattern/seam_match.h"
 
 namespace ripstop {
 
@@ -22,16 +23,16 @@ struct SeamMark {
 };
 
 /// Where a seam is marked: equally far apart in what its curve turns and runs, so more closely on curves. The first mark from
-/// the seam's start is double, so that a piece turned end for end does not fit; a seam with room for one mark has it off
-/// its middle. None lies within 1/8 of the spacing, or 30 mm, of the seam's ends, which are corners.
+/// where `direction` begins is double, so that a piece turned end for end does not fit; a seam with room for one mark has it
+/// off its middle. Without direction all are single, and a lone one in the middle. None lies within 1/8 of the spacing, or 30 mm, of the seam's ends, which are corners.
 ///
 ///     marks divide  integral of ds / h(s),  h = clamp(turn / curvature, curved_spacing, straight_spacing)
 ///
 /// with the larger curvature of the two sides on the cloth. `tiles` are flattened. O(#parts).
-std::vector<SeamMark> seam_marks(const std::vector<FlatTile>& tiles, const Seam& seam,
-                                 const NotchOptions& options = {});
+std::vector<SeamMark> seam_marks(const std::vector<FlatTile>& tiles, const Seam& seam, const NotchOptions& options = {},
+                                 MarkDirection direction = MarkDirection::from_start);
 
-/// The notches of every piece, in the order of `tiles`: those of its seams, and a single one wherever on an edge, away from
+/// The notches of every piece, in the order of `tiles`: those of its seams in their `mark_directions`, and a single one wherever on an edge, away from
 /// its corners, one seam ends and the next begins (a T-junction). A piece without edges has none.
 std::vector<std::vector<PieceNotch>> make_notches(const CutPlan& plan, const std::vector<PieceOutline>& outlines,
                                                   const NotchOptions& options = {});

@@ -76,6 +76,20 @@ Points2 cut_line(const PatternPiece& piece, CornerRule corners) {
     return widest > 0 ? make_cut_line(edges) : piece.sew_line;
 }
 
+/// Where nothing is allowed nothing can be cut: the match marks are drawn, from the sew line inwards.
+void draw_uncut_notches(PatternPiece& piece) {
+    constexpr double stroke = 3 * millimetre;
+    for (const PieceNotch& notch : piece.notches) {
+        if (notch.depth > 0) continue;
+        for (const auto& [from, to] : notch.strokes(notch.on_sew, stroke)) {
+            DrawnLine line{"match mark " + notch.seam, Points2(2, 2)};
+            line.points.row(0) = from;
+            line.points.row(1) = to;
+            piece.lines.push_back(std::move(line));
+        }
+    }
+}
+
 /// Label, grain arrow and the neighbours' names.
 void write_on(PatternPiece& piece) {
     // The radius is at least area over perimeter, so this is a tenth of it or better; the floor is for outlines without
@@ -125,6 +139,7 @@ std::vector<PatternPiece> make_pieces(const CutPlan& plan, const PieceOptions& o
         piece.cut_line = cut_line(piece, options.corners);
         piece.notches = notches[i];
         piece.lines = draw_lines(plan.tiles[i], options.chord_error);
+        draw_uncut_notches(piece);
         write_on(piece);
     });
     std::vector<PatternPiece> pieces;

@@ -6,6 +6,7 @@
 
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/model/allowance.h"
+#include "ripstop/pattern/seam_match.h"
 
 namespace ripstop {
 namespace {
@@ -19,17 +20,7 @@ Eigen::RowVector2d signs(const Likeness& likeness) {
 /// The piece's outline about its middle, so that where it lies on the page does not matter.
 Points2 centred_outline(const FlatTile& tile) {
     const Points2 outline = tile.flattening.positions(tile.tile.boundary, Eigen::all);
-    const Vec2 start = outline.row(0);
-    Vec2 middle = Vec2::Zero();
-    double area = 0;
-    for (Eigen::Index i = 0; i < outline.rows(); ++i) {
-        const Vec2 a = Vec2(outline.row(i)) - start;
-        const Vec2 b = Vec2(outline.row((i + 1) % outline.rows())) - start;
-        const double twice = a.x() * b.y() - a.y() * b.x();
-        middle += twice * (a + b) / 3;
-        area += twice;
-    }
-    return outline.rowwise() - (start + middle / area).transpose();
+    return outline.rowwise() - area_centroid(outline).transpose();
 }
 
 bool within(const Points2& points, const Points2& outline, double tolerance) {
@@ -104,11 +95,13 @@ Bounds moved_bounds(Bounds bounds, const Likeness& likeness) {
 
 void list_equal_pieces(CutPlan& plan, const std::vector<Likeness>& likeness, double tolerance) {
     const std::vector<Eigen::VectorXd> allowances = edge_allowances(plan);
+    const SeamEnds ends(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         if (likeness[i].to < 0) continue;
         const auto to = static_cast<std::size_t>(likeness[i].to);
         if (!cut_alike({&plan.tiles[to], &plan.tiles[i]}, {&allowances[to], &allowances[i]}, likeness[i], tolerance))
             continue;
+        if (!ends.match(i, to, likeness[i].mirrored)) continue;
         plan.tiles[i].equal_to = likeness[i].to;
         plan.tiles[i].mirrored = likeness[i].mirrored;
     }

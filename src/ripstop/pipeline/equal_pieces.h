@@ -13,8 +13,8 @@ Flattening copied_flattening(const FlatTile& first, const Tile& tile, const Like
 Bounds moved_bounds(Bounds bounds, const Likeness& likeness);
 
 /// Sets `equal_to` and `mirrored` of the tiles that are alike and whose pieces are so too: copied, or their outlines nowhere
-/// farther apart than `tolerance` [m], and the allowances
-/// along them the same; the plan must have its seams. Equal tiles between different neighbours may have been cut differently.
+/// farther apart than `tolerance` [m], the allowances along them the same, and their seams beginning and ending at the same
+/// places; the plan must have its seams. Equal tiles between different neighbours may have been cut differently.
 void list_equal_pieces(CutPlan& plan, const std::vector<Likeness>& likeness, double tolerance = 1e-4);
 
 }  // namespace ripstop

@@ -13,8 +13,8 @@ namespace ripstop {
 struct DirectoryOptions {
     bool force = false;         ///< replace what stands in a directory that is not empty
     bool reproducible = false;  ///< leave `seconds` out of report.json: the same bytes on every run
+    bool pictures = true;       ///< pictures/NAME.svg, one a tile, and pictures/seams.svg
     std::vector<std::string> formats = {"dxf", "svg"};  ///< of the cut files: names of `piece_formats`
-    bool pictures = true;                               ///< pictures/NAME.svg, one a tile, and pictures/seams.svg
 };
 
 /// Writes the whole cut plan as `dir`: report.json, tiles.csv, seams.csv, flat/NAME.obj, cut/ (`write_cut_files`) with
