@@ -10,9 +10,9 @@ namespace ripstop {
 
 /// Where one copy of a piece lies on the roll: x along it, the warp, y across it.
 struct Placement {
-    std::size_t piece = 0;  ///< in `PieceSet::pieces`
-    int copy = 1;           ///< from 1, of the piece's copies in this marker, mirror images counted with them
-    bool mirrored = false;  ///< one of `PatternPiece::quantity_mirrored`: the piece's mirror image is wanted
+    std::size_t piece = 0;   ///< in `PieceSet::pieces`
+    int copy = 1;            ///< from 1, of the piece's copies in this marker, mirror images counted with them
+    bool mirrored = false;   ///< one of `PatternPiece::quantity_mirrored`: the piece's mirror image is wanted
     bool face_down = false;  ///< laid with the outside of the cloth below; only where the cloth may be turned over
     double turn = 0;         ///< [rad], counter-clockwise, after mirroring: 0 or pi, give or take the grain tolerance
     Vec2 shift = Vec2::Zero();  ///< after turning [m]

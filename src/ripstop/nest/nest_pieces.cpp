@@ -20,8 +20,8 @@ namespace ripstop {
 namespace {
 
 constexpr int rows_across = 200;
-constexpr int fine = 20;         // rows to a row when all slide together at the end
-constexpr int most_shapes = 600;  // laid together: their contact table takes some 300 MB
+constexpr int fine = 20;           // rows to a row when all slide together at the end
+constexpr int most_shapes = 600;   // laid together: their contact table takes some 300 MB
 constexpr double rounding = 1e-9;  // [m]
 
 std::string in_millimetres(double length) {
@@ -102,19 +102,16 @@ class Nester {
                 LaidShape shape = make_shape(kind, turn, face_down == 1);
                 narrowest = std::min(narrowest, shape.size.y());
                 shortest = std::min(shortest, shape.size.x());
-                if (shape.last_row >= 0 && shape.size.x() <= longest())
-                    strip_.shapes.push_back(std::move(shape));
+                if (shape.last_row >= 0 && shape.size.x() <= longest()) strip_.shapes.push_back(std::move(shape));
             }
         if (narrowest > width_ + rounding)
-            refusals.push_back({set_.pieces[kind.piece].name, "is " + in_millimetres(narrowest) +
-                                                                  " wide across the warp, the roll " +
-                                                                  in_millimetres(width_) +
-                                                                  "; divide it, turn its grain or take a wider roll"});
+            refusals.push_back({set_.pieces[kind.piece].name,
+                                "is " + in_millimetres(narrowest) + " wide across the warp, the roll " +
+                                    in_millimetres(width_) + "; divide it, turn its grain or take a wider roll"});
         else if (shortest > longest())
-            refusals.push_back({set_.pieces[kind.piece].name, "is " + in_millimetres(shortest) +
-                                                                  " long, the cloth without a join " +
-                                                                  in_millimetres(longest()) +
-                                                                  "; divide it or take a longer roll"});
+            refusals.push_back(
+                {set_.pieces[kind.piece].name, "is " + in_millimetres(shortest) + " long, the cloth without a join " +
+                                                   in_millimetres(longest()) + "; divide it or take a longer roll"});
     }
 
     /// Only the last part comes again and again; earlier ones may be full when a piece's turn comes.
@@ -151,8 +148,7 @@ class Nester {
             for (const PlacedItem& item : items) lengths[s] = std::max(lengths[s], strip_.end(item));
             found[s] = placements_of(items);
         });
-        const auto best =
-            static_cast<std::size_t>(std::min_element(lengths.begin(), lengths.end()) - lengths.begin());
+        const auto best = static_cast<std::size_t>(std::min_element(lengths.begin(), lengths.end()) - lengths.begin());
         marker.length = lengths[best];
         const std::vector<Placement>& placements = found[best];
         marker.placements.insert(marker.placements.end(), placements.begin(), placements.end());
@@ -212,7 +208,8 @@ class Nester {
 void require_sound(const NestOptions& options) {
     const auto is_length = [](double value) { return std::isfinite(value) && value > 0 && value < 1e6; };
     if (options.roll_width && !is_length(*options.roll_width))
-        throw InputError("a roll width of " + format_shortest(*options.roll_width) + " m; expected a length, as 1500mm");
+        throw InputError("a roll width of " + format_shortest(*options.roll_width) +
+                         " m; expected a length, as 1500mm");
     if (!(options.gap >= 0) || options.gap > 1) throw InputError("a gap between pieces beyond 0 to 1 m");
     if (!(options.grain_tolerance >= 0) || options.grain_tolerance > 0.5)
         throw InputError("a grain tolerance beyond 0 to 28 degrees; the grain would mean nothing");

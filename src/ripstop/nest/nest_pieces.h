@@ -9,15 +9,16 @@
 namespace ripstop {
 
 struct NestOptions {
-    std::optional<double> roll_width = {};   ///< [m]; else each fabric's own
-    double gap = 0.005;                      ///< between outlines [m]
-    double grain_tolerance = 0;              ///< a piece may also lie turned by this much, either way [rad]
-    bool may_turn = true;                    ///< by half a turn; not on cloth with a nap or a print
-    bool may_flip = false;                   ///< the cloth has no right side
-    std::vector<double> part_lengths = {};   ///< of cloth without a join, one after the other, the last again and again [m]
-    int rounds = 60;                         ///< of the search for a short marker; time grows with it
-    int starts = 2;                          ///< searches from different orders, the best of which counts
-    int threads = 0;                         ///< 0: one a core; never changes the result
+    std::optional<double> roll_width = {};  ///< [m]; else each fabric's own
+    double gap = 0.005;                     ///< between outlines [m]
+    double grain_tolerance = 0;             ///< a piece may also lie turned by this much, either way [rad]
+    bool may_turn = true;                   ///< by half a turn; not on cloth with a nap or a print
+    bool may_flip = false;                  ///< the cloth has no right side
+    std::vector<double> part_lengths =
+        {};           ///< of cloth without a join, one after the other, the last again and again [m]
+    int rounds = 60;  ///< of the search for a short marker; time grows with it
+    int starts = 2;   ///< searches from different orders, the best of which counts
+    int threads = 0;  ///< 0: one a core; never changes the result
 };
 
 /// Lays every piece `quantity` times, and its mirror image `quantity_mirrored` times, on the roll of its fabric and colour:

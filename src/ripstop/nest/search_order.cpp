@@ -149,12 +149,24 @@ class Search {
         const int one = start + below(end - start), two = start + below(end - start);
         LaidItem &a = trial_[static_cast<std::size_t>(one)], &b = trial_[static_cast<std::size_t>(two)];
         switch (below(6)) {
-            case 0: change_shape(a); break;
-            case 1: std::swap(a, b); break;
-            case 2: std::swap(a.shape, b.shape); break;
-            case 3: a.row += below(41) - 20; break;
-            case 4: lay_anew(one, two, start); break;
-            default: a.row = below(2) == 0 ? 0 : std::numeric_limits<int>::max(); break;
+            case 0:
+                change_shape(a);
+                break;
+            case 1:
+                std::swap(a, b);
+                break;
+            case 2:
+                std::swap(a.shape, b.shape);
+                break;
+            case 3:
+                a.row += below(41) - 20;
+                break;
+            case 4:
+                lay_anew(one, two, start);
+                break;
+            default:
+                a.row = below(2) == 0 ? 0 : std::numeric_limits<int>::max();
+                break;
         }
         for (int i = start; i < end; ++i) {
             LaidItem& item = trial_[static_cast<std::size_t>(i)];
@@ -194,7 +206,7 @@ class Search {
 }  // namespace
 
 std::vector<PlacedItem> search_order(const Strip& strip, const ContactTable& contacts, std::vector<int> kinds,
-                                   const OrderSearch& search) {
+                                     const OrderSearch& search) {
     return Search(strip, contacts, search.seed).run(std::move(kinds), search.rounds);
 }
 

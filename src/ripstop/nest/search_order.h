@@ -21,6 +21,6 @@ struct OrderSearch {
 /// sum of area times place, so that it costs the same however long the roll is. The same arguments, the same order.
 /// O(rounds #items reach).
 std::vector<PlacedItem> search_order(const Strip& strip, const ContactTable& contacts, std::vector<int> kinds,
-                                   const OrderSearch& search);
+                                     const OrderSearch& search);
 
 }  // namespace ripstop

@@ -15,7 +15,8 @@ struct Limit {
 /// By how much the item must lie beyond the other, which it may be before (no limit).
 void add_limit(std::vector<Limit>& limits, std::size_t other, double apart, const std::vector<Interval>& overlapping) {
     for (auto shift = overlapping.rbegin(); shift != overlapping.rend(); ++shift) {
-        if (apart < (shift->lower + shift->upper) / 2) continue;  // a place on either side, never within but for rounding
+        if (apart < (shift->lower + shift->upper) / 2)
+            continue;  // a place on either side, never within but for rounding
         limits.push_back({other, shift->upper});
         return;
     }
@@ -24,8 +25,7 @@ void add_limit(std::vector<Limit>& limits, std::size_t other, double apart, cons
 }  // namespace
 
 void slide_together(const Strip& strip, const FineRows& rows, std::vector<PlacedItem>& items) {
-    std::stable_sort(items.begin(), items.end(),
-                     [](const PlacedItem& a, const PlacedItem& b) { return a.x < b.x; });
+    std::stable_sort(items.begin(), items.end(), [](const PlacedItem& a, const PlacedItem& b) { return a.x < b.x; });
     double longest = 0;
     std::vector<RowProfile> profiles(strip.shapes.size());
     for (const PlacedItem& item : items) {
