@@ -11,8 +11,9 @@ namespace ripstop {
 /// the no-fit polygons of all pairs, cut into rows. Single precision: for searching, not for the last word.
 class ContactTable {
   public:
-    /// O(shapes2 rows2) time on up to `threads` threads, O(shapes2 rows) memory: 140 MB for 400 shapes of a third of 300 rows.
-    ContactTable(const std::vector<LaidShape>& shapes, int threads);
+    /// The shapes' profiles have `profile_rows` rows to a row that items lie on. O(shapes2 rows2 profile_rows) time on up to
+    /// `threads` threads, O(shapes2 rows) memory: some 100 MB for 400 shapes a third of 200 rows high.
+    ContactTable(const std::vector<LaidShape>& shapes, int profile_rows, int threads);
 
     /// Calls `taken(lower, upper)` for the places x of `other`, `rows` rows above `placed` that lies at 0, at which they overlap.
     template <class Taken>
@@ -35,7 +36,7 @@ class ContactTable {
     };
     struct Pair {
         int below = 0;                         ///< rows that the second may lie below the first
-        std::vector<int> first;                ///< of each row's intervals, and one more; none where each row has one
+        std::vector<int> first;                ///< of each row's intervals, and one more; none where each has one
         std::vector<ShortInterval> intervals;  ///< all rows'
     };
 

@@ -14,10 +14,11 @@ struct LaidShape {
     bool face_down = false;  ///< with the other side of the cloth up
     Vec2 corner =
         Vec2::Zero();          ///< lower left of the outline as turned and mirrored, before it was moved to the origin
+    double lift = 0;           ///< of its lower left corner above the row it lies on [m]
     Vec2 size = Vec2::Zero();  ///< along the roll and across it [m]
     double area = 0;           ///< of the outline [m2]
-    Points2 grown = {};        ///< the outline and all within half the gap of it, simplified
-    int last_row = 0;          ///< the highest row the lower left corner may lie on
+    Points2 grown = {};        ///< the outline and all within half the gap of it, simplified and lifted
+    int last_row = 0;          ///< the highest row it may lie on
     RowProfile profile = {};
 };
 

@@ -20,7 +20,9 @@ namespace ripstop {
 namespace {
 
 constexpr int rows_across = 200;
-constexpr int fine = 20;           // rows to a row when all slide together at the end
+constexpr int profile_rows = 8;  // to a row, where shapes are few
+constexpr int few_shapes = 80;
+constexpr int fine = 24;           // rows to a row when all slide together at the end
 constexpr int most_shapes = 600;   // laid together: their contact table takes some 300 MB
 constexpr double rounding = 1e-9;  // [m]
 
@@ -44,6 +46,8 @@ class Nester {
     Marker lay(const std::vector<Kind>& kinds, std::vector<Refusal>& refusals) {
         Marker marker;
         marker.roll_width = width_;
+        const std::size_t ways = turns().size() * (options_.may_flip ? 2 : 1);
+        profile_rows_ = kinds.size() * ways <= few_shapes ? profile_rows : 1;
         strip_ = new_strip(0);
         for (const Kind& kind : kinds) {
             const std::size_t before = strip_.shapes.size();
@@ -77,6 +81,9 @@ class Nester {
         return turns;
     }
 
+    /// Where all shapes' rows start, below any point of theirs.
+    double base() const { return -2 * (options_.gap / 2 + millimetre); }
+
     LaidShape make_shape(const Kind& kind, double turn, bool face_down) const {
         const Placement placement{kind.piece, 1, kind.mirrored, face_down, turn, Vec2::Zero()};
         Points2 outline = placement.placed(set_.pieces[kind.piece].outline());
@@ -86,32 +93,40 @@ class Nester {
         shape.size = outline.colwise().maxCoeff();
         shape.area = std::abs(signed_area(outline));
         shape.last_row = static_cast<int>(std::floor((width_ - shape.size.y() + rounding) / row_height_));
-        if (shape.last_row < 0) return shape;
-        shape.grown = grown_outline(outline, options_.gap / 2);
-        shape.profile = make_row_profile(shape.grown, base(), row_height_);
+        shape.grown = std::move(outline);  // where it fits, that is to come
         return shape;
     }
 
-    /// Where all shapes' rows start, below any point of theirs.
-    double base() const { return -2 * (options_.gap / 2 + millimetre); }
+    void add_shape(LaidShape shape) {
+        shape.grown = grown_outline(shape.grown, options_.gap / 2);
+        shape.profile = make_row_profile(shape.grown, base(), row_height_ / profile_rows_);
+        strip_.shapes.push_back(shape);
+        // The same with its upper end at the cloth's: rows alone would leave up to one of them free there.
+        const double profile_row = row_height_ / profile_rows_;
+        const double rest = width_ - shape.size.y() - shape.last_row * row_height_;
+        shape.lift = std::floor(rest / profile_row) * profile_row;
+        if (profile_rows_ == 1 || shape.lift <= 0) return;
+        shape.grown.col(1).array() += shape.lift;
+        shape.profile = make_row_profile(shape.grown, base(), profile_row);
+        strip_.shapes.push_back(std::move(shape));
+    }
 
     void add_shapes(const Kind& kind, std::vector<Refusal>& refusals) {
-        double narrowest = 1e9, shortest = 1e9;
+        double narrowest = std::numeric_limits<double>::infinity(), shortest = narrowest;
         for (const double turn : turns())
             for (int face_down = 0; face_down <= (options_.may_flip ? 1 : 0); ++face_down) {
                 LaidShape shape = make_shape(kind, turn, face_down == 1);
                 narrowest = std::min(narrowest, shape.size.y());
                 shortest = std::min(shortest, shape.size.x());
-                if (shape.last_row >= 0 && shape.size.x() <= longest()) strip_.shapes.push_back(std::move(shape));
+                if (shape.last_row >= 0 && shape.size.x() <= longest()) add_shape(std::move(shape));
             }
+        const std::string& name = set_.pieces[kind.piece].name;
         if (narrowest > width_ + rounding)
-            refusals.push_back({set_.pieces[kind.piece].name,
-                                "is " + in_millimetres(narrowest) + " wide across the warp, the roll " +
-                                    in_millimetres(width_) + "; divide it, turn its grain or take a wider roll"});
+            refusals.push_back({name, "is " + in_millimetres(narrowest) + " wide across the warp, the roll " +
+                                          in_millimetres(width_) + "; divide it, turn its grain or take a wider roll"});
         else if (shortest > longest())
-            refusals.push_back(
-                {set_.pieces[kind.piece].name, "is " + in_millimetres(shortest) + " long, the cloth without a join " +
-                                                   in_millimetres(longest()) + "; divide it or take a longer roll"});
+            refusals.push_back({name, "is " + in_millimetres(shortest) + " long, the cloth without a join " +
+                                          in_millimetres(longest()) + "; divide it or take a longer roll"});
     }
 
     /// Only the last part comes again and again; earlier ones may be full when a piece's turn comes.
@@ -137,7 +152,7 @@ class Nester {
     }
 
     void add_best(const std::vector<int>& copies, Marker& marker) {
-        const ContactTable contacts(strip_.shapes, options_.threads);
+        const ContactTable contacts(strip_.shapes, profile_rows_, options_.threads);
         std::vector<std::vector<Placement>> found(static_cast<std::size_t>(options_.starts));
         std::vector<double> lengths(found.size());
         parallel_for(options_.starts, options_.threads, [&](int start) {
@@ -163,7 +178,7 @@ class Nester {
             const LaidShape& shape = strip_.shape(item);
             const Kind& kind = kinds_[static_cast<std::size_t>(shape.kind)];
             placements.push_back({kind.piece, 1, kind.mirrored, shape.face_down, shape.turn,
-                                  Vec2(item.x, item.row * row_height_) - shape.corner});
+                                  Vec2(item.x, item.row * row_height_ + shape.lift) - shape.corner});
         }
         return placements;
     }
@@ -201,6 +216,7 @@ class Nester {
     const PieceSet& set_;
     const NestOptions& options_;
     double width_, row_height_;
+    int profile_rows_ = 1;     ///< to a row
     std::vector<Kind> kinds_;  ///< of the batch
     Strip strip_;              ///< of the batch
 };

@@ -43,6 +43,17 @@ void add_segment(std::vector<std::vector<Interval>>& rows, Vec2 from, Vec2 to, d
     }
 }
 
+/// The shifts that make two rows overlap, each interval of the one with each of the other.
+void add_row(const RowProfile& a, int row_a, const RowProfile& b, int row_b, std::vector<Interval>& shifts) {
+    const auto r = static_cast<std::size_t>(row_a), s = static_cast<std::size_t>(row_b);
+    for (int i = a.first[r]; i < a.first[r + 1]; ++i)
+        for (int k = b.first[s]; k < b.first[s + 1]; ++k) {
+            const Interval& one = a.intervals[static_cast<std::size_t>(i)];
+            const Interval& other = b.intervals[static_cast<std::size_t>(k)];
+            add_interval(shifts, {one.lower - other.upper, one.upper - other.lower});
+        }
+}
+
 }  // namespace
 
 RowProfile make_row_profile(const Points2& outline, double base, double row_height) {
@@ -61,7 +72,7 @@ RowProfile make_row_profile(const Points2& outline, double base, double row_heig
             add_interval(rows[row], {lower, upper});
         profile.first.push_back(static_cast<int>(profile.intervals.size()));
         profile.intervals.insert(profile.intervals.end(), rows[row].begin(), rows[row].end());
-        if (rows[row].size() > 1) profile.is_simple = false;
+        if (rows[row].size() > 1) profile.divided.push_back(static_cast<int>(row));
         if (rows[row].empty()) continue;
         profile.lower[static_cast<Eigen::Index>(row)] = rows[row].front().lower;
         profile.upper[static_cast<Eigen::Index>(row)] = rows[row].back().upper;
@@ -73,22 +84,27 @@ RowProfile make_row_profile(const Points2& outline, double base, double row_heig
 void find_overlapping_shifts(const RowProfile& a, const RowProfile& b, int rows, std::vector<Interval>& shifts) {
     shifts.clear();
     const int start = std::max(0, rows), end = std::min(a.rows(), b.rows() + rows);
-    if (start >= end) return;
-    if (a.is_simple && b.is_simple) {
-        const int count = end - start;
-        const double lower = (a.lower.segment(start, count) - b.upper.segment(start - rows, count)).minCoeff();
-        const double upper = (a.upper.segment(start, count) - b.lower.segment(start - rows, count)).maxCoeff();
-        if (lower < upper) shifts.push_back({lower, upper});
-        return;
-    }
-    for (int row = start; row < end; ++row) {
-        const auto r = static_cast<std::size_t>(row), s = static_cast<std::size_t>(row - rows);
-        for (int i = a.first[r]; i < a.first[r + 1]; ++i)
-            for (int k = b.first[s]; k < b.first[s + 1]; ++k) {
-                const Interval& one = a.intervals[static_cast<std::size_t>(i)];
-                const Interval& other = b.intervals[static_cast<std::size_t>(k)];
-                add_interval(shifts, {one.lower - other.upper, one.upper - other.lower});
-            }
+    // Rows in which both are one interval follow one another without a break in their shifts: extremes will do.
+    const auto add_run = [&](int from, int to) {
+        if (from >= to) return;
+        const int count = to - from;
+        const double lower = (a.lower.segment(from, count) - b.upper.segment(from - rows, count)).minCoeff();
+        const double upper = (a.upper.segment(from, count) - b.lower.segment(from - rows, count)).maxCoeff();
+        if (lower < upper) add_interval(shifts, {lower, upper});
+    };
+    auto next_a = std::lower_bound(a.divided.begin(), a.divided.end(), start);
+    auto next_b = std::lower_bound(b.divided.begin(), b.divided.end(), start - rows);
+    int from = start;
+    while (true) {
+        int row = end;
+        if (next_a != a.divided.end()) row = std::min(row, *next_a);
+        if (next_b != b.divided.end()) row = std::min(row, *next_b + rows);
+        add_run(from, row);
+        if (row >= end) return;
+        add_row(a, row, b, row - rows, shifts);
+        if (next_a != a.divided.end() && *next_a == row) ++next_a;
+        if (next_b != b.divided.end() && *next_b + rows == row) ++next_b;
+        from = row + 1;
     }
 }
 

@@ -17,7 +17,7 @@ struct RowProfile {
     std::vector<int> first;           ///< of each row's intervals, and one more: their number
     std::vector<Interval> intervals;  ///< all rows'
     Eigen::ArrayXd lower, upper;      ///< of each row as a whole; infinite and minus infinite where it is empty
-    bool is_simple = true;            ///< no row has two: no hollow opens across the roll
+    std::vector<int> divided;         ///< the rows of several intervals: beside a hollow that opens up or down
 
     int rows() const { return static_cast<int>(lower.size()); }
 };
@@ -26,7 +26,7 @@ struct RowProfile {
 RowProfile make_row_profile(const Points2& outline, double base, double row_height);
 
 /// The shifts along x by which `b`, its base `rows` rows above that of `a`, overlaps it: open intervals from left to right
-/// [Minkowski difference of the rows]. One at most where both are simple.
+/// [Minkowski difference of the rows]. O(rows), and the divided ones of either.
 void find_overlapping_shifts(const RowProfile& a, const RowProfile& b, int rows, std::vector<Interval>& shifts);
 
 }  // namespace ripstop
