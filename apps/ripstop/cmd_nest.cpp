@@ -19,7 +19,7 @@ struct Arguments {
     std::string roll, gap = "5mm";
     std::vector<std::string> roll_lengths, formats{"dxf", "svg"};
     double grain_tolerance = 0;
-    int effort = 60, jobs = 0;
+    int effort = 40, jobs = 0;
     bool flip = false, one_way = false, force = false, json = false, quiet = false;
 };
 
@@ -72,7 +72,7 @@ void add_nest(CLI::App& app) {
         ->check(CLI::Range(0.0, 28.0));
     command->add_flag("--one-way", given->one_way, "Never turn a piece by half a turn: cloth with a nap or a print");
     command->add_flag("--flip", given->flip, "The cloth has no right side: pieces may be laid face down");
-    command->add_option("--effort", given->effort, "Rounds of the search; 60. More is slower and a little shorter")
+    command->add_option("--effort", given->effort, "Rounds of the search; 40. More is slower and a little shorter")
         ->check(CLI::Range(0, 100000));
     std::string known;
     for (const PieceFormat& format : piece_formats())

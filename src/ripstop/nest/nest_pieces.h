@@ -16,7 +16,7 @@ struct NestOptions {
     bool may_flip = false;                  ///< the cloth has no right side
     std::vector<double> part_lengths =
         {};           ///< of cloth without a join, one after the other, the last again and again [m]
-    int rounds = 60;  ///< of the search for a short marker; time grows with it
+    int rounds = 40;  ///< of the search for a short marker; time grows with it
     int starts = 2;   ///< searches from different orders, the best of which counts
     int threads = 0;  ///< 0: one a core; never changes the result
 };

@@ -9,7 +9,7 @@
 namespace ripstop {
 
 struct OrderSearch {
-    int rounds = 60;         ///< over the whole strip
+    int rounds = 40;         ///< over the whole strip
     std::uint32_t seed = 1;  ///< another one, another search
 };
 

@@ -34,29 +34,36 @@ void slide_together(const Strip& strip, const FineRows& rows, std::vector<Placed
         longest = std::max(longest, shape.size.x());
         if (profile.rows() == 0) profile = make_row_profile(shape.grown, rows.base, rows.height);
     }
+    const double seen = longest + 2 * strip.gap + 0.01;  // farther apart, only the ends count
     std::vector<std::vector<Limit>> limits(items.size());
     std::vector<double> first(items.size());
+    std::vector<std::size_t> before(items.size());  // how many lie farther before each
     std::vector<Interval> overlapping;
     for (std::size_t i = 0; i < items.size(); ++i) {
         first[i] = std::max(strip.start, strip.joins.before(items[i].x));
-        for (std::size_t k = i + 1; k < items.size() && items[k].x < items[i].x + longest + 2 * strip.gap + 0.01; ++k) {
-            find_overlapping_shifts(profiles[static_cast<std::size_t>(items[i].shape)],
-                                    profiles[static_cast<std::size_t>(items[k].shape)],
-                                    rows.times * (items[k].row - items[i].row), overlapping);
-            add_limit(limits[k], i, items[k].x - items[i].x, overlapping);
+        for (before[i] = i > 0 ? before[i - 1] : 0; items[before[i]].x + seen <= items[i].x;) ++before[i];
+        for (std::size_t k = before[i]; k < i; ++k) {
+            find_overlapping_shifts(profiles[static_cast<std::size_t>(items[k].shape)],
+                                    profiles[static_cast<std::size_t>(items[i].shape)],
+                                    rows.times * (items[i].row - items[k].row), overlapping);
+            add_limit(limits[i], k, items[i].x - items[k].x, overlapping);
             for (Interval& shift : overlapping) shift = {-shift.upper, -shift.lower};
             std::reverse(overlapping.begin(), overlapping.end());
-            add_limit(limits[i], k, items[i].x - items[k].x, overlapping);
+            add_limit(limits[k], i, items[k].x - items[i].x, overlapping);
         }
     }
+    std::vector<double> ends(items.size());  // the last of each item and those before it
     for (bool has_moved = true; has_moved;) {
         has_moved = false;
         for (std::size_t i = 0; i < items.size(); ++i) {
             double x = first[i];
+            if (before[i] > 0) x = std::max(x, ends[before[i] - 1] + strip.gap);
             for (const Limit& limit : limits[i]) x = std::max(x, items[limit.other].x + limit.distance);
-            if (x >= items[i].x) continue;
-            has_moved = has_moved || x < items[i].x - 1e-9;
-            items[i].x = x;
+            if (x < items[i].x) {
+                has_moved = has_moved || x < items[i].x - 1e-9;
+                items[i].x = x;
+            }
+            ends[i] = std::max(strip.end(items[i]), i > 0 ? ends[i - 1] : 0);
         }
     }
 }
