@@ -15,10 +15,10 @@
 namespace ripstop {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using testing::faults_of;
 using testing::gore_like_pieces;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using testing::loose_piece;
 using testing::loose_set;
 using testing::rectangle_piece;
@@ -142,8 +142,8 @@ TEST(NestPieces, LaysNoPieceOverAJoin) {
 }
 
 TEST(NestPieces, RefusesByNameWhatDoesNotFitAndLaysTheRest) {
-    PieceSet set = loose_set({rectangle_piece("wide", 1, 1.6), rectangle_piece("good", 1, 1.5),
-                              rectangle_piece("long", 7, 0.5)});
+    PieceSet set =
+        loose_set({rectangle_piece("wide", 1, 1.6), rectangle_piece("good", 1, 1.5), rectangle_piece("long", 7, 0.5)});
     NestOptions options = quick();
     options.part_lengths = {6};
     const Markers markers = nest_pieces(set, options);

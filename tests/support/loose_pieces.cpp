@@ -44,7 +44,8 @@ bool is_over_a_join(const Laid& piece, const std::vector<double>& parts) {
     return false;
 }
 
-std::string faults_of(const Marker& marker, const std::vector<Laid>& laid, double gap, const std::vector<double>& parts) {
+std::string faults_of(const Marker& marker, const std::vector<Laid>& laid, double gap,
+                      const std::vector<double>& parts) {
     std::string faults;
     for (std::size_t i = 0; i < laid.size(); ++i) {
         const Laid& a = laid[i];
@@ -111,7 +112,8 @@ std::string faults_of(const PieceSet& set, const Markers& markers, double gap, c
         std::vector<Laid> laid;
         for (const Placement& placement : marker.placements) {
             const PatternPiece& piece = set.pieces[placement.piece];
-            if (piece.fabric != marker.fabric || piece.colour != marker.colour) faults += piece.name + ": wrong cloth\n";
+            if (piece.fabric != marker.fabric || piece.colour != marker.colour)
+                faults += piece.name + ": wrong cloth\n";
             ++(placement.mirrored ? copies[piece.name].second : copies[piece.name].first);
             const Points2 outline = placed_piece(piece, placement).outline();
             laid.push_back({piece.name, outline, outline.colwise().minCoeff(), outline.colwise().maxCoeff()});

@@ -38,6 +38,30 @@ double upright(double turn) {
     return turn;
 }
 
+Vec2 up_of(const Label& label) {
+    return {-std::sin(label.turn), std::cos(label.turn)};
+}
+
+/// Is the second written below the first, as the next line?
+bool is_next_line(const Label& first, const Label& second) {
+    const Vec2 down = second.middle - first.middle, up = up_of(first);
+    return first.turn == second.turn && std::abs(down.x() * up.y() - down.y() * up.x()) < 1e-9 && down.dot(up) < 0 &&
+           -down.dot(up) < 2 * (first.height + second.height);
+}
+
+/// Lines under one another stay so: where the piece lies so that they would be read from the last to the first, the whole
+/// stack is turned about its middle, within the room it has.
+void lay_labels(const std::vector<Label>& old, std::vector<Label>& labels) {
+    for (std::size_t first = 0, next; first < labels.size(); first = next) {
+        for (next = first + 1; next < labels.size() && is_next_line(old[next - 1], old[next]);) ++next;
+        const Label &top = labels[first], &bottom = labels[next - 1];
+        const Vec2 up = up_of(top);
+        if (next == first + 1 || (bottom.middle - top.middle).dot(up) < 0) continue;
+        const Vec2 ends = (top.middle - top.height / 2 * up) + (bottom.middle + bottom.height / 2 * up);
+        for (std::size_t i = first; i < next; ++i) labels[i].middle = ends - labels[i].middle;
+    }
+}
+
 }  // namespace
 
 Points2 Placement::placed(const Points2& points) const {
@@ -64,14 +88,17 @@ PatternPiece placed_piece(const PatternPiece& piece, const Placement& placement)
         notch.outward = at(notch.outward) - origin;
         notch.on_sew = at(notch.on_sew);
     }
+    const int copies = piece.quantity + piece.quantity_mirrored;
+    const std::string copy = std::to_string(placement.copy) + "/" + std::to_string(copies);
     for (Label& label : laid.labels) {
         label.middle = at(label.middle);
         label.turn = upright(placement.turn + (placement.is_drawn_mirrored() ? -label.turn : label.turn));
         if (label.text == piece.name) label.text = laid.name;
+        if (label.text.starts_with("cut " + std::to_string(piece.quantity))) label.text = copy;
     }
+    lay_labels(piece.labels, laid.labels);
     if (placement.is_drawn_mirrored()) run_backwards(laid);
-    const int copies = piece.quantity + piece.quantity_mirrored;
-    if (copies > 1) laid.name += " " + std::to_string(placement.copy) + "/" + std::to_string(copies);
+    if (copies > 1) laid.name += " " + copy;
     return laid;
 }
 

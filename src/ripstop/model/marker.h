@@ -36,8 +36,8 @@ struct Marker {
     double roll_width = 0;  ///< [m]
     double length = 0;      ///< of cloth the marker takes, cloth lost before joins included [m]
     double net_area = 0;    ///< of the outlines laid [m2]
-    std::vector<RollPart> parts;
-    std::vector<Placement> placements;  ///< from the start of the roll on
+    std::vector<RollPart> parts = {};
+    std::vector<Placement> placements = {};  ///< from the start of the roll on
 
     double gross_area() const { return roll_width * length; }
     double utilisation() const { return length > 0 ? net_area / gross_area() : 0; }
@@ -55,7 +55,8 @@ struct Markers {
 };
 
 /// The piece as it lies: turned, mirrored and shifted, with its copy in its name; all outlines counter-clockwise, letters
-/// never mirrored and never upside down. A mirror image says so in its name and on its label.
+/// never mirrored and never upside down, lines in their order. A mirror image says so in its name and on its label, and
+/// `cut 24` becomes `2/24`.
 PatternPiece placed_piece(const PatternPiece& piece, const Placement& placement);
 
 }  // namespace ripstop
