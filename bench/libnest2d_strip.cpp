@@ -50,12 +50,14 @@ StripResult lay_with_libnest2d(const std::vector<PlainOutline>& outlines, double
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::vector<double> first(bins, 1e9), last(bins, 0);
     for (const Item& item : items) {
-        if (item.binId() < 0) continue;
-        const auto bin = static_cast<std::size_t>(item.binId());
         const auto box = item.boundingBox();
+        result.is_laid.push_back(item.binId() >= 0 && getY(box.minCorner()) >= -1 &&
+                                 getY(box.maxCorner()) <= across + 1);
+        if (!result.is_laid.back()) continue;
+        const auto bin = static_cast<std::size_t>(item.binId());
         first[bin] = std::min(first[bin], getX(box.minCorner()) / steps_per_metre);
         last[bin] = std::max(last[bin], getX(box.maxCorner()) / steps_per_metre);
     }
-    for (std::size_t bin = 0; bin < bins; ++bin) result.length += last[bin] - first[bin];
+    for (std::size_t bin = 0; bin < bins; ++bin) result.length += std::max(0.0, last[bin] - first[bin]);
     return result;
 }

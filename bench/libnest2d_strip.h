@@ -7,7 +7,8 @@
 using PlainOutline = std::vector<std::array<double, 2>>;
 
 struct StripResult {
-    double length = 0;  ///< [m]; what spilled into further bins is laid behind the first
+    std::vector<bool> is_laid;  ///< of each outline: in a bin, and within the strip
+    double length = 0;          ///< [m]; what spilled into further bins is laid behind the first
     double seconds = 0;
 };
 

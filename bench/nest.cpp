@@ -60,20 +60,27 @@ void lay(const std::string& name, const PieceSet& set, int rounds) {
 #ifdef RIPSTOP_LIBNEST2D
 void lay_with_other(const std::string& name, const PieceSet& set, double accuracy) {
     std::vector<PlainOutline> outlines;
-    double area = 0;
     const double width = set.fabrics.at(0).roll_width;
     for (const PatternPiece& piece : set.pieces)
         for (int copy = 0; copy < piece.quantity; ++copy) {
             const Points2& outline = piece.outline();
             if (outline.col(1).maxCoeff() - outline.col(1).minCoeff() > width) continue;
-            area += signed_area(outline);
             PlainOutline plain;
             for (Eigen::Index i = 0; i < outline.rows(); ++i) plain.push_back({outline(i, 0), outline(i, 1)});
             outlines.push_back(plain);
         }
-    Row row{name, fmt::format("libnest2d, accuracy {}", accuracy), outlines.size(), 0, 0, 0, 0};
-    timed(row, [&] { row.length = lay_with_libnest2d(outlines, width, gap, accuracy).length; });
-    row.utilisation = area / (width * row.length);
+    Row row{name, fmt::format("libnest2d, accuracy {}", accuracy), 0, 0, 0, 0, 0};
+    StripResult result;
+    timed(row, [&] { result = lay_with_libnest2d(outlines, width, gap, accuracy); });
+    row.length = result.length;
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+        if (!result.is_laid[i]) continue;
+        ++row.pieces;
+        Points2 outline(static_cast<Eigen::Index>(outlines[i].size()), 2);
+        for (std::size_t k = 0; k < outlines[i].size(); ++k)
+            outline.row(static_cast<Eigen::Index>(k)) << outlines[i][k][0], outlines[i][k][1];
+        row.utilisation += signed_area(outline) / (width * row.length);
+    }
     print(row);
 }
 #endif
@@ -90,7 +97,7 @@ void run(const std::string& name, const PieceSet& set) {
 
 int main(int argc, char** argv) {
     using namespace ripstop;
-    fmt::print("| pieces | number | by | used | cloth | wall | processor |\n|---|---|---|---|---|---|---|\n");
+    fmt::print("| pieces | laid | by | used | cloth | wall | processor |\n|---|---|---|---|---|---|---|\n");
     run("like parts of gores", testing::loose_set(testing::gore_like_pieces(200)));
     for (int i = 1; i < argc; ++i) run(argv[i], read_pieces_of(argv[i]));
 }

@@ -1,18 +1,26 @@
 #!/bin/sh
-# Installs the Debian packages of packages.txt that are missing, and what apps/rhino has from npm. Needs root or sudo only if a
+# Installs the Debian packages of packages.txt that are missing, and what apps/rhino and tests/dxf have from npm. Needs root or sudo only if a
 # package is missing.
 set -eu
 cd "$(dirname "$0")"
 
-install_rhino3dm() {
-    cd ../apps/rhino
-    stamp=node_modules/.ripstop-setup
-    [ "$stamp" -nt package-lock.json ] && return
-    if ! npm ci --no-audit --no-fund --loglevel=error; then
-        echo "setup: npm could not install rhino3dm for apps/rhino; is there a connection to the registry?" >&2
-        exit 1
-    fi
-    touch "$stamp"
+# What the package.json of a folder names.
+install_npm() {
+    (
+        cd "../$1"
+        stamp=node_modules/.ripstop-setup
+        [ "$stamp" -nt package-lock.json ] && exit
+        if ! npm ci --no-audit --no-fund --loglevel=error; then
+            echo "setup: npm could not install what $1 needs; is there a connection to the registry?" >&2
+            exit 1
+        fi
+        touch "$stamp"
+    )
+}
+
+install_all_npm() {
+    install_npm apps/rhino
+    install_npm tests/dxf
 }
 
 missing=""
@@ -22,7 +30,7 @@ done
 # Some distributions of Node.js bring npm along; Debian's does not.
 command -v npm > /dev/null || missing="$missing npm"
 if [ -z "$missing" ]; then
-    install_rhino3dm
+    install_all_npm
     exit 0
 fi
 as_root=""
@@ -31,4 +39,4 @@ echo "Installing:$missing"
 $as_root apt-get update -q
 # shellcheck disable=SC2086
 $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=500 install -y -q --no-install-recommends $missing
-install_rhino3dm
+install_all_npm

@@ -17,7 +17,7 @@ namespace {
 struct Arguments {
     std::filesystem::path plan, output;
     std::string roll, gap = "5mm";
-    std::vector<std::string> roll_lengths, formats{"dxf", "svg"};
+    std::vector<std::string> roll_lengths, formats{"dxf", "svg", "pdf"};
     double grain_tolerance = 0;
     int effort = 40, jobs = 0;
     bool flip = false, one_way = false, force = false, json = false, quiet = false;

@@ -16,5 +16,6 @@ void add_design(CLI::App& app);
 void add_export(CLI::App& app);
 void add_nest(CLI::App& app);
 void add_diff(CLI::App& app);
+void add_validate(CLI::App& app);
 
 }  // namespace ripstop::cli

@@ -31,7 +31,7 @@ TEST(NestCommand, LaysAPlanOnTheRoll) {
     EXPECT_THAT(run.out, HasSubstr("running m"));
     std::vector<std::string> names;
     for (const auto& [name, bytes] : workshop.files("plan/marker")) names.push_back(name);
-    EXPECT_THAT(names, ElementsAre("bom.csv", "marker.dxf", "marker.json", "marker.svg"));
+    EXPECT_THAT(names, ElementsAre("bom.csv", "marker.dxf", "marker.json", "marker.pdf", "marker.svg"));
     EXPECT_THAT(workshop.read("plan/bom.csv"), HasSubstr("cloth,,isotropic,,24,,"));
     EXPECT_EQ(workshop.ripstop("nest plan").code, 3) << "what is there is kept without --force";
     const ProgramRun json = workshop.ripstop("nest plan --effort 3 --json --force");

@@ -25,7 +25,7 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
     const std::vector<std::string> stems = file_stems(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
         if (is_drawable(plan.tiles[i])) write_file(dir / "flat" / (stems[i] + ".obj"), flat_obj(plan.tiles[i]));
-    write_cut_files(dir / "cut", pieces, options.formats);
+    write_cut_files(dir / "cut", pieces, options.formats, options.files);
     write_pieces(dir / "cut" / "pieces.json", pieces);
     if (options.pictures) {
         fs::create_directory(dir / "pictures");

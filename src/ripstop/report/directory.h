@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ripstop/io/piece_format.h"
 #include "ripstop/model/cut_plan.h"
 #include "ripstop/model/pattern_piece.h"
 #include "ripstop/report/whole_directory.h"
@@ -14,7 +15,8 @@ struct DirectoryOptions {
     bool force = false;         ///< replace what stands in a directory that is not empty
     bool reproducible = false;  ///< leave `seconds` out of report.json: the same bytes on every run
     bool pictures = true;       ///< pictures/NAME.svg, one a tile, and pictures/seams.svg
-    std::vector<std::string> formats = {"dxf", "svg"};  ///< of the cut files: names of `piece_formats`
+    std::vector<std::string> formats = {"dxf", "svg", "pdf"};  ///< of the cut files: names of `piece_formats`
+    PieceFileOptions files = {};                               ///< how they are written
 };
 
 /// Writes the whole cut plan as `dir`: report.json, tiles.csv, seams.csv, bom.csv, flat/NAME.obj, cut/ (`write_cut_files`) with

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ripstop/base/units.h"
+#include "ripstop/io/marker_pdf.h"
 #include "ripstop/io/piece_format.h"
 #include "ripstop/report/figures.h"
 #include "ripstop/report/order.h"
@@ -57,6 +58,12 @@ Json json_of(const PieceSet& set, const Marker& marker, const std::string& stem,
             {"placements", placements}};
 }
 
+std::string title_of(const PieceSet& set, const Marker& marker) {
+    return fmt::format("{}, revision {}: {}{}{}, roll {:.0f} mm, {:.2f} m, {:.1f} %", set.input, set.revision,
+                       marker.fabric, marker.colour.empty() ? "" : " ", marker.colour,
+                       in_millimetres(marker.roll_width), marker.length, marker.utilisation() / percent);
+}
+
 }  // namespace
 
 std::vector<std::string> marker_stems(const Markers& markers) {
@@ -87,8 +94,13 @@ void write_marker_files(const std::filesystem::path& folder, const PieceSet& set
             PieceFileOptions options;
             options.style = set.input;
             options.revision = set.revision;
-            write_file(folder / (stems[i] + "." + format.extension),
-                       [&](std::ostream& out) { format.write(out, pieces, {}, options); });
+            write_file(folder / (stems[i] + "." + format.extension), [&](std::ostream& out) {
+                if (name == "pdf")  // a page a piece, as the format has it, would be no marker
+                    write_marker_pdf(out, markers.markers[i], {pieces.begin() + 1, pieces.end()},
+                                     title_of(set, markers.markers[i]));
+                else
+                    format.write(out, pieces, {}, options);
+            });
         }
     }
     write_file(folder / "marker.json", marker_json(set, markers, formats));
