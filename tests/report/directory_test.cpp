@@ -60,7 +60,7 @@ TEST(PlanDirectory, HoldsWhatTheContractNames) {
         EXPECT_FALSE(text.empty()) << name;
         written.push_back(name);
     }
-    EXPECT_THAT(written, ElementsAre("cut/envelope.dxf", "cut/envelope.pdf", "cut/envelope.svg", "cut/pieces.json",
+    EXPECT_THAT(written, ElementsAre("bom.csv", "cut/envelope.dxf", "cut/envelope.pdf", "cut/envelope.svg", "cut/pieces.json",
                                      "cut/tiles/Bily__dracek_.dxf", "cut/tiles/Bily__dracek_.svg",
                                      "cut/tiles/G01_P01.dxf", "cut/tiles/G01_P01.svg", "flat/Bily__dracek_.obj",
                                      "flat/G01_P01.obj", "pictures/Bily__dracek_.svg", "pictures/G01_P01.svg",
@@ -117,7 +117,7 @@ TEST(PlanDirectory, ReplacesAnOldPlanUnderForceAndKeepsWhatIsNotIts) {
     testing::write_text(scratch.path("plan/photos/first flight.txt"), "mine");
     ASSERT_EQ(refusal(scratch.path("plan"), {true, false, false}), "accepted");
     EXPECT_THAT(names(scratch.path("plan")),
-                ElementsAre("cut", "flat", "photos", "report.json", "seams.csv", "tiles.csv"));
+                ElementsAre("bom.csv", "cut", "flat", "photos", "report.json", "seams.csv", "tiles.csv"));
     EXPECT_FALSE(fs::exists(scratch.path("plan/flat/OLD.obj")));
     EXPECT_EQ(testing::content(scratch.path("plan/photos/first flight.txt")), "mine");
     EXPECT_THAT(names(scratch.path()), ElementsAre("plan"));

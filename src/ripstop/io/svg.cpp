@@ -135,8 +135,9 @@ void write_svg(std::ostream& out, const std::vector<PatternPiece>& pieces, const
     const Page page(sheet);
     const Vec2 size = (sheet.upper - sheet.lower + Vec2::Constant(2 * margin)) / millimetre;
     const std::string width = format_fixed(size.x(), 3), height = format_fixed(size.y(), 3);
-    // a hairline on one piece; on a sheet of tens of metres it would be invisible, so it grows with the sheet
-    const std::string stroke = format_fixed(std::max(0.2, size.maxCoeff() / 2500), 1);
+    // a hairline on one piece; on a sheet of tens of metres it would be invisible, so it grows with the sheet's shorter
+    // side: a marker is short across however long the roll
+    const std::string stroke = format_fixed(std::max(0.2, size.minCoeff() / 2500), 1);
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
         << "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"" << width << "mm\" height=\""
         << height << "mm\" viewBox=\"0 0 " << width << ' ' << height << "\">\n"

@@ -3,6 +3,7 @@
 #include "ripstop/io/flat_obj.h"
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/figures.h"
+#include "ripstop/report/order.h"
 #include "ripstop/report/output_file.h"
 #include "ripstop/report/picture.h"
 #include "ripstop/report/report_json.h"
@@ -35,6 +36,7 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
     }
     write_file(dir / "tiles.csv", tiles_csv(plan));
     write_file(dir / "seams.csv", seams_csv(plan));
+    write_file(dir / "bom.csv", bom_csv(pieces, nullptr));
     write_file(dir / "report.json", report_json(plan, options.reproducible));
 }
 

@@ -19,7 +19,7 @@ struct DirectoryOptions {
     PieceFileOptions files = {};                               ///< how they are written
 };
 
-/// Writes the whole cut plan as `dir`: report.json, tiles.csv, seams.csv, flat/NAME.obj, cut/ (`write_cut_files`) with
+/// Writes the whole cut plan as `dir`: report.json, tiles.csv, seams.csv, bom.csv, flat/NAME.obj, cut/ (`write_cut_files`) with
 /// pieces.json, pictures/NAME.svg. NAME is the tile's `file` in report.json. Tiles without flat positions have no OBJ and,
 /// made by nobody, no piece. All or nothing, as `write_whole_directory` does and throws; under `force` the old plan is
 /// replaced, and files in it that no plan has are kept.
