@@ -65,6 +65,8 @@ Json piece_json(const PatternPiece& piece) {
             {"revision", piece.revision},
             {"quantity", piece.quantity},
             {"quantity_mirrored", piece.quantity_mirrored},
+            {"pattern", piece.pattern},
+            {"mirrored", piece.mirrored},
             {"sew_line_m", points_json(piece.sew_line)},
             {"edges", edges},
             {"cut_line_m", points_json(piece.cut_line)},
@@ -187,6 +189,8 @@ PatternPiece read_piece(const Reader& from) {
     piece.revision = from.text("revision");
     piece.quantity = from.whole("quantity", 0, 1000000);
     piece.quantity_mirrored = from.whole("quantity_mirrored", 0, 1000000);
+    piece.pattern = from.text("pattern");
+    piece.mirrored = from.flag("mirrored");
     piece.sew_line = from.points("sew_line_m", 3);
     if (piece.sew_line.rows() == 0) from.refuse("sew_line_m is empty");
     const int points = static_cast<int>(piece.sew_line.rows());

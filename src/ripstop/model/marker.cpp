@@ -94,11 +94,16 @@ PatternPiece placed_piece(const PatternPiece& piece, const Placement& placement)
         label.middle = at(label.middle);
         label.turn = upright(placement.turn + (placement.is_drawn_mirrored() ? -label.turn : label.turn));
         if (label.text == piece.name) label.text = laid.name;
-        if (label.text.starts_with("cut " + std::to_string(piece.quantity))) label.text = copy;
     }
     lay_labels(piece.labels, laid.labels);
+    const auto counts = [&piece](const Label& label) {
+        return label.text.starts_with("cut " + std::to_string(piece.quantity));
+    };
+    if (placement.copy == 0) std::erase_if(laid.labels, counts);
+    for (Label& label : laid.labels)
+        if (counts(label)) label.text = copy;
     if (placement.is_drawn_mirrored()) run_backwards(laid);
-    if (copies > 1) laid.name += " " + copy;
+    if (placement.copy > 0 && copies > 1) laid.name += " " + copy;
     return laid;
 }
 

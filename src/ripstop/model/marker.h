@@ -10,8 +10,8 @@ namespace ripstop {
 
 /// Where one copy of a piece lies on the roll: x along it, the warp, y across it.
 struct Placement {
-    std::size_t piece = 0;   ///< in `PieceSet::pieces`
-    int copy = 1;            ///< from 1, of the piece's copies in this marker, mirror images counted with them
+    std::size_t piece = 0;  ///< in `PieceSet::pieces`
+    int copy = 0;  ///< from 1, of the copies of a pattern, mirror images counted with them; 0: the piece itself
     bool mirrored = false;   ///< one of `PatternPiece::quantity_mirrored`: the piece's mirror image is wanted
     bool face_down = false;  ///< laid with the outside of the cloth below; only where the cloth may be turned over
     double turn = 0;         ///< [rad], counter-clockwise, after mirroring: 0 or pi, give or take the grain tolerance
@@ -56,7 +56,7 @@ struct Markers {
 
 /// The piece as it lies: turned, mirrored and shifted, with its copy in its name; all outlines counter-clockwise, letters
 /// never mirrored and never upside down, lines in their order. A mirror image says so in its name and on its label, and
-/// `cut 24` becomes `2/24`.
+/// `cut 24` becomes `2/24` on a copy, and goes where each piece is laid itself.
 PatternPiece placed_piece(const PatternPiece& piece, const Placement& placement);
 
 }  // namespace ripstop

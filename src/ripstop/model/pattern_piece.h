@@ -81,6 +81,8 @@ struct PatternPiece {
     std::vector<Label> labels = {};
     int quantity = 1;           ///< how many are cut by this pattern
     int quantity_mirrored = 0;  ///< and by the pattern turned over
+    std::string pattern = {};   ///< name of the equal piece whose pattern cuts it (`quantity` 0); empty: its own
+    bool mirrored = false;      ///< it is cut by that pattern turned over
     std::string gore = {}, row = {}, fabric = {}, colour = {}, revision = {};
     std::string file = {};  ///< stem of its files
 

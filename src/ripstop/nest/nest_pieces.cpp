@@ -12,6 +12,7 @@
 #include "ripstop/base/units.h"
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/nest/contact_table.h"
+#include "ripstop/nest/own_pieces.h"
 #include "ripstop/nest/search_order.h"
 #include "ripstop/nest/slide_together.h"
 #include "ripstop/nest/strip.h"
@@ -59,6 +60,7 @@ class Nester {
         }
         lay_batch(marker);
         number_copies(marker);
+        lay_own_pieces(set_, marker);
         measure_parts(marker);
         return marker;
     }

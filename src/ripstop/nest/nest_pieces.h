@@ -21,7 +21,8 @@ struct NestOptions {
     int threads = 0;  ///< 0: one a core; never changes the result
 };
 
-/// Lays every piece `quantity` times, and its mirror image `quantity_mirrored` times, on the roll of its fabric and colour:
+/// Lays every piece `quantity` times, and its mirror image `quantity_mirrored` times, each with the drawing of the piece it
+/// becomes (`lay_own_pieces`), on the roll of its fabric and colour:
 /// the warp along it, +x or, where turning is allowed, -x; outlines at least `gap` apart and within the width; no piece over
 /// a join. A mirror image is cut as a mirrored outline with the outside of the cloth up, as every piece; where `may_flip`, any
 /// may lie face down instead, outline mirrored.

@@ -134,6 +134,10 @@ std::vector<PatternPiece> make_pieces(const CutPlan& plan, const PieceOptions& o
         name_piece(piece, plan, plan.tiles[i].tile, options);
         piece.quantity = quantity[i].same;
         piece.quantity_mirrored = quantity[i].mirrored;
+        if (const int first = plan.tiles[i].equal_to; first >= 0) {
+            piece.pattern = plan.tiles[static_cast<std::size_t>(first)].tile.name;
+            piece.mirrored = plan.tiles[i].mirrored;
+        }
         piece.sew_line = outlines[i].sew_line;
         piece.edges = outlines[i].edges;
         piece.cut_line = cut_line(piece, options.corners);
