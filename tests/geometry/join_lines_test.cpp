@@ -72,6 +72,12 @@ TEST(JoinLines, TakesASingleLineThatEndsWhereItBeginsForClosed) {
     EXPECT_FALSE(joined[1].is_closed);
 }
 
+TEST(JoinLines, DoesNotCloseAStraightLineShorterThanTheTolerance) {
+    const std::vector<JoinedLine> joined = join_lines({line({0, 0}, {0.001, 0})}, 0.01);
+    EXPECT_FALSE(joined.at(0).is_closed);
+    EXPECT_EQ(joined[0].points.rows(), 2);
+}
+
 TEST(SharpCorners, AreWhereAPolygonTurns) {
     Points2 polygon(6, 2);
     polygon << 0, 0, 0.5, 0.001, 1, 0, 1, 0, 1, 1, 0, 1;

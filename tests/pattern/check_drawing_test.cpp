@@ -159,6 +159,8 @@ TEST(CheckDrawing, MeasuresTheReferenceSquare) {
 }
 
 TEST(CheckDrawing, DoubtsTheUnitOfPiecesThatNobodySews) {
+    EXPECT_EQ(codes(check_drawing(drawing_of({closed("CUT", points({{0, 0}, {90000, 0}, {90000, 900}, {0, 900}}))}))),
+              (std::vector<std::string>{"size"}));
     EXPECT_EQ(codes(check_drawing(drawing_of({closed("CUT", square({0, 0}, 0.3))}))),
               (std::vector<std::string>{"size"}));
     EXPECT_EQ(codes(check_drawing(drawing_of({closed("CUT", square({0, 0}, 300000))}))),
