@@ -2,11 +2,13 @@
 ///     ripstop-bench-nest [PLAN ...]
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <string>
 
 #include "ripstop/geometry/polygon.h"
+#include "ripstop/geometry/predicates.h"
 #include "ripstop/nest/nest_pieces.h"
 #include "ripstop/report/cut_files.h"
 #include "support/loose_pieces.h"
@@ -58,16 +60,38 @@ void lay(const std::string& name, const PieceSet& set, int rounds) {
 }
 
 #ifdef RIPSTOP_LIBNEST2D
+/// Its no-fit polygons are those of convex pieces: concave ones it lays over one another.
+PlainOutline convex_hull(const Points2& outline) {
+    std::vector<Vec2> points;
+    for (Eigen::Index i = 0; i < outline.rows(); ++i) points.push_back(outline.row(i));
+    std::sort(points.begin(), points.end(),
+              [](const Vec2& a, const Vec2& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
+    std::vector<Vec2> hull;
+    for (int side = 0; side < 2; ++side) {
+        const std::size_t start = hull.size();
+        for (const Vec2& point : points) {
+            while (hull.size() >= start + 2 && orient2d(hull[hull.size() - 2], hull.back(), point) <= 0)
+                hull.pop_back();
+            hull.push_back(point);
+        }
+        hull.pop_back();
+        std::reverse(points.begin(), points.end());
+    }
+    PlainOutline plain;
+    for (const Vec2& point : hull) plain.push_back({point.x(), point.y()});
+    return plain;
+}
+
 void lay_with_other(const std::string& name, const PieceSet& set, double accuracy) {
     std::vector<PlainOutline> outlines;
+    std::vector<double> areas;
     const double width = set.fabrics.at(0).roll_width;
     for (const PatternPiece& piece : set.pieces)
         for (int copy = 0; copy < piece.quantity; ++copy) {
             const Points2& outline = piece.outline();
             if (outline.col(1).maxCoeff() - outline.col(1).minCoeff() > width) continue;
-            PlainOutline plain;
-            for (Eigen::Index i = 0; i < outline.rows(); ++i) plain.push_back({outline(i, 0), outline(i, 1)});
-            outlines.push_back(plain);
+            outlines.push_back(convex_hull(outline));
+            areas.push_back(signed_area(outline));
         }
     Row row{name, fmt::format("libnest2d, accuracy {}", accuracy), 0, 0, 0, 0, 0};
     StripResult result;
@@ -76,10 +100,7 @@ void lay_with_other(const std::string& name, const PieceSet& set, double accurac
     for (std::size_t i = 0; i < outlines.size(); ++i) {
         if (!result.is_laid[i]) continue;
         ++row.pieces;
-        Points2 outline(static_cast<Eigen::Index>(outlines[i].size()), 2);
-        for (std::size_t k = 0; k < outlines[i].size(); ++k)
-            outline.row(static_cast<Eigen::Index>(k)) << outlines[i][k][0], outlines[i][k][1];
-        row.utilisation += signed_area(outline) / (width * row.length);
+        row.utilisation += areas[i] / (width * row.length);
     }
     print(row);
 }
