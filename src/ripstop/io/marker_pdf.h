@@ -8,7 +8,7 @@
 
 namespace ripstop {
 
-/// Writes a marker as a PDF to lay it by: the roll in small on A4 pages, in strips of a round scale (1:50 for cloth of 1.5 m),
+/// Writes a marker as a PDF to lay it by: the roll in small on A4 pages, in strips of a round scale (1:40 for cloth of 1.5 m),
 /// four a page, with metres from its start, joins, and every piece with its name and grain. Cut lines are red. The pieces
 /// lie in true size in the marker's DXF, SVG and HPGL.
 ///
