@@ -212,6 +212,9 @@ TEST(NestPieces, RefusesWidthsGapsAndLengthsThatAreNone) {
     options = {};
     options.part_lengths = {10, 0};
     EXPECT_THROW(nest_pieces(set, options), InputError);
+    PieceSet many = set;
+    many.pieces[0].quantity = 1000000;
+    EXPECT_THROW(nest_pieces(many, {}), InputError);
     EXPECT_THAT(nest_pieces(loose_set({}), {}).markers, IsEmpty());
 }
 

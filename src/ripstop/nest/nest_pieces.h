@@ -27,11 +27,12 @@ struct NestOptions {
 /// where `may_flip`, any may lie face down instead, outline mirrored.
 ///
 /// Outlines, grown by half the gap, are compared row by row, 300 rows over the width, so hollows are used too
-/// (`ContactTable`, `search_order`); then all slide together along the roll by rows of a twentieth of that. Pieces as
+/// (`ContactTable`, `search_order`); then all slide together along the roll in rows a twenty-fourth as high. Pieces as
 /// cut have no holes. Sets of many kinds are laid some hundred kinds after the other.
 ///
 /// Refused with the reason, and the others laid: what is wider than the roll or longer than any part of it. Throws
-/// InputError for a width, a gap or a length that is none. The same set and options give the same markers.
+/// InputError for a width, a gap or a length that is none, and for more than 50,000 pieces. The same set and options
+/// give the same markers.
 Markers nest_pieces(const PieceSet& set, const NestOptions& options = {});
 
 }  // namespace ripstop
