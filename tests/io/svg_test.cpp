@@ -152,7 +152,7 @@ TEST(Svg, IsMeasuredInTrueSizeByInkscape) {
         return std::strtod(result.output.c_str(), nullptr) * 25.4 / 96;  // its pixels are 1/96 in
     };
     // Inkscape adds a line's width, and rounds to six digits.
-    constexpr double line = 0.3;
+    constexpr double line = 0.2;
     EXPECT_NEAR(measured("reference", "width"), 100 + line, 0.01);
     EXPECT_NEAR(measured("P", "width"), 524 + line, 0.01) << "500 mm and the allowances";
     EXPECT_NEAR(measured("P", "height"), 324 + line, 0.01);

@@ -52,8 +52,8 @@ TEST(NestPieces, LaysEveryCopyOnceAtTheGapWithinTheRoll) {
 }
 
 TEST(NestPieces, BeatsLibnest2dOnGoreLikePieces) {
-    // libnest2d leaves 24 % of the cloth of 200 such pieces (docs/benchmarks.md), 25 % of that of 60. The figure is ours after a
-    // short search, so that a search that no longer works is noticed.
+    // libnest2d leaves 24 % of the cloth of 200 such pieces (docs/benchmarks.md), 25 % of that of 60. The figure is
+    // ours after a short search, so that a search that no longer works is noticed.
     const PieceSet set = loose_set(gore_like_pieces(60));
     const Markers markers = nest_pieces(set, quick(10));
     EXPECT_EQ(faults_of(set, markers, 0.005), "");
@@ -82,7 +82,8 @@ TEST(NestPieces, UsesTheHollowsOfConcavePieces) {
     NestOptions options = quick(10);
     const Markers markers = nest_pieces(set, options);
     EXPECT_EQ(faults_of(set, markers, options.gap), "");
-    // 5 lie in one another across the roll: 0.4 + 5 * 0.2 m and the gaps, slanting; of their hulls 1.5 / 0.6 m only 2 do.
+    // 5 lie in one another across the roll: 0.4 + 5 * 0.2 m and the gaps, slanting; of their hulls 1.5 / 0.6 m only 2
+    // do.
     EXPECT_LT(markers.markers.at(0).length, 6 * 2.01);
 }
 
@@ -211,6 +212,9 @@ TEST(NestPieces, RefusesWidthsGapsAndLengthsThatAreNone) {
     options = {};
     options.part_lengths = {10, 0};
     EXPECT_THROW(nest_pieces(set, options), InputError);
+    PieceSet many = set;
+    many.pieces[0].quantity = 1000000;
+    EXPECT_THROW(nest_pieces(many, {}), InputError);
     EXPECT_THAT(nest_pieces(loose_set({}), {}).markers, IsEmpty());
 }
 

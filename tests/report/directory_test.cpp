@@ -60,8 +60,8 @@ TEST(PlanDirectory, HoldsWhatTheContractNames) {
         EXPECT_FALSE(text.empty()) << name;
         written.push_back(name);
     }
-    EXPECT_THAT(written, ElementsAre("bom.csv", "cut/envelope.dxf", "cut/envelope.pdf", "cut/envelope.svg", "cut/pieces.json",
-                                     "cut/tiles/Bily__dracek_.dxf", "cut/tiles/Bily__dracek_.svg",
+    EXPECT_THAT(written, ElementsAre("bom.csv", "cut/envelope.dxf", "cut/envelope.pdf", "cut/envelope.svg",
+                                     "cut/pieces.json", "cut/tiles/Bily__dracek_.dxf", "cut/tiles/Bily__dracek_.svg",
                                      "cut/tiles/G01_P01.dxf", "cut/tiles/G01_P01.svg", "flat/Bily__dracek_.obj",
                                      "flat/G01_P01.obj", "pictures/Bily__dracek_.svg", "pictures/G01_P01.svg",
                                      "report.json", "seams.csv", "tiles.csv"));

@@ -5,10 +5,9 @@
 #include <ostream>
 
 #include "ripstop/base/number_text.h"
-#include "ripstop/base/units.h"
+#include "ripstop/geometry/polygon.h"
 #include "ripstop/io/paper.h"
 #include "ripstop/io/pdf_canvas.h"
-#include "ripstop/io/sheet.h"
 
 namespace ripstop {
 namespace {
@@ -50,19 +49,19 @@ Points2 closed(const Points2& outline) {
     return line;
 }
 
+/// The outline and, where most room is, the grain and the name below it.
 void draw_piece(PdfCanvas& canvas, const Strip& strip, const PatternPiece& piece) {
     canvas.line(strip.at(closed(piece.outline())), cut_ink);
-    const Points2 arrow = grain_arrow(piece);
-    if (arrow.rows() == 4) {
-        const Vec2 tail = strip.at(Vec2(arrow.row(0))), head = strip.at(Vec2(arrow.row(1)));
-        const Vec2 back = (tail - head).normalized() * 0.0015, side = Vec2(-back.y(), back.x()) * 0.4;
-        canvas.line(tail, head, grain_ink);
-        canvas.line(head, head + back + side, grain_ink);
-        canvas.line(head, head + back - side, grain_ink);
-    }
-    const Vec2 size = (piece.upper() - piece.lower()) / strip.scale;
-    const Vec2 middle = strip.at(Vec2((piece.lower() + piece.upper()) / 2)) - Vec2(0, letters);
-    canvas.text({piece.name, middle, std::min(letters, size.y() / 3)}, black, Align::middle, 0.8 * size.x());
+    const Circle room = largest_circle_inside(piece.outline(), 0.01);
+    const Vec2 middle = strip.at(room.centre);
+    const double radius = room.radius / strip.scale, height = std::min(letters, radius / 2);
+    canvas.text({piece.name, middle - Vec2(0, 0.9 * height), height}, black, Align::middle, 1.8 * radius);
+    if (piece.grain_line.rows() != 2) return;
+    const Vec2 along = Vec2(piece.grain_line.row(1) - piece.grain_line.row(0)).normalized();
+    const Vec2 across(-along.y(), along.x());
+    const Vec2 centre = middle + Vec2(0, 0.9 * height), head = centre + 0.6 * radius * along;
+    canvas.line(centre - 0.6 * radius * along, head, grain_ink);
+    for (const double side : {0.4, -0.4}) canvas.line(head, head - 0.5 * height * (along + side * across), grain_ink);
 }
 
 void draw_strip(PdfCanvas& canvas, const Strip& strip, const Marker& marker, const std::vector<PatternPiece>& pieces) {

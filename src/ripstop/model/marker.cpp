@@ -11,7 +11,8 @@ Points2 reversed(const Points2& points) {
     return points.colwise().reverse();
 }
 
-/// Drawn mirrored, a line runs clockwise: backwards from its first edge's start, so that edges follow one another again.
+/// Drawn mirrored, a line runs clockwise: backwards from its first edge's start, so that edges follow one another
+/// again.
 void run_backwards(PatternPiece& piece) {
     const auto points = static_cast<int>(piece.sew_line.rows());
     const int start = piece.edges.empty() ? 0 : piece.edges.front().first;
@@ -49,8 +50,8 @@ bool is_next_line(const Label& first, const Label& second) {
            -down.dot(up) < 2 * (first.height + second.height);
 }
 
-/// Lines under one another stay so: where the piece lies so that they would be read from the last to the first, the whole
-/// stack is turned about its middle, within the room it has.
+/// Lines under one another stay so: where the piece lies so that they would be read from the last to the first, the
+/// whole stack is turned about its middle, within the room it has.
 void lay_labels(const std::vector<Label>& old, std::vector<Label>& labels) {
     for (std::size_t first = 0, next; first < labels.size(); first = next) {
         for (next = first + 1; next < labels.size() && is_next_line(old[next - 1], old[next]);) ++next;

@@ -7,15 +7,16 @@
 
 namespace ripstop {
 
-/// For every two shapes and every whole number of rows between their bases, the shifts along the roll by which they overlap:
-/// the no-fit polygons of all pairs, cut into rows. Single precision: for searching, not for the last word.
+/// For every two shapes and every whole number of rows between their bases, the shifts along the roll by which they
+/// overlap: the no-fit polygons of all pairs, cut into rows. Single precision: for searching, not for the last word.
 class ContactTable {
   public:
-    /// The shapes' profiles have `profile_rows` rows to a row that items lie on. O(shapes2 rows2 profile_rows) time on up to
-    /// `threads` threads, O(shapes2 rows) memory: some 100 MB for 400 shapes a third of 200 rows high.
+    /// The shapes' profiles have `profile_rows` rows to a row that items lie on. O(shapes2 rows2 profile_rows) time on
+    /// up to `threads` threads, O(shapes2 rows) memory: some 100 MB for 400 shapes a third of 200 rows high.
     ContactTable(const std::vector<LaidShape>& shapes, int profile_rows, int threads);
 
-    /// Calls `taken(lower, upper)` for the places x of `other`, `rows` rows above `placed` that lies at 0, at which they overlap.
+    /// Calls `taken(lower, upper)` for the places x of `other`, `rows` rows above `placed` that lies at 0, at which
+    /// they overlap.
     template <class Taken>
     void each(int placed, int other, int rows, Taken&& taken) const {
         if (placed <= other) {

@@ -22,8 +22,8 @@ struct LaidShape {
     RowProfile profile = {};
 };
 
-/// The outline and everything within `distance` of it [m], and at most 0.2 mm more at its sides: points of it that are within
-/// 0.1 mm of the line through others are left out first. Corners are mitred [Clipper].
+/// The outline and everything within `distance` of it [m], and at most 0.2 mm more at its sides: points of it that are
+/// within 0.1 mm of the line through others are left out first. Corners are mitred [Clipper].
 Points2 grown_outline(const Points2& outline, double distance);
 
 }  // namespace ripstop

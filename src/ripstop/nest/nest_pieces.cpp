@@ -23,8 +23,9 @@ namespace {
 constexpr int rows_across = 200;
 constexpr int profile_rows = 8;  // to a row, where shapes are few
 constexpr int few_shapes = 80;
-constexpr int fine = 24;           // rows to a row when all slide together at the end
-constexpr int most_shapes = 600;   // laid together: their contact table takes some 300 MB
+constexpr int fine = 24;          // rows to a row when all slide together at the end
+constexpr int most_shapes = 600;  // laid together: their contact table takes some 300 MB
+constexpr double most_copies = 50000;
 constexpr double rounding = 1e-9;  // [m]
 
 std::string in_millimetres(double length) {
@@ -240,6 +241,11 @@ void require_sound(const NestOptions& options) {
 Markers nest_pieces(const PieceSet& set, const NestOptions& options) {
     require_sound(options);
     std::map<std::pair<std::string, std::string>, std::vector<Kind>> cloths;
+    double copies = 0;
+    for (const PatternPiece& piece : set.pieces) copies += double(piece.quantity) + piece.quantity_mirrored;
+    if (copies > most_copies)
+        throw InputError("the quantities of the pieces add up to " + format_fixed(copies, 0) +
+                         ", expected no more than " + format_fixed(most_copies, 0) + "; lay them in several plans");
     for (std::size_t i = 0; i < set.pieces.size(); ++i) {
         const PatternPiece& piece = set.pieces[i];
         if (piece.outline().rows() < 3) continue;

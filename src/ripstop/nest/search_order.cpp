@@ -8,8 +8,8 @@
 namespace ripstop {
 namespace {
 
-constexpr int window = 8;           // items that a change may touch
-constexpr int judged = 32;          // items whose places judge it
+constexpr int window = 24;          // items that a change may touch
+constexpr int judged = 50;          // items whose places judge it
 constexpr int tries = 60;           // at each place of the window
 constexpr int tried_rows = 4;       // when an item is laid anew
 constexpr double first_heat = 0.4;  // of the mean moment that a shift of a metre gives an item

@@ -13,8 +13,8 @@ struct FineRows {
     int times = 1;
 };
 
-/// Slides items that do not overlap towards the start of the roll, each as far as those before it, in the finer rows, and
-/// the join before it let it. Who lies before whom does not change, nor do rows. Double precision throughout.
+/// Slides items that do not overlap towards the start of the roll, each as far as those before it, in the finer rows,
+/// and the join before it let it. Who lies before whom does not change, nor do rows. Double precision throughout.
 void slide_together(const Strip& strip, const FineRows& rows, std::vector<PlacedItem>& items);
 
 }  // namespace ripstop

@@ -40,7 +40,8 @@ struct Strip {
     const LaidShape& shape(const LaidItem& item) const { return shapes[static_cast<std::size_t>(item.shape)]; }
     double end(const PlacedItem& item) const { return item.x + shape(item).size.x(); }
 
-    /// The first x from `from` on, outside all of `taken` (sorted by their lower ends), from which `length` has no join in it.
+    /// The first x from `from` on, outside all of `taken` (sorted by their lower ends), from which `length` has no join
+    /// in it.
     double first_free(const std::vector<Interval>& taken, double from, double length) const;
 };
 
