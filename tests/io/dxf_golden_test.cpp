@@ -24,9 +24,9 @@ std::string without_version(std::string text) {
 
 TEST(GoldenDxf, IsWhatIsWritten) {
     DxfOptions options;
-    options.style = "balloon.obj";
+    options.style = std::string("balloon.obj");
     options.revision = "B";
-    options.date = "2026-11-02";
+    options.date = std::string("2026-11-02");
     const std::vector<PatternPiece> all = testing::sample_pieces();
     for (const DxfDialect& dialect : dxf_dialects()) {
         const std::string file = RIPSTOP_SOURCE_DIR "/tests/data/golden/" + dialect.name + ".dxf";

@@ -54,9 +54,9 @@ struct Markers {
     std::vector<Refusal> refusals;
 };
 
-/// The piece as it lies: turned, mirrored and shifted, with its copy in its name; all outlines counter-clockwise, letters
-/// never mirrored and never upside down, lines in their order. A mirror image says so in its name and on its label, and
-/// `cut 24` becomes `2/24` on a copy, and goes where each piece is laid itself.
+/// The piece as it lies: turned, mirrored and shifted, with its copy in its name; all outlines counter-clockwise,
+/// letters never mirrored and never upside down, lines in their order. A mirror image says so in its name and on its
+/// label, and `cut 24` becomes `2/24` on a copy, and goes where each piece is laid itself.
 PatternPiece placed_piece(const PatternPiece& piece, const Placement& placement);
 
 }  // namespace ripstop

@@ -21,14 +21,14 @@ struct NestOptions {
     int threads = 0;  ///< 0: one a core; never changes the result
 };
 
-/// Lays every piece `quantity` times, and its mirror image `quantity_mirrored` times, each with the drawing of the piece it
-/// becomes (`lay_own_pieces`), on the roll of its fabric and colour:
-/// the warp along it, +x or, where turning is allowed, -x; outlines at least `gap` apart and within the width; no piece over
-/// a join. A mirror image is cut as a mirrored outline with the outside of the cloth up, as every piece; where `may_flip`, any
-/// may lie face down instead, outline mirrored.
+/// Lays every piece `quantity` times, and its mirror image `quantity_mirrored` times, each with the drawing of the piece
+/// it becomes (`lay_own_pieces`), on the roll of its fabric and colour: the warp along it, +x or, where turning is
+/// allowed, -x; outlines at least `gap` apart and within the width; no piece over a join. A mirror image is cut as a
+/// mirrored outline with the outside of the cloth up, as every piece; where `may_flip`, any may lie face down instead,
+/// outline mirrored.
 ///
-/// Outlines, grown by half the gap, are compared row by row, 200 rows over the width and, where kinds are few, 1,600, so hollows are used too
-/// (`ContactTable`, `search_order`); then all slide together along the roll in rows a twenty-fourth as high. Pieces as
+/// Outlines, grown by half the gap, are compared row by row, 200 rows over the width and, where kinds are few, 1,600, so
+/// hollows are used too (`ContactTable`, `search_order`); then all slide together along the roll in rows a twenty-fourth as high. Pieces as
 /// cut have no holes. Sets of many kinds are laid some hundred kinds after the other.
 ///
 /// Refused with the reason, and the others laid: what is wider than the roll or longer than any part of it. Throws
