@@ -26,7 +26,7 @@ struct NestOptions {
 /// no piece over a join. A mirror image is cut as a mirrored outline with the outside of the cloth up, as every piece;
 /// where `may_flip`, any may lie face down instead, outline mirrored.
 ///
-/// Outlines, grown by half the gap, are compared row by row, 300 rows over the width, so hollows are used too
+/// Outlines, grown by half the gap, are compared row by row, 400 rows over the width or more, so hollows are used too
 /// (`ContactTable`, `search_order`); then all slide together along the roll in rows a twenty-fourth as high. Pieces as
 /// cut have no holes. Sets of many kinds are laid some hundred kinds after the other.
 ///
