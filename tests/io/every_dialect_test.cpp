@@ -228,7 +228,8 @@ TEST_P(EveryDialect, KeepsAPieceOf40Metres) {
 TEST_P(EveryDialect, KeepsAThousandPiecesApart) {
     std::vector<PatternPiece> pieces;
     for (int i = 0; i < 1000; ++i)
-        pieces.push_back(sample_piece("P" + std::to_string(i), Vec2(0.5 * (i % 40), 0.3 * (i / 40))));
+        pieces.push_back(
+            sample_piece(std::string("P").append(std::to_string(i)), Vec2(0.5 * (i % 40), 0.3 * (i / 40))));
     const DrawingCheck check = checked(pieces);
     EXPECT_TRUE(check.sound()) << check.issues.front().message;
     EXPECT_EQ(check.contours.size(), 2000U);

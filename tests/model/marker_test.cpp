@@ -20,9 +20,9 @@ PatternPiece marked_piece() {
     const double lengths[] = {3, 2, 2, std::sqrt(2.0), 1};
     for (int e = 0; e < 5; ++e) {
         piece.edges.push_back({e, lengths[e]});
-        piece.edges.back().mates = {{"S" + std::to_string(e), "Q", lengths[e]}};
+        piece.edges.back().mates = {{std::string("S").append(std::to_string(e)), "Q", lengths[e]}};
     }
-    piece.notches.push_back({1, "S1", 0.5, Vec2(3, 0.5), Vec2(1, 0), 0, 0.005});
+    piece.notches.push_back({1, std::string("S1"), 0.5, Vec2(3, 0.5), Vec2(1, 0), 0, 0.005});
     piece.labels = {{"P", Vec2(1.5, 1), 0.04, 0}, {"cut 3 + 2 mirrored", Vec2(1.5, 0.9), 0.02, 0}};
     piece.quantity = 3;
     piece.quantity_mirrored = 2;

@@ -99,7 +99,8 @@ TEST(NestPieces, KeepsTheGrain) {
     const PieceSet set = loose_set(gore_like_pieces(30));
     NestOptions options = quick();
     std::set<double> turns;
-    for (const Placement& placement : nest_pieces(set, options).markers.at(0).placements)
+    const Markers strict = nest_pieces(set, options);
+    for (const Placement& placement : strict.markers.at(0).placements)
         turns.insert(std::round(placement.turn / degree));
     EXPECT_EQ(turns, (std::set<double>{0, 180}));
     options.grain_tolerance = 2 * degree;

@@ -100,7 +100,7 @@ std::vector<PatternPiece> gore_like_pieces(int count) {
             outline.row(i) << length * i / 10, -0.5 * width * height(i) / highest;
             outline.row(21 - i) << length * i / 10, 0.5 * width * height(i) / highest;
         }
-        pieces.push_back(loose_piece("P" + std::to_string(n + 1), outline));
+        pieces.push_back(loose_piece(std::string("P").append(std::to_string(n + 1)), outline));
     }
     return pieces;
 }

@@ -75,14 +75,14 @@ std::vector<PatternPiece> odd_pieces() {
     pieces[2].cut_line.resize(0, 2);
     pieces[2].notches.clear();
     pieces[3].labels[0].turn = std::numbers::pi / 2;
-    for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].file = "odd" + std::to_string(i);
+    for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].file = std::string("odd").append(std::to_string(i));
     return pieces;
 }
 
 std::vector<PatternPiece> many_pieces(int count) {
     std::vector<PatternPiece> pieces;
     for (int i = 0; i < count; ++i) {
-        pieces.push_back(band("P" + std::to_string(i + 1), 0.3, 0.15, 0.01));
+        pieces.push_back(band(std::string("P").append(std::to_string(i + 1)), 0.3, 0.15, 0.01));
         pieces.back().file = pieces.back().name;
     }
     return pieces;

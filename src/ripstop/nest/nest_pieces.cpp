@@ -21,7 +21,8 @@ namespace ripstop {
 namespace {
 
 constexpr int rows_across = 200;
-constexpr int profile_rows = 8;  // to a row, where shapes are few
+constexpr int profile_rows = 2;       // to a row
+constexpr int fine_profile_rows = 8;  // to a row, where shapes are few
 constexpr int few_shapes = 80;
 constexpr int fine = 24;          // rows to a row when all slide together at the end
 constexpr int most_shapes = 600;  // laid together: their contact table takes some 300 MB
@@ -49,7 +50,7 @@ class Nester {
         Marker marker;
         marker.roll_width = width_;
         const std::size_t ways = turns().size() * (options_.may_flip ? 2 : 1);
-        profile_rows_ = kinds.size() * ways <= few_shapes ? profile_rows : 1;
+        profile_rows_ = kinds.size() * ways <= few_shapes ? fine_profile_rows : profile_rows;
         strip_ = new_strip(0);
         for (const Kind& kind : kinds) {
             const std::size_t before = strip_.shapes.size();
@@ -108,7 +109,7 @@ class Nester {
         const double profile_row = row_height_ / profile_rows_;
         const double rest = width_ - shape.size.y() - shape.last_row * row_height_;
         shape.lift = std::floor(rest / profile_row) * profile_row;
-        if (profile_rows_ == 1 || shape.lift <= 0) return;
+        if (profile_rows_ < fine_profile_rows || shape.lift <= 0) return;
         shape.grown.col(1).array() += shape.lift;
         shape.profile = make_row_profile(shape.grown, base(), profile_row);
         strip_.shapes.push_back(std::move(shape));

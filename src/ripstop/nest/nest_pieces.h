@@ -27,8 +27,8 @@ struct NestOptions {
 /// mirrored outline with the outside of the cloth up, as every piece; where `may_flip`, any may lie face down instead,
 /// outline mirrored.
 ///
-/// Outlines, grown by half the gap, are compared row by row, 200 rows over the width and, where kinds are few, 1,600, so
-/// hollows are used too (`ContactTable`, `search_order`); then all slide together along the roll in rows a twenty-fourth as high. Pieces as
+/// Outlines, grown by half the gap, are compared row by row, 400 rows over the width or more, so hollows are used too
+/// (`ContactTable`, `search_order`); then all slide together along the roll in rows a twenty-fourth as high. Pieces as
 /// cut have no holes. Sets of many kinds are laid some hundred kinds after the other.
 ///
 /// Refused with the reason, and the others laid: what is wider than the roll or longer than any part of it. Throws
