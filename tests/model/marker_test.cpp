@@ -23,7 +23,7 @@ PatternPiece marked_piece() {
         piece.edges.back().mates = {{std::string("S").append(std::to_string(e)), "Q", lengths[e]}};
     }
     piece.notches.push_back({1, std::string("S1"), 0.5, Vec2(3, 0.5), Vec2(1, 0), 0, 0.005});
-    piece.labels = {{"P", Vec2(1.5, 1), 0.04, 0}, {"cut 3 + 2 mirrored", Vec2(1.5, 0.9), 0.02, 0}};
+    piece.labels = {{"P", Vec2(1.5, 1), 0.04, 0}, {"cut 3 + 2 mirrored", Vec2(1.5, 0.9), 0.02, 0, true}};
     piece.quantity = 3;
     piece.quantity_mirrored = 2;
     return piece;

@@ -78,7 +78,8 @@ TEST_P(OwnPieces, AreLaidWhereTheCopiesOfTheirPatternWouldBe) {
 TEST_P(OwnPieces, CarryTheirNamesWithoutNumber) {
     const PieceSet set = four_of_a_pattern();
     std::set<std::string> names;
-    for (const Placement& placement : nest_pieces(set, options()).markers.at(0).placements)
+    const Markers markers = nest_pieces(set, options());
+    for (const Placement& placement : markers.markers.at(0).placements)
         names.insert(placed_piece(set.pieces[placement.piece], placement).name);
     EXPECT_EQ(names, (std::set<std::string>{"A", "B", "C", "D"}));
 }

@@ -55,7 +55,8 @@ Json piece_json(const PatternPiece& piece) {
         labels.push_back({{"text", label.text},
                           {"middle_m", {label.middle.x(), label.middle.y()}},
                           {"height_m", label.height},
-                          {"turn_rad", label.turn}});
+                          {"turn_rad", label.turn},
+                          {"counts", label.counts}});
     return {{"name", piece.name},
             {"file", piece.file},
             {"gore", piece.gore},
@@ -209,7 +210,8 @@ PatternPiece read_piece(const Reader& from) {
         return drawn;
     });
     piece.labels = from.each<Label>("labels", [](const Reader& label) {
-        return Label{label.text("text"), label.point("middle_m"), label.number("height_m"), label.number("turn_rad")};
+        return Label{label.text("text"), label.point("middle_m"), label.number("height_m"), label.number("turn_rad"),
+                     label.flag("counts")};
     });
     return piece;
 }

@@ -97,12 +97,9 @@ PatternPiece placed_piece(const PatternPiece& piece, const Placement& placement)
         if (label.text == piece.name) label.text = laid.name;
     }
     lay_labels(piece.labels, laid.labels);
-    const auto counts = [&piece](const Label& label) {
-        return label.text.starts_with("cut " + std::to_string(piece.quantity));
-    };
-    if (placement.copy == 0) std::erase_if(laid.labels, counts);
+    if (placement.copy == 0) std::erase_if(laid.labels, [](const Label& label) { return label.counts; });
     for (Label& label : laid.labels)
-        if (counts(label)) label.text = copy;
+        if (label.counts) label.text = copy;
     if (placement.is_drawn_mirrored()) run_backwards(laid);
     if (placement.copy > 0 && copies > 1) laid.name += " " + copy;
     return laid;

@@ -16,6 +16,7 @@ struct Label {
     Vec2 middle = Vec2::Zero();
     double height = 0.02;  ///< [m]
     double turn = 0;       ///< [rad], counter-clockwise
+    bool counts = false;   ///< says how many are cut by the pattern: not written where all of them are drawn
 };
 
 /// Whom a piece is sewn to along a part of an edge.

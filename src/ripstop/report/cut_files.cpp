@@ -52,10 +52,14 @@ void write_cut_files(const fs::path& cut, const PieceSet& set, const std::vector
     options.style = set.input;
     options.revision = set.revision;
     fs::create_directories(cut);
+    std::vector<PatternPiece> all = set.pieces;
+    for (PatternPiece& piece : all) std::erase_if(piece.labels, [](const Label& label) { return label.counts; });
     for (const std::string& name : formats) {
         const PieceFormat& format = piece_format_named(name);
+        // where each piece has a file there is one with all of them drawn, else one with each pattern once
+        const std::vector<PatternPiece>& sheet = format.one_a_piece ? all : set.pieces;
         write_file(cut / ("envelope." + format.extension),
-                   [&](std::ostream& out) { format.write(out, set.pieces, shifts, options); });
+                   [&](std::ostream& out) { format.write(out, sheet, shifts, options); });
         if (!format.one_a_piece) continue;
         fs::create_directories(cut / "tiles");
         for (const PatternPiece& piece : set.pieces)
