@@ -39,7 +39,8 @@ TEST(NestCommand, LaysAPlanOnTheRoll) {
     EXPECT_EQ(json.code, 0);
     EXPECT_EQ(json.out, workshop.read("plan/marker/marker.json"));
     std::set<std::string> laid;
-    for (const Json& placement : Json::parse(json.out)["markers"][0]["placements"])
+    const Json marker = Json::parse(json.out)["markers"][0];
+    for (const Json& placement : marker["placements"])
         laid.insert(placement["piece"].get<std::string>());
     EXPECT_EQ(laid.size(), 24u) << "each with its own name, though they have 4 patterns";
     const ProgramRun one_thread = workshop.ripstop("nest plan --effort 3 --json --jobs 1 -o other");

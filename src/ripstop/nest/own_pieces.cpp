@@ -31,7 +31,7 @@ Placement covering(const Placement& copy, const PatternPiece& pattern, const Pat
     placement.copy = 0;
     placement.mirrored = false;
     placement.face_down = copy.is_drawn_mirrored() != own.mirrored;
-    placement.turn = std::remainder(copy.turn + (half_turn ? std::numbers::pi : 0), 2 * std::numbers::pi);
+    if (half_turn) placement.turn += copy.turn > std::numbers::pi / 2 ? -std::numbers::pi : std::numbers::pi;
     placement.shift = Vec2::Zero();
     const auto middle_as = [](const Placement& as, const PatternPiece& laid) -> Vec2 {
         return as.placed(Points2(area_centroid(laid.outline()).transpose())).row(0).transpose();
