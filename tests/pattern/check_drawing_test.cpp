@@ -137,8 +137,6 @@ TEST(CheckDrawing, AsksForAUnitAndForOneOnly) {
     EXPECT_EQ(codes(check_drawing(drawing)), (std::vector<std::string>{"unit"}));
     EXPECT_TRUE(check_drawing(drawing, {LengthUnit{"cm", 0.01}, {}}).sound());
     EXPECT_DOUBLE_EQ(check_drawing(drawing, {LengthUnit{"cm", 0.01}, {}}).contours[0].perimeter, 12);
-    drawing.units = {{"$MEASUREMENT", {"in", 0.0254}}, {"$INSUNITS", {"mm", 1e-3}}};
-    EXPECT_TRUE(check_drawing(drawing).sound()) << "$MEASUREMENT is for hatches";
     drawing.units = {{"$INSUNITS", {"in", 0.0254}}, {"the text \"Units: METRIC\"", {"mm", 1e-3}}};
     EXPECT_EQ(codes(check_drawing(drawing)), (std::vector<std::string>{"unit_conflict"}));
 }

@@ -114,6 +114,73 @@ TEST(CutLine, KeepsItsDistanceFromEveryEdgeOfAGore) {
         }
 }
 
+/// A piece 4 m wide whose lower outline turns by `turn` in its middle, with these allowances before and after, 20 mm elsewhere.
+std::vector<AllowedEdge> bent(double turn, double before, double after, CornerRule rule_before, CornerRule rule_after) {
+    const Vec2 far = 2 * Vec2(std::cos(turn), std::sin(turn));
+    const Points2 corners = line({{-2, 0}, {0, 0}, {far.x(), far.y()}, {far.x() - 0.1, 6}, {-2, 6}, {-2, 0}});
+    std::vector<AllowedEdge> edges;
+    for (Eigen::Index e = 0; e + 1 < corners.rows(); ++e)
+        edges.push_back({corners.middleRows(e, 2),
+                         e == 0   ? before
+                         : e == 1 ? after
+                                  : 0.02,
+                         e == 0   ? rule_before
+                         : e == 1 ? rule_after
+                                  : CornerRule::mitre});
+    return edges;
+}
+
+/// The largest part of an allowance that is missing anywhere at right angles to its edge.
+double missing(const std::vector<AllowedEdge>& edges, const Points2& cut) {
+    double most = 0;
+    for (const AllowedEdge& edge : edges) {
+        if (edge.allowance == 0) continue;
+        const Vec2 from = edge.sew_line.row(0), way = Vec2(edge.sew_line.row(1)) - from;
+        const Vec2 outward = Vec2(way.y(), -way.x()).normalized();
+        for (int i = 1; i < 400; ++i)
+            for (const double share : {0.1, 0.5, 0.9, 1 - 1e-3})
+                if (!contains(cut, Vec2(from + way * i / 400 + share * edge.allowance * outward)))
+                    most = std::max(most, 1 - share);
+    }
+    return most;
+}
+
+TEST(CutLine, GivesEachOfTwoUnequalEdgesItsAllowanceUpToTheirCorner) {
+    for (const double degrees : {0.5, 2.0, 5.0, 10.0, 30.0, 60.0, 90.0, 120.0})
+        for (const auto& [before, after] : {std::pair(0.025, 0.010), std::pair(0.010, 0.025), std::pair(0.025, 0.0),
+                                            std::pair(0.0, 0.038), std::pair(0.025, 0.025)})
+            for (const CornerRule rule : {CornerRule::mitre, CornerRule::square}) {
+                const auto edges = bent(degrees * std::numbers::pi / 180, before, after, rule, rule);
+                const Points2 cut = make_cut_line(edges);
+                EXPECT_EQ(missing(edges, cut), 0) << degrees << " degrees, " << before << " and " << after;
+                EXPECT_EQ(self_intersections(cut).count, 0);
+                EXPECT_GT(cut.col(1).minCoeff(), -3 * std::max(before, after) - 0.021) << "and no tongue";
+            }
+}
+
+TEST(CutLine, FoldsAHemBesideFoldedSeamsAsBesideMitredOnes) {
+    const double turn = 1.2;
+    const Points2 mitred = make_cut_line(bent(turn, 0.038, 0.025, CornerRule::hem, CornerRule::mitre));
+    const Points2 folded = make_cut_line(bent(turn, 0.038, 0.025, CornerRule::hem, CornerRule::fold));
+    EXPECT_EQ(mitred, folded);
+    EXPECT_NE(folded, make_cut_line(bent(turn, 0.038, 0.025, CornerRule::mitre, CornerRule::mitre)));
+    const Points2 slanted = make_cut_line(bent(0.9, 0.02, 0.02, CornerRule::fold, CornerRule::fold));
+    EXPECT_NE(slanted, make_cut_line(bent(0.9, 0.02, 0.02, CornerRule::mitre, CornerRule::mitre)));
+}
+
+TEST(CutLine, FoldsNothingThatWouldRunFarFromItsCorner) {
+    for (const double degrees : {2.0, 8.0, 15.0, 25.0, 35.0})
+        for (const bool hem_first : {true, false}) {
+            const auto edges =
+                bent(degrees * std::numbers::pi / 180, hem_first ? 0.038 : 0.025, hem_first ? 0.025 : 0.038,
+                     hem_first ? CornerRule::hem : CornerRule::mitre, hem_first ? CornerRule::mitre : CornerRule::hem);
+            const Points2 cut = make_cut_line(edges);
+            for (Eigen::Index i = 0; i < cut.rows(); ++i)
+                EXPECT_TRUE(std::abs(cut(i, 0)) > 1 || cut(i, 1) > 1 || Vec2(cut.row(i)).norm() < 2.5 * 0.038 + steps)
+                    << degrees << " degrees";
+        }
+}
+
 TEST(CutLine, ClosesOverANarrowNotchOfTheSewLine) {
     const Points2 corners = line({{0, 0}, {1, 0}, {1, 1}, {0.52, 1}, {0.5, 0.5}, {0.48, 1}, {0, 1}, {0, 0}});
     std::vector<AllowedEdge> edges;

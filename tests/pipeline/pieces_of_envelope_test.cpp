@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -119,10 +120,13 @@ TEST_P(EveryEnvelope, HasNotchesThatMeetOnBothSidesOfEverySeam) {
 }
 
 TEST_P(EveryEnvelope, HasNoNotchAtACornerAndNoneAsDeepAsTheAllowance) {
-    for (const PatternPiece& piece : pieces)
+    for (std::size_t t = 0; t < pieces.size(); ++t) {
+        const PatternPiece& piece = pieces[t];
         for (const PieceNotch& notch : piece.notches) {
-            for (const PieceEdge& edge : piece.edges)
-                EXPECT_GT((notch.on_sew - Vec2(piece.sew_line.row(edge.first))).norm(), 0.025) << piece.name;
+            for (const Chain& chain : plan.tiles[t].tile.chains)
+                EXPECT_GT((notch.on_sew - Vec2(plan.tiles[t].flattening.positions.row(chain.vertices.front()))).norm(),
+                          0.025)
+                    << piece.name;
             EXPECT_GT(notch.depth, 0);
             EXPECT_LE(notch.depth, 0.4 * notch.reach);
             EXPECT_LT(distance_to_outline(piece.sew_line, notch.on_sew), 0.06e-3);
@@ -130,6 +134,7 @@ TEST_P(EveryEnvelope, HasNoNotchAtACornerAndNoneAsDeepAsTheAllowance) {
                 << "bends between two vertices of the sew line";
             EXPECT_TRUE(contains(piece.cut_line, Vec2(notch.on_cut() - notch.depth * notch.outward)));
         }
+    }
 }
 
 TEST_P(EveryEnvelope, IsCutAtTheAllowanceFromEveryEdge) {
@@ -207,6 +212,59 @@ INSTANTIATE_TEST_SUITE_P(, EveryEnvelope, ::testing::Values(&balloon, &gores, &w
                                     : plan.param == &wall  ? "wall"
                                                            : "rights_and_lefts";
                          });
+
+/// The gores with one changed: what its panels are cut by.
+std::vector<Quantity> quantities_of(const std::function<void(Envelope&)>& change) {
+    Envelope envelope = make_envelope(design_natural({.gores = 8, .panels = 2, .volume = 500, .edge_length = 0.8}), {});
+    change(envelope);
+    return quantities(flatten_envelope(envelope, {}));
+}
+
+TEST(Pieces, OfTwoColoursHaveTwoPatterns) {
+    const std::vector<Quantity> cut = quantities_of([](Envelope& envelope) {
+        for (std::size_t t = 0; t < envelope.tiles.size(); ++t)
+            envelope.tiles[t].attributes["material"] = t / 2 % 2 == 0 ? "red" : "blue";
+    });
+    for (std::size_t t = 0; t < cut.size(); ++t) EXPECT_EQ(cut[t].same + cut[t].mirrored, t < 4 ? 4 : 0) << t;
+}
+
+TEST(Pieces, WithOtherLinesDrawnOnThemHaveAnotherPattern) {
+    const std::vector<Quantity> cut = quantities_of([](Envelope& envelope) {
+        for (const std::size_t t : {std::size_t(0), std::size_t(4)}) {  // the same line on two equal panels
+            const Tile& tile = envelope.tiles[t];
+            SurfaceLine line{"tape", Points3(2, 3)};
+            line.points.row(0) = tile.mesh.positions.row(tile.mesh.triangles(0, 0));
+            line.points.row(1) = tile.mesh.positions.row(tile.mesh.triangles(0, 1));
+            envelope.tiles[t].lines.push_back(line);
+        }
+    });
+    EXPECT_EQ(cut[0].same + cut[0].mirrored, 2);
+    EXPECT_EQ(cut[2].same + cut[2].mirrored, 6);
+    EXPECT_EQ(cut[1].same + cut[1].mirrored, 8);
+}
+
+TEST(Pieces, CountEachPartOfASeamWithItsOwnTypeAndAnEdgeWithMostOfIt) {
+    CutPlan plan = wall();
+    const auto lengths = [&plan] {
+        std::map<std::string, double> sum;
+        for (const PatternPiece& piece : make_pieces(plan))
+            for (const PieceEdge& edge : piece.edges)
+                for (const Mate& mate : edge.mates) sum[mate.type + " " + mate.seam] += mate.length;
+        return sum;
+    };
+    for (std::size_t s = 0; s < plan.seams.size(); s += 2) plan.seams[s].type = {"taped", 0.025, 4, true};
+    for (const PatternPiece& piece : make_pieces(plan))
+        for (const PieceEdge& edge : piece.edges) {
+            std::map<std::string, double> of_type;
+            for (const Mate& mate : edge.mates) of_type[mate.type] += mate.length;
+            for (const auto& [type, length] : of_type)
+                EXPECT_LE(length, of_type.at(edge.seam_type) + 0.1) << "within a mesh edge at either end";
+        }
+    const auto found = lengths();
+    EXPECT_EQ(found.size(), plan.seams.size()) << "no part of a seam counts with another's type";
+    for (const Seam& seam : plan.seams)
+        EXPECT_NEAR(found.at(seam.type.name + " " + seam.id), 2 * seam.length, 1e-6) << seam.id;
+}
 
 TEST(SeamMarks, StandCloserWhereTheSeamBends) {
     const CutPlan& plan = balloon();

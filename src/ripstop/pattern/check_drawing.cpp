@@ -11,6 +11,7 @@
 #include "ripstop/base/stated_unit.h"
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/pattern/drawing_lines.h"
+#include "ripstop/pattern/drawing_overlaps.h"
 
 namespace ripstop {
 namespace {
@@ -39,6 +40,7 @@ class Checker {
         contours_ = find_contours(survey_, layers);
         if (square_) drop_square();
         check_sizes();
+        check_overlaps(survey_, contours_);
         if (survey_.convention == LayerConvention::numbered) check_blocks();
         check_texts();
         check_unread();
@@ -54,14 +56,10 @@ class Checker {
         check_.issues.push_back({code, message, is_wrong, at});
     }
 
-    /// $MEASUREMENT is for hatches and line types: it counts where nothing better is there.
     LengthUnit find_unit() {
-        const auto is_weak = [](const StatedUnit& stated) { return stated.where == "$MEASUREMENT"; };
-        const StatedUnit* best = nullptr;
+        const StatedUnit* best = drawing_.units.empty() ? nullptr : &drawing_.units.front();
         for (const StatedUnit& stated : drawing_.units)
-            if (!best || (is_weak(*best) && !is_weak(stated))) best = &stated;
-        for (const StatedUnit& stated : drawing_.units)
-            if (stated.unit.name != best->unit.name && !is_weak(stated) && !is_weak(*best))
+            if (stated.unit.name != best->unit.name)
                 add("unit_conflict", fmt::format("{} says {} and {} says {}; readers choose either, so make them agree",
                                                  best->where, best->unit.name, stated.where, stated.unit.name));
         if (options_.unit) {
@@ -76,8 +74,7 @@ class Checker {
         } else {
             add("unit",
                 "the file does not say its unit, taken as millimetres; readers guess inches, millimetres or 1/72 inch, "
-                "so "
-                "export it with one ($INSUNITS, a text \"Units: METRIC\", a width in mm), or give --unit");
+                "so export it with one ($INSUNITS, a text \"Units: METRIC\", a width in mm), or give --unit");
         }
         return check_.unit.value_or(LengthUnit{"mm", millimetre});
     }

@@ -12,8 +12,8 @@ struct DrawingCheckOptions {
     std::optional<double> roll = {};      ///< width of the cloth that pieces have to fit on [m]
 };
 
-/// Is a pattern file sound: does it say its unit, are its contours closed, each there once, crossing themselves nowhere, of a size
-/// that pieces have; is each block a piece?
+/// Is a pattern file sound: does it say its unit, are its contours closed, each there once, crossing themselves and each other nowhere, of a
+/// size that pieces have, with their sew lines in them; is each block a piece?
 ///
 /// Convention: numbered layers where blocks hold lines on layer 1 (contours on 1, 11 and 14), named where there is a layer CUT
 /// (CUT and SEW), else none known, and every line that closes is a contour. Lines that meet within 0.01 mm are one, so

@@ -17,6 +17,7 @@ using ClipperLib::Path;
 
 constexpr double steps_per_metre = 1e7;  // a tenth of a micrometre; 64 bits hold a million kilometres of it
 constexpr double mitre_limit = 2;        // times the larger allowance
+constexpr double fold_limit = 2.5;       // the same for the ends of a fold
 constexpr double least_rise = 0.2;       // of a fold: flatter, its end would run far out
 constexpr double same_point = 1e-9;      // [m]
 
@@ -91,11 +92,14 @@ struct Corner {
     bool turns_left() const { return cross(in, out) > 0; }
 };
 
-/// Both allowances run on until they meet; beyond the limit they are cut at right angles to the way out of the corner.
+/// Both allowances run on until they meet; beyond the limit they are cut at right angles to the way out of the corner. Where
+/// they would meet behind the end of one, that one being the wider by much, there is nothing between the two ends.
 void add_mitre(std::vector<Vec2>& contour, const Corner& corner, double limit) {
     const Vec2 a = corner.end_in(), b = corner.end_out();
     Vec2 tip;
-    if (meet(a, corner.in, b, corner.out, tip) && (tip - corner.at).norm() <= limit) {
+    if (!meet(a, corner.in, b, corner.out, tip) || (tip - a).dot(corner.in) < 0 || (tip - b).dot(corner.out) > 0)
+        return;
+    if ((tip - corner.at).norm() <= limit) {
         contour.push_back(tip);
         return;
     }
@@ -126,7 +130,10 @@ std::optional<std::array<Vec2, 2>> folded_end(const HemEnd& end) {
     const double rise = mirrored.dot(end.hem_outward);
     Vec2 turn;
     if (rise < least_rise || !meet(end.at, end.hem, end.other_end, end.other, turn)) return std::nullopt;
-    return std::array<Vec2, 2>{turn + end.hem_reach / rise * mirrored, turn};
+    const Vec2 tip = turn + end.hem_reach / rise * mirrored;
+    const double furthest = std::max((tip - end.at).norm(), (turn - end.at).norm());
+    if (furthest > fold_limit * std::max(end.hem_reach, (end.other_end - end.at).norm())) return std::nullopt;
+    return std::array<Vec2, 2>{tip, turn};
 }
 
 void add_corner(std::vector<Vec2>& contour, const Corner& corner, CornerRule rule_in, CornerRule rule_out) {
@@ -135,13 +142,16 @@ void add_corner(std::vector<Vec2>& contour, const Corner& corner, CornerRule rul
         return;
     }
     const auto& [at, in, out, reach_in, reach_out] = corner;
-    if (rule_in == CornerRule::fold && rule_out != CornerRule::fold)
+    const bool hem_in = rule_in == CornerRule::hem, hem_out = rule_out == CornerRule::hem;
+    const bool fold_in = hem_in != hem_out ? hem_in : !hem_in && rule_in == CornerRule::fold;
+    const bool fold_out = hem_in != hem_out ? hem_out : !hem_in && !fold_in && rule_out == CornerRule::fold;
+    if (fold_in)
         if (const auto end = folded_end({at, in, corner.away_in(), reach_in, out, corner.end_out()})) {
             contour.push_back((*end)[0]);
             contour.push_back((*end)[1]);
             return;
         }
-    if (rule_out == CornerRule::fold && rule_in != CornerRule::fold)
+    if (fold_out)
         if (const auto end = folded_end({at, -out, corner.away_out(), reach_out, -in, corner.end_in()})) {
             contour.push_back((*end)[1]);
             contour.push_back((*end)[0]);

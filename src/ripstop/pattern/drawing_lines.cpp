@@ -107,6 +107,10 @@ class ContourFinder {
         facts.perimeter = line_length(line);
         facts.parts = static_cast<int>(line.lines.size());
         facts.is_cut = use_ != LayerUse::sew;
+        if (line.points.rows() < 3)
+            issue("crossing", line.points.row(0),
+                  fmt::format("{}: the contour on layer {} runs there and back from {}, with nothing in it; delete it",
+                              facts.piece, layer_.layer, place_text(line.points.row(0))));
         const SelfIntersections crossings = self_intersections(line.points);
         if (crossings.count > 0)
             issue("crossing", crossings.first,

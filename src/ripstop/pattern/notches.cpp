@@ -71,8 +71,11 @@ class Collector {
         notch.outward = Vec2(way.y(), -way.x());
         notch.reach = outline_.edges[static_cast<std::size_t>(notch.edge)].allowance;
         notch.depth = std::min(depth_, depth_of_allowance * notch.reach);
-        for (const PieceNotch& other : notches)
-            if (other.edge == notch.edge && (other.on_sew - notch.on_sew).norm() < same_place) return;
+        for (PieceNotch& other : notches) {
+            if ((other.on_sew - notch.on_sew).norm() >= same_place) continue;
+            if (notch.reach < other.reach) other = std::move(notch);  // the cut line steps here; both are within it
+            return;
+        }
         notches.push_back(std::move(notch));
     }
 
@@ -82,7 +85,8 @@ class Collector {
         if (tile_.tile.chains.size() == 1 && side.parts.size() == tile_.tile.boundary.size()) return;
         const Vec2 at = flat_point(tile_, place);
         for (const int corner : {chain.vertices.front(), chain.vertices.back()})
-            if ((Vec2(tile_.flattening.positions.row(corner)) - at).norm() < same_place) return;
+            if (tile_.tile.chains.size() > 1 && (Vec2(tile_.flattening.positions.row(corner)) - at).norm() < same_place)
+                return;
         add(seam, place, {along, 1});
     }
 

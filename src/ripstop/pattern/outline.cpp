@@ -48,8 +48,39 @@ std::vector<SewnParts> sewn_parts(const CutPlan& plan) {
     return parts;
 }
 
-/// Which boundary edges start a piece's edge: at a corner, and where the allowance changes.
-std::vector<std::size_t> starts(const Tile& tile, const Eigen::VectorXd& allowances) {
+/// The chain each boundary vertex starts an edge of.
+std::map<int, std::size_t> chains_from(const Tile& tile) {
+    std::map<int, std::size_t> chain_of;
+    for (std::size_t c = 0; c < tile.chains.size(); ++c)
+        for (int i = 0; i < tile.chains[c].edge_count(); ++i)
+            chain_of[tile.chains[c].vertices[static_cast<std::size_t>(i)]] = c;
+    return chain_of;
+}
+
+/// How an edge is sewn, or, where it is free, finished.
+struct SewnAs {
+    bool is_free;
+    SeamType type;
+
+    bool operator==(const SewnAs&) const = default;
+};
+
+/// How each boundary edge is sewn, or finished.
+std::vector<SewnAs> sewn_as(const Tile& tile, const SewnParts& parts) {
+    const std::map<int, std::size_t> chain_of = chains_from(tile);
+    std::vector<SewnAs> found;
+    for (std::size_t i = 0; i < tile.boundary.size(); ++i) {
+        const auto longest = std::max_element(parts[i].begin(), parts[i].end(), [](const auto& a, const auto& b) {
+            return a.flat_length < b.flat_length;
+        });
+        const bool is_free = longest == parts[i].end();
+        found.push_back({is_free, is_free ? tile.chains[chain_of.at(tile.boundary[i])].finish : longest->seam->type});
+    }
+    return found;
+}
+
+/// Which boundary edges start a piece's edge: at a corner, and where the way of sewing or the allowance changes.
+std::vector<std::size_t> starts(const Tile& tile, const std::vector<SewnAs>& sewn, const Eigen::VectorXd& allowances) {
     const std::size_t count = tile.boundary.size();
     std::vector<bool> corner(static_cast<std::size_t>(tile.mesh.vertex_count()), false);
     if (tile.chains.size() > 1)
@@ -57,7 +88,7 @@ std::vector<std::size_t> starts(const Tile& tile, const Eigen::VectorXd& allowan
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < count; ++i) {
         const auto here = static_cast<Eigen::Index>(i), before = static_cast<Eigen::Index>((i + count - 1) % count);
-        if (corner[static_cast<std::size_t>(tile.boundary[i])] ||
+        if (corner[static_cast<std::size_t>(tile.boundary[i])] || !(sewn[i] == sewn[(i + count - 1) % count]) ||
             std::abs(allowances[here] - allowances[before]) > same_allowance)
             found.push_back(i);
     }
@@ -72,17 +103,9 @@ class Mates {
         auto at = std::find(seams_.begin(), seams_.end(), part.seam);
         if (at == seams_.end()) {
             at = seams_.insert(at, part.seam);
-            list.push_back({part.seam->id, plan.tiles[static_cast<std::size_t>(part.mate)].tile.name, 0});
+            list.push_back({part.seam->id, plan.tiles[static_cast<std::size_t>(part.mate)].tile.name, 0, part.seam->type.name});
         }
         list[static_cast<std::size_t>(at - seams_.begin())].length += part.flat_length;
-    }
-
-    /// How most of the edge is sewn; its finish where it is in no seam.
-    std::string type(const Chain& chain) const {
-        const auto longest = std::max_element(list.begin(), list.end(),
-                                              [](const Mate& a, const Mate& b) { return a.length < b.length; });
-        if (longest == list.end()) return chain.finish.name;
-        return seams_[static_cast<std::size_t>(longest - list.begin())]->type.name;
     }
 
     std::vector<Mate> list;
@@ -91,21 +114,12 @@ class Mates {
     std::vector<const Seam*> seams_;
 };
 
-/// The chain each boundary vertex starts an edge of.
-std::map<int, std::size_t> chains_from(const Tile& tile) {
-    std::map<int, std::size_t> chain_of;
-    for (std::size_t c = 0; c < tile.chains.size(); ++c)
-        for (int i = 0; i < tile.chains[c].edge_count(); ++i)
-            chain_of[tile.chains[c].vertices[static_cast<std::size_t>(i)]] = c;
-    return chain_of;
-}
-
 PieceOutline make_outline(const CutPlan& plan, const FlatTile& flat, const SewnParts& parts,
                           const Eigen::VectorXd& allowances, double chord_error) {
     const Tile& tile = flat.tile;
     const std::size_t count = tile.boundary.size();
-    const std::vector<std::size_t> first = starts(tile, allowances);
-    const std::map<int, std::size_t> chain_of = chains_from(tile);
+    const std::vector<SewnAs> sewn = sewn_as(tile, parts);
+    const std::vector<std::size_t> first = starts(tile, sewn, allowances);
     PieceOutline outline;
     outline.edge_of.resize(count);
     std::vector<Vec2> points;
@@ -124,7 +138,7 @@ PieceOutline make_outline(const CutPlan& plan, const FlatTile& flat, const SewnP
             edge.length += flat_edge(flat, at);
             for (const SewnPart& part : parts[at]) mates.add(part, plan);
         }
-        edge.seam_type = mates.type(tile.chains[chain_of.at(tile.boundary[first[e]])]);
+        edge.seam_type = sewn[first[e]].type.name;
         edge.mates = std::move(mates.list);
         line = simplified(line, chord_error);
         for (Eigen::Index i = 0; i + 1 < line.rows(); ++i) points.emplace_back(line.row(i));

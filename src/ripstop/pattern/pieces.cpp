@@ -37,18 +37,20 @@ std::string number_in_name(const std::string& name, int letter) {
     return at == name.size() ? found[letter] : "";
 }
 
+/// The first of these attributes that the tile has.
+std::string attribute(const Tile& tile, std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+        if (const auto found = tile.attributes.find(key); found != tile.attributes.end()) return found->second;
+    return "";
+}
+
 void name_piece(PatternPiece& piece, const CutPlan& plan, const Tile& tile, const PieceOptions& options) {
-    const auto attribute = [&tile](std::initializer_list<const char*> keys) {
-        for (const char* key : keys)
-            if (const auto found = tile.attributes.find(key); found != tile.attributes.end()) return found->second;
-        return std::string();
-    };
     piece.name = tile.name;
-    piece.gore = attribute({"gore"});
-    piece.row = attribute({"row", "panel"});
+    piece.gore = attribute(tile, {"gore"});
+    piece.row = attribute(tile, {"row", "panel"});
     if (piece.gore.empty()) piece.gore = number_in_name(tile.name, 0);
     if (piece.row.empty()) piece.row = number_in_name(tile.name, 1);
-    piece.colour = attribute({"colour", "color", "material"});
+    piece.colour = colour_of(tile);
     piece.fabric = plan.fabric_of(tile).name;
     piece.revision = options.revision;
 }
@@ -73,8 +75,12 @@ Points2 cut_line(const PatternPiece& piece, CornerRule corners) {
     std::vector<AllowedEdge> edges;
     double widest = 0;
     for (std::size_t e = 0; e < piece.edges.size(); ++e) {
-        const bool is_hem = piece.edges[e].mates.empty();
-        edges.push_back({piece.edge_line(e), piece.edges[e].allowance, is_hem ? CornerRule::fold : corners});
+        const PieceEdge& edge = piece.edges[e];
+        // what is shorter than its allowance cannot be folded back
+        const CornerRule rule = !edge.mates.empty()             ? corners
+                                : edge.length >= edge.allowance ? CornerRule::hem
+                                                                : CornerRule::mitre;
+        edges.push_back({piece.edge_line(e), edge.allowance, rule});
         widest = std::max(widest, piece.edges[e].allowance);
     }
     return widest > 0 ? make_cut_line(edges) : piece.sew_line;
@@ -122,6 +128,10 @@ void write_on(PatternPiece& piece) {
 }
 
 }  // namespace
+
+std::string colour_of(const Tile& tile) {
+    return attribute(tile, {"colour", "color", "material"});
+}
 
 bool has_flat_positions(const FlatTile& tile) {
     const Points2& positions = tile.flattening.positions;

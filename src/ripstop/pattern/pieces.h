@@ -18,6 +18,9 @@ struct PieceOptions {
     std::string revision = {};  ///< written on every piece
 };
 
+/// What the tile says of its colour: the attribute `colour`, `color` or `material`; empty: nothing.
+std::string colour_of(const Tile& tile);
+
 /// Has each vertex of the tile a finite place on the cloth? False after a failed flattening.
 bool has_flat_positions(const FlatTile& tile);
 

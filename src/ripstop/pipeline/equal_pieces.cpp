@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/model/allowance.h"
+#include "ripstop/pattern/drawn_lines.h"
+#include "ripstop/pattern/pieces.h"
 #include "ripstop/pattern/seam_match.h"
 
 namespace ripstop {
@@ -55,14 +58,35 @@ bool same_allowances(const Points2& a, const Points2& b, const Eigen::VectorXd& 
     return true;
 }
 
-/// Outlines and allowances, of the first tile and of the other.
+/// The lines drawn on a piece, about the middle of its outline.
+std::vector<DrawnLine> centred_lines(const FlatTile& tile) {
+    constexpr double exactly = 1e-9;
+    if (tile.tile.lines.empty() || !has_flat_positions(tile)) return {};
+    std::vector<DrawnLine> lines = draw_lines(tile, exactly);
+    const Vec2 middle = area_centroid(tile.flattening.positions(tile.tile.boundary, Eigen::all));
+    for (DrawnLine& line : lines) line.points.rowwise() -= middle.transpose();
+    return lines;
+}
+
+/// Has each line of `a` one of that name in `b` at the same place?
+bool has_lines(const std::vector<DrawnLine>& a, const std::vector<DrawnLine>& b, const Eigen::RowVector2d& signs) {
+    constexpr double same_place = 0.5e-3;  // [m]
+    return std::all_of(a.begin(), a.end(), [&](const DrawnLine& line) {
+        const Points2 points = line.points * signs.asDiagonal();
+        return std::any_of(b.begin(), b.end(), [&](const DrawnLine& other) {
+            return other.name == line.name && within(points, other.points, same_place) &&
+                   within(other.points, points, same_place);
+        });
+    });
+}
+
+/// Colour, outlines and allowances, of the first tile and of the other, which is the first with these signs.
 bool cut_alike(const std::array<const FlatTile*, 2>& tiles, const std::array<const Eigen::VectorXd*, 2>& allowances,
-               const Likeness& likeness, double tolerance) {
+               const Eigen::RowVector2d& signs, double tolerance) {
+    if (colour_of(tiles[0]->tile) != colour_of(tiles[1]->tile)) return false;
     for (const FlatTile* tile : tiles)
-        if (tile->flattening.positions.rows() != tile->tile.mesh.vertex_count() ||
-            !tile->flattening.positions.allFinite())
-            return false;
-    const Points2 a = centred_outline(*tiles[0]) * signs(likeness).asDiagonal(), b = centred_outline(*tiles[1]);
+        if (!has_flat_positions(*tile)) return false;
+    const Points2 a = centred_outline(*tiles[0]) * signs.asDiagonal(), b = centred_outline(*tiles[1]);
     return within(a, b, tolerance) && within(b, a, tolerance) && same_allowances(a, b, *allowances[0], *allowances[1]);
 }
 
@@ -96,14 +120,28 @@ Bounds moved_bounds(Bounds bounds, const Likeness& likeness) {
 void list_equal_pieces(CutPlan& plan, const std::vector<Likeness>& likeness, double tolerance) {
     const std::vector<Eigen::VectorXd> allowances = edge_allowances(plan);
     const SeamEnds ends(plan);
+    std::vector<std::vector<DrawnLine>> lines;
+    for (const FlatTile& tile : plan.tiles) lines.push_back(centred_lines(tile));
+    // of each kind of tile, those whose patterns differ
+    std::map<std::size_t, std::vector<std::size_t>> patterns;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
-        if (likeness[i].to < 0) continue;
-        const auto to = static_cast<std::size_t>(likeness[i].to);
-        if (!cut_alike({&plan.tiles[to], &plan.tiles[i]}, {&allowances[to], &allowances[i]}, likeness[i], tolerance))
+        const std::size_t kind = likeness[i].to < 0 ? i : static_cast<std::size_t>(likeness[i].to);
+        std::vector<std::size_t>& known = patterns[kind];
+        const auto pattern = std::find_if(known.begin(), known.end(), [&](std::size_t first) {
+            // both are the kind's first with signs, so each is the other with both
+            const Eigen::RowVector2d between = signs(likeness[first]).cwiseProduct(signs(likeness[i]));
+            return cut_alike({&plan.tiles[first], &plan.tiles[i]}, {&allowances[first], &allowances[i]}, between,
+                             tolerance) &&
+                   lines[first].size() == lines[i].size() && has_lines(lines[first], lines[i], between) &&
+                   has_lines(lines[i], lines[first], between) &&
+                   ends.match(i, first, likeness[first].mirrored != likeness[i].mirrored);
+        });
+        if (pattern == known.end()) {
+            known.push_back(i);
             continue;
-        if (!ends.match(i, to, likeness[i].mirrored)) continue;
-        plan.tiles[i].equal_to = likeness[i].to;
-        plan.tiles[i].mirrored = likeness[i].mirrored;
+        }
+        plan.tiles[i].equal_to = static_cast<int>(*pattern);
+        plan.tiles[i].mirrored = likeness[*pattern].mirrored != likeness[i].mirrored;
     }
 }
 

@@ -12,9 +12,10 @@ namespace ripstop {
 Flattening copied_flattening(const FlatTile& first, const Tile& tile, const Likeness& likeness);
 Bounds moved_bounds(Bounds bounds, const Likeness& likeness);
 
-/// Sets `equal_to` and `mirrored` of the tiles that are alike and whose pieces are so too: copied, or their outlines nowhere
-/// farther apart than `tolerance` [m], the allowances along them the same, and their seams beginning and ending at the same
-/// places; the plan must have its seams. Equal tiles between different neighbours may have been cut differently.
+/// Sets `equal_to` and `mirrored` of the tiles that are alike and whose pieces are so too: of one colour, their outlines nowhere
+/// farther apart than `tolerance` [m], the allowances along them the same, the lines drawn on them at the same places, and
+/// their seams beginning and ending there too; the plan must have its seams. Equal tiles between different neighbours may
+/// have been cut differently: a kind of tile may have several patterns.
 void list_equal_pieces(CutPlan& plan, const std::vector<Likeness>& likeness, double tolerance = 1e-4);
 
 }  // namespace ripstop

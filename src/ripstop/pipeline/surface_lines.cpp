@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <limits>
 
+#include "ripstop/base/number_text.h"
+#include "ripstop/base/units.h"
 #include "ripstop/mesh/surface_finder.h"
 #include "ripstop/pipeline/grain_lines.h"
 
 namespace ripstop {
 namespace {
 
-constexpr double reach = 0.010;       // a curve is drawn on the surface, its tile is a mesh of it [m]
-constexpr double step = 0.020;        // between the points that are looked up [m]
-constexpr double crossing = 1e-5;     // how exactly a seam is found [m]
-constexpr double along_edge = 0.002;  // a run nearer to the boundary is the seam [m]
+constexpr double reach = 0.010;         // a curve is drawn on the surface, its tile is a mesh of it [m]
+constexpr double step = 0.020;          // between the points that are looked up [m]
+constexpr double crossing = 1e-5;       // how exactly a seam is found [m]
+constexpr double along_edge = 0.002;    // a run nearer to the boundary is the seam [m]
+constexpr double narrowest = 0.001;     // of the tiles that are not to be stepped over [m]
+constexpr double worth_saying = 0.005;  // of a curve that is lost [m]
 constexpr int nowhere = -1;
 
 /// The tiles, asked for the one a point lies on.
@@ -81,10 +85,41 @@ void add_run(Envelope& envelope, int tile, const std::vector<Vec3>& run, const s
     on.lines.push_back(std::move(line));
 }
 
-/// True where any of the curve lies on a tile.
-bool lay_line(Tiles& tiles, const NamedCurve& curve, const std::string& name, Envelope& envelope) {
-    const std::vector<Vec3> points = densified(curve.points);
-    bool lies = false;
+/// Puts points between two that lie on different tiles until none is stepped over.
+void add_between(Tiles& tiles, const Vec3& from, const Vec3& to, int tile_from, int tile_to,
+                 std::vector<Vec3>& points) {
+    if (tile_from == tile_to || (to - from).norm() < narrowest) return;
+    const Vec3 middle = (from + to) / 2;
+    const int tile = tiles.at(middle);
+    add_between(tiles, from, middle, tile_from, tile, points);
+    points.push_back(middle);
+    add_between(tiles, middle, to, tile, tile_to, points);
+}
+
+/// No tile wider than `narrowest` lies between two of the points.
+std::vector<Vec3> points_to_look_up(Tiles& tiles, const Points3& curve) {
+    std::vector<Vec3> points;
+    int before = nowhere;
+    for (const Vec3& point : densified(curve)) {
+        const int here = tiles.at(point);
+        if (!points.empty()) {
+            const Vec3 last = points.back();
+            add_between(tiles, last, point, before, here, points);
+        }
+        points.push_back(point);
+        before = here;
+    }
+    return points;
+}
+
+/// How much of a curve lies on tiles, and how much on none [m].
+struct Laid {
+    double on = 0, off = 0;
+};
+
+Laid lay_line(Tiles& tiles, const NamedCurve& curve, const std::string& name, Envelope& envelope) {
+    const std::vector<Vec3> points = points_to_look_up(tiles, curve.points);
+    Laid laid;
     std::vector<Vec3> run{points.front()};
     int tile = tiles.at(points.front());
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -95,12 +130,12 @@ bool lay_line(Tiles& tiles, const NamedCurve& curve, const std::string& name, En
             run.clear();
             if (next != nowhere) run.push_back(crossing_between(tiles, points[i], points[i - 1], next));
         }
-        lies = lies || tile != nowhere;
+        (tile == nowhere || next == nowhere ? laid.off : laid.on) += (points[i] - points[i - 1]).norm();
         tile = next;
         run.push_back(points[i]);
     }
     add_run(envelope, tile, run, name);
-    return lies || tile != nowhere;
+    return laid;
 }
 
 std::string name_of(const NamedCurve& curve) {
@@ -114,15 +149,25 @@ std::string name_of(const NamedCurve& curve) {
 std::vector<std::string> lay_lines(const CadModel& model, Envelope& envelope,
                                    const std::vector<std::string>& grain_layers) {
     Tiles tiles(envelope);
+    std::vector<std::string> remarks;
     int off = 0;
     std::string first;
     for (const NamedCurve& curve : model.curves) {
-        if (is_grain_line(curve, grain_layers) || lay_line(tiles, curve, name_of(curve), envelope)) continue;
-        if (off++ == 0) first = name_of(curve);
+        if (is_grain_line(curve, grain_layers)) continue;
+        const std::string name = name_of(curve);
+        const Laid laid = lay_line(tiles, curve, name, envelope);
+        if (laid.on == 0) {
+            if (off++ == 0) first = name;
+        } else if (laid.off > worth_saying) {
+            remarks.push_back("curve " + name + ": " + format_fixed(laid.off / millimetre, 0) +
+                              " mm of it are more than 10 mm off every tile and left out");
+        }
     }
-    if (off == 0) return {};
-    if (off == 1) return {"curve " + first + " left out: it lies on no tile"};
-    return {std::to_string(off) + " curves left out, " + first + " the first of them: they lie on no tile"};
+    if (off == 1) remarks.push_back("curve " + first + " left out: it lies on no tile");
+    if (off > 1)
+        remarks.push_back(std::to_string(off) + " curves left out, " + first +
+                          " the first of them: they lie on no tile");
+    return remarks;
 }
 
 }  // namespace ripstop

@@ -52,13 +52,19 @@ void add_cloths(std::string& text, const PieceSet& set, const Markers* markers) 
     }
 }
 
+constexpr double no_length = 1e-6;  // [m]
+
 void add_seams(std::string& text, const PieceSet& set) {
     std::map<std::string, double> lengths;
     for (const PatternPiece& piece : set.pieces)
         for (const PieceEdge& edge : piece.edges) {
             double sewn = 0;
-            for (const Mate& mate : edge.mates) sewn += mate.length;
-            lengths[edge.seam_type] += sewn / 2 + std::max(0.0, edge.length - sewn);
+            for (const Mate& mate : edge.mates) {
+                sewn += mate.length;
+                lengths[mate.type.empty() ? edge.seam_type : mate.type] += mate.length / 2;
+            }
+            if (const double free = edge.length - sewn; edge.mates.empty() || free > no_length)
+                lengths[edge.seam_type] += free;
         }
     for (const auto& [name, length] : lengths) {
         std::vector<std::string> line(14);
