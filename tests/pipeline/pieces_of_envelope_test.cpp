@@ -220,6 +220,36 @@ std::vector<Quantity> quantities_of(const std::function<void(Envelope&)>& change
     return quantities(flatten_envelope(envelope, {}));
 }
 
+TEST(Pieces, WithoutCornersAreNotchedWhereverTwoMatesMeet) {
+    // A disc in a ring of six.
+    constexpr int mates = 6, edges = 10;
+    const auto on_circle = [](double radius, double angle) {
+        return Vec3(radius * std::cos(angle), radius * std::sin(angle), 0);
+    };
+    TriangleMesh disc;
+    disc.positions = Points3::Zero(mates * edges + 1, 3);
+    disc.triangles.resize(mates * edges, 3);
+    for (int i = 0; i < mates * edges; ++i) {
+        disc.positions.row(i + 1) = on_circle(1, 2 * std::numbers::pi * i / (mates * edges));
+        disc.triangles.row(i) << 0, i + 1, (i + 1) % (mates * edges) + 1;
+    }
+    std::vector<NamedMesh> tiles{{"disc", disc}};
+    for (int m = 0; m < mates; ++m)
+        tiles.push_back({std::string("M").append(std::to_string(m)), testing::grid(4, edges, [&](double u, double v) {
+                             return on_circle(1 + u, (m + v) * 2 * std::numbers::pi / mates);
+                         })});
+    const CutPlan plan = flattened(std::move(tiles));
+    const PatternPiece piece = make_pieces(plan).front();
+    int ends = 0;
+    for (const PieceNotch& notch : piece.notches) {
+        const auto seam = std::find_if(plan.seams.begin(), plan.seams.end(),
+                                       [&notch](const Seam& other) { return other.id == notch.seam; });
+        ends += notch.along == 0 || notch.along == seam->length;
+    }
+    EXPECT_EQ(piece.edges.size(), 1U);
+    EXPECT_EQ(ends, mates);
+}
+
 TEST(Pieces, OfTwoColoursHaveTwoPatterns) {
     const std::vector<Quantity> cut = quantities_of([](Envelope& envelope) {
         for (std::size_t t = 0; t < envelope.tiles.size(); ++t)

@@ -80,5 +80,41 @@ TEST(SurfaceLines, LeaveOutTheSeamsThemselvesAndSayWhatLiesNowhere) {
     EXPECT_TRUE(envelope.tiles[1].lines.empty());
 }
 
+/// Flat sheets side by side along x, a metre high, of these widths.
+Envelope sheets(const std::vector<double>& widths) {
+    std::vector<NamedMesh> tiles;
+    double x = 0;
+    for (const double width : widths) {
+        tiles.push_back({std::string("sheet").append(std::to_string(tiles.size())),
+                         testing::grid(4, 4, [&](double u, double v) { return Vec3(x + u * width, v, 0); })});
+        x += width;
+    }
+    return make_envelope(tiles, {});
+}
+
+CadModel tape(const Points3& points) {
+    CadModel model;
+    model.curves = {{"tape", points, {}}};
+    return model;
+}
+
+TEST(SurfaceLines, StepOverNoNarrowTile) {
+    Envelope envelope = sheets({1, 0.004, 1});
+    Points3 points(2, 3);
+    points << 0.1, 0.5, 0, 1.9, 0.5, 0;
+    EXPECT_TRUE(lay_lines(tape(points), envelope).empty());
+    ASSERT_EQ(envelope.tiles[1].lines.size(), 1U);
+    const Points3& narrow = envelope.tiles[1].lines[0].points;
+    EXPECT_NEAR(narrow(narrow.rows() - 1, 0) - narrow(0, 0), 0.004, 5e-5);
+}
+
+TEST(SurfaceLines, SayHowMuchOfACurveIsLost) {
+    Envelope envelope = sheets({1, 1});
+    Points3 points(5, 3);
+    points << 0.1, 0.5, 0, 0.8, 0.5, 0, 0.8, 0.5, 0.2, 1.2, 0.5, 0.2, 1.2, 0.5, 0;
+    EXPECT_THAT(lay_lines(tape(points), envelope),
+                ElementsAre(::testing::ContainsRegex("curve tape: 7[78][0-9] mm of it are more than 10 mm off")));
+}
+
 }  // namespace
 }  // namespace ripstop
