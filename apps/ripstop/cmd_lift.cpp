@@ -1,5 +1,8 @@
 /// ripstop lift: what was drawn on flat pieces, as curves on the tiles in space.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
 
 #include "commands.h"
 #include "ripstop/base/error.h"
@@ -11,6 +14,7 @@
 #include "ripstop/pipeline/lift_drawing.h"
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/output_file.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 namespace {
@@ -36,6 +40,35 @@ bool is_wanted(const Arguments& given, const NamedCurve& curve) {
                        [&curve](const std::string& glob) { return glob_match(glob, curve.attributes.at("layer")); });
 }
 
+/// None of the pieces, or some cut lines that are of none.
+void tell_strangers(const Arguments& given, const LiftedLines& lifted) {
+    constexpr std::size_t most = 6;
+    const std::vector<std::string>& all = lifted.strangers;
+    const std::vector<std::string> first(all.begin(), all.begin() + static_cast<long>(std::min(most, all.size())));
+    const std::string text = fmt::format("{}{}", fmt::join(first, ", "), all.size() > most ? ", …" : "");
+    if (lifted.pieces == 0)
+        throw InputError(
+            fmt::format("{}: none of the plan's pieces is in it{}: expected their closed cut lines, of their "
+                        "shape and size, neither turned nor mirrored, beside what was drawn on them; draw on "
+                        "a file of this plan's cut/",
+                        given.drawing.string(), all.empty() ? "" : ", only " + text));
+    if (!all.empty())
+        tell(fmt::format("Warning: {} cut line{} no piece's of the plan, and what is drawn there is left out: {}\n",
+                         all.size(), all.size() == 1 ? " is" : "s are", text));
+}
+
+void keep_wanted(const Arguments& given, LiftedLines& lifted) {
+    std::set<std::string> layers;
+    for (const NamedCurve& curve : lifted.curves) layers.insert(curve.attributes.at("layer"));
+    std::erase_if(lifted.curves, [&given](const NamedCurve& curve) { return !is_wanted(given, curve); });
+    if (!lifted.curves.empty()) return;
+    if (layers.empty())
+        throw InputError(
+            fmt::format("{}: nothing is drawn on its pieces but what they bring themselves", given.drawing.string()));
+    throw InputError(fmt::format("{}: no line on a layer called {}; there are lines on {}", given.drawing.string(),
+                                 fmt::join(given.layers, ", "), fmt::join(layers, ", ")));
+}
+
 ExitCode run(const Arguments& given) {
     if (std::filesystem::exists(given.output) && !given.force)
         throw InputError(given.output.string() + ": is there already; choose another name, or replace it with --force");
@@ -43,16 +76,13 @@ ExitCode run(const Arguments& given) {
     const LengthUnit unit{given.unit, metres_per_unit(given.unit)};
     const PatternDrawing drawing = read_pattern_file(given.drawing);
     const double scale = check_drawing(drawing).unit.value_or(LengthUnit{"mm", millimetre}).metres;
-    LiftedLines lifted =
-        lift_drawing(drawing, scale, set, [&given](const PatternPiece& piece) { return flat_tile(given.plan, piece); });
-    if (lifted.pieces == 0)
-        throw InputError(given.drawing.string() +
-                         ": none of the plan's pieces is in it: expected their closed cut lines, of their size and not "
-                         "turned, beside what was drawn on them; draw on a file of cut/");
-    std::erase_if(lifted.curves, [&given](const NamedCurve& curve) { return !is_wanted(given, curve); });
+    const auto tile = [&given](const PatternPiece& piece) { return flat_tile(given.plan, piece); };
+    LiftedLines lifted = lift_drawing(drawing, scale, set, tile, given.drawing.stem().string());
+    tell_strangers(given, lifted);
+    keep_wanted(given, lifted);
     for (NamedCurve& curve : lifted.curves) curve.points /= unit.metres;
     write_file(given.output, [&lifted](std::ostream& out) { write_obj_curves(out, lifted.curves); });
-    fmt::print("{} pieces found, {} lines lifted, in {}: {}\n", lifted.pieces, lifted.curves.size(), unit.name,
+    fmt::print("pieces found: {}, lines lifted: {}, in {}: {}\n", lifted.pieces, lifted.curves.size(), unit.name,
                given.output.string());
     return manufacturable;
 }

@@ -2,25 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "ripstop/geometry/clip.h"
 #include "ripstop/geometry/polygon.h"
+#include "ripstop/io/sheet.h"
 #include "ripstop/pattern/lift_lines.h"
+#include "ripstop/pipeline/drawn_pieces.h"
 
 namespace ripstop {
 namespace {
 
-constexpr double same_size = 0.1e-3;  // of an outline that was written with few decimals and read again [m]
 constexpr double same_place = 0.05e-3;
-
-struct Extent {
-    Vec2 lower, upper;
-
-    explicit Extent(const Points2& points)
-        : lower(points.colwise().minCoeff().transpose()), upper(points.colwise().maxCoeff().transpose()) {}
-    bool is_apart_from(const Extent& other) const {
-        return (lower - other.upper).maxCoeff() > 0 || (other.lower - upper).maxCoeff() > 0;
-    }
-};
+constexpr double step = 2e-3;  // between the places of a line that are looked at [m]
+constexpr int most_steps = 2000;
+constexpr double longest_mark = 10e-3;  // a match mark where nothing can be cut is 3 mm
 
 /// A path of the drawing in metres; a closed one as a ring that ends where it starts.
 Points2 in_metres(const DrawnPath& path, double metres_per_unit) {
@@ -30,57 +26,82 @@ Points2 in_metres(const DrawnPath& path, double metres_per_unit) {
     return points;
 }
 
-bool is_outline(const Points2& ring, const Points2& outline) {
-    if (ring.rows() < 4 || (ring.row(0) - ring.row(ring.rows() - 1)).norm() > same_size) return false;
-    const Extent there(ring), here(outline);
-    if (((there.upper - there.lower) - (here.upper - here.lower)).cwiseAbs().maxCoeff() > same_size) return false;
-    const Points2 corners = ring.topRows(ring.rows() - 1);
-    return std::abs(std::abs(signed_area(corners)) - signed_area(outline)) < same_size * perimeter(outline);
+/// A line of the drawing and what it covers [m].
+struct Line {
+    const DrawnPath* path;
+    Points2 points;
+    Vec2 lower, upper;
+
+    Line(const DrawnPath& drawn, double metres_per_unit)
+        : path(&drawn),
+          points(in_metres(drawn, metres_per_unit)),
+          lower(points.colwise().minCoeff()),
+          upper(points.colwise().maxCoeff()) {}
+    bool is_apart_from(const DrawnPiece& piece) const {
+        return (lower - piece.upper).maxCoeff() > 0 || (piece.lower - upper).maxCoeff() > 0;
+    }
+    bool is_outline_of(const DrawnPiece& piece) const {
+        return std::find(piece.outline.begin(), piece.outline.end(), path) != piece.outline.end();
+    }
+};
+
+/// All along the line: a straight one from one side of the piece to the other has both its ends on the outline.
+bool lies_on(const Points2& outline, const Points2& line) {
+    for (Eigen::Index i = 0; i + 1 < line.rows(); ++i) {
+        const Vec2 from = line.row(i), to = line.row(i + 1);
+        const int steps = std::clamp(static_cast<int>(std::ceil((to - from).norm() / step)), 2, most_steps);
+        for (int k = 0; k <= steps; ++k)
+            if (distance_to_outline(outline, from + (static_cast<double>(k) / steps) * (to - from)) > same_place)
+                return false;
+    }
+    return true;
 }
 
-/// Is each point of the line on the piece's own sew line or grain arrow?
-bool is_own(const Points2& line, const PatternPiece& piece) {
-    const auto lies = [&](const Points2& on) {
-        for (Eigen::Index i = 0; i < line.rows(); ++i)
-            if (distance_to_outline(on, line.row(i)) > same_place) return false;
-        return true;
+bool is_match_mark(const Points2& line, const PatternPiece& piece) {
+    const Vec2 start = line.row(0), end = line.row(line.rows() - 1);
+    const double length = (end - start).norm();
+    if (line.rows() != 2 || length > longest_mark) return false;
+    const auto meets = [&](const Vec2& a, const Vec2& b) {
+        return std::max((a - start).norm(), (b - end).norm()) <= same_place;
     };
-    if (lies(piece.sew_line)) return true;
-    if (piece.grain_line.rows() != 2) return false;
-    const Vec2 head = piece.grain_line.row(1);
-    const double barb = 1.2 * arrow_head((head - Vec2(piece.grain_line.row(0))).norm());
-    const bool is_barb = (line.rowwise() - head.transpose()).rowwise().norm().maxCoeff() < barb;
-    return is_barb || lies(piece.grain_line);
+    for (const PieceNotch& notch : piece.notches)
+        for (const auto& [from, to] : notch.strokes(notch.on_sew, length))
+            if (notch.depth <= 0 && (meets(from, to) || meets(to, from))) return true;
+    return false;
+}
+
+bool is_own(const Points2& line, const PatternPiece& piece) {
+    if (lies_on(piece.sew_line, line) || is_match_mark(line, piece)) return true;
+    const Points2 arrow = grain_arrow(piece);
+    if (arrow.rows() != 4) return false;
+    Points2 head(3, 2);
+    head << arrow.row(2), arrow.row(1), arrow.row(3);
+    return lies_on(arrow.topRows(2), line) || lies_on(head, line);
 }
 
 }  // namespace
 
 LiftedLines lift_drawing(const PatternDrawing& drawing, double metres_per_unit, const PieceSet& set,
-                         const std::function<NamedMesh(const PatternPiece&)>& tile) {
-    std::vector<Points2> lines;
-    for (const DrawnPath& path : drawing.paths) lines.push_back(in_metres(path, metres_per_unit));
-    std::vector<bool> is_taken(lines.size(), false);
+                         const std::function<NamedMesh(const PatternPiece&)>& tile, const std::string& stem) {
+    std::vector<Line> lines;
+    for (const DrawnPath& path : drawing.paths)
+        if (path.points.rows() > 1) lines.emplace_back(path, metres_per_unit);
+    DrawnPieces drawn = find_drawn_pieces(drawing, metres_per_unit, set, stem);
 
-    LiftedLines lifted;
-    for (const PatternPiece& piece : set.pieces) {
-        std::size_t ring = 0;
-        while (ring < lines.size() && (is_taken[ring] || !is_outline(lines[ring], piece.outline()))) ++ring;
-        if (ring == lines.size()) continue;
-        is_taken[ring] = true;
-        ++lifted.pieces;
-        const Vec2 shift = piece.lower() - Extent(lines[ring]).lower;
+    LiftedLines lifted{{}, static_cast<int>(drawn.found.size()), std::move(drawn.strangers)};
+    for (const DrawnPiece& found : drawn.found) {
+        const PatternPiece& piece = *found.piece;
         NamedMesh surface;
-        for (std::size_t i = 0; i < lines.size(); ++i) {
-            if (i == ring || lines[i].rows() < 2 || Extent(lines[i]).is_apart_from(Extent(lines[ring]))) continue;
-            const Points2 line = lines[i].rowwise() + shift.transpose();
-            if (is_own(line, piece)) continue;
+        for (const Line& line : lines) {
+            if (line.is_apart_from(found) || line.is_outline_of(found)) continue;
+            const Points2 points = line.points.rowwise() + found.shift().transpose();
+            if (is_own(points, piece)) continue;
             if (surface.mesh.triangle_count() == 0) surface = tile(piece);
-            for (Points3& part : lift_line(surface.mesh, surface.drawn.value(), line)) {
-                const std::string& layer = drawing.paths[i].layer;
+            const std::string& layer = line.path->layer;
+            for (Points3& part : lift_line(surface.mesh, surface.drawn.value(), points))
                 lifted.curves.push_back({(layer.empty() ? "line" : layer) + " " + piece.name,
                                          std::move(part),
                                          {{"layer", layer}, {"tile", piece.name}}});
-            }
         }
     }
     return lifted;
