@@ -123,6 +123,18 @@ TEST(PlanDirectory, ReplacesAnOldPlanUnderForceAndKeepsWhatIsNotIts) {
     EXPECT_THAT(names(scratch.path()), ElementsAre("plan"));
 }
 
+TEST(PlanDirectory, ReplacesOnlyThoseFoldersOfExportThatHoldCutFiles) {
+    const testing::ScratchDirectory scratch;
+    for (const char* folder : {"cut-aama", "cut-photos"}) fs::create_directories(scratch.path("plan") + "/" + folder);
+    testing::write_text(scratch.path("plan/cut-aama/envelope.dxf"), "old");
+    testing::write_text(scratch.path("plan/cut-photos/table.jpg"), "mine");
+    testing::write_text(scratch.path("plan/cut-list.txt"), "mine");
+    ASSERT_EQ(refusal(scratch.path("plan"), {true, false, false}), "accepted");
+    EXPECT_FALSE(fs::exists(scratch.path("plan/cut-aama")));
+    EXPECT_EQ(testing::content(scratch.path("plan/cut-photos/table.jpg")), "mine");
+    EXPECT_EQ(testing::content(scratch.path("plan/cut-list.txt")), "mine");
+}
+
 TEST(PlanDirectory, LeavesNothingHalfWrittenWhereItFails) {
     const testing::ScratchDirectory scratch;
     fs::create_directories(scratch.path("plan"));
@@ -170,6 +182,12 @@ TEST(FileStems, AreSafeAndUniqueAndKeepTheirOrder) {
     EXPECT_THAT(file_stems({"G01P01", "a/b", "a_b", "A_B", "", "..", ".hidden", "ůž é", "a_b_2", "-o"}),
                 ElementsAre("G01P01", "a_b", "a_b_2", "A_B_3", "_", "_..", "_.hidden", "uz_e", "a_b_2_2", "_-o"));
     EXPECT_EQ(file_stems(std::vector{std::string(500, 'x')})[0].size(), 80u);
+}
+
+TEST(FileStems, AreNoDevicesOfWindows) {
+    EXPECT_THAT(
+        file_stems({"CON", "nul", "Com1", "LPT9", "aux.panel", "PRN.a.b", "CONE", "COM10", "G.con", "con_"}),
+        ElementsAre("CON_", "nul_", "Com1_", "LPT9_", "aux_.panel", "PRN_.a.b", "CONE", "COM10", "G.con", "con__2"));
 }
 
 TEST(FlatObj, HasEachVertexInSpaceAndOnTheCloth) {

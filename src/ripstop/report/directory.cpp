@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What a plan's directory holds; anything else in it is somebody else's.
-const std::vector<std::string_view> ours{"report.json", "report.html", "tiles.csv", "seams.csv", "bom.csv", "flat",
-                                         "cut",         "cut-*",       "marker",    "pictures",  "inflated"};
+const std::vector<std::string_view> ours{"report.json", "report.html",      "tiles.csv", "seams.csv", "bom.csv", "flat",
+                                         "cut",         "cut-*/envelope.*", "marker",    "pictures",  "inflated"};
 
 void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces, const DirectoryOptions& options) {
     fs::create_directory(dir / "flat");

@@ -23,6 +23,17 @@ fs::path resolved(const fs::path& dir) {
     return path;
 }
 
+/// `NAME/FILE` is a folder of that name that holds such a file.
+bool is_called(const fs::path& entry, std::string_view glob) {
+    const std::size_t slash = glob.find('/');
+    if (!glob_match(glob.substr(0, slash), entry.filename().string())) return false;
+    if (slash == std::string_view::npos) return true;
+    if (!fs::is_directory(entry)) return false;
+    return std::any_of(fs::directory_iterator(entry), fs::directory_iterator(), [&](const auto& file) {
+        return glob_match(glob.substr(slash + 1), file.path().filename().string());
+    });
+}
+
 /// Puts `fresh` in the place of `dir`. What the old one held besides ours moves along; only then does it go.
 void replace(const fs::path& fresh, const fs::path& dir, const fs::path& aside,
              const std::vector<std::string_view>& ours) {
@@ -37,7 +48,7 @@ void replace(const fs::path& fresh, const fs::path& dir, const fs::path& aside,
     std::vector<fs::path> kept;
     for (const fs::directory_entry& entry : fs::directory_iterator(aside)) kept.push_back(entry.path().filename());
     for (const fs::path& name : kept)
-        if (std::none_of(ours.begin(), ours.end(), [&](auto glob) { return glob_match(glob, name.string()); }))
+        if (std::none_of(ours.begin(), ours.end(), [&](auto glob) { return is_called(aside / name, glob); }))
             fs::rename(aside / name, dir / name);
     fs::remove_all(aside);
 }

@@ -9,7 +9,7 @@ namespace ripstop {
 
 /// Writes a directory all or nothing: `write` fills one beside it, `dir.partial-PID`, which takes its name at the end; on
 /// failure it is removed and `dir` is as before. Where `dir` is not empty and `force` is given, its entries called as one
-/// of the globs `ours` go and all others are kept.
+/// of the globs `ours` go and all others are kept; `NAME/FILE` is a folder called so that holds a file called so.
 ///
 /// Throws InputError with path and reason: `dir` is not empty (without `force`) or no directory, its parent is missing or
 /// closed, the disk is full.
