@@ -24,8 +24,10 @@ void keep_named(PieceSet& set, const std::vector<std::string>& globs) {
         return std::none_of(globs.begin(), globs.end(),
                             [&piece](const std::string& glob) { return glob_match(glob, piece.name); });
     };
-    if (!globs.empty()) std::erase_if(set.pieces, is_left_out);
+    if (globs.empty()) return;
+    std::erase_if(set.pieces, is_left_out);
     if (set.pieces.empty()) throw InputError("no piece is called as --tile says; the names stand in tiles.csv");
+    count_patterns(set.pieces);
 }
 
 /// After what is in it: dialects and papers beside each other, as formats.
@@ -42,11 +44,16 @@ std::string default_name(const FormatArguments& given) {
 }
 
 ExitCode run(Arguments given) {
+    choose_formats(given.files, true);
     const PieceFileOptions files = file_options(given.files);
     if (given.output.empty()) given.output = given.plan / ("cut-" + default_name(given.files));
     PieceSet set = read_pieces_of(given.plan);
     keep_named(set, given.tiles);
-    write_whole_directory(given.output, given.force, {"envelope.*", "tiles"}, [&](const std::filesystem::path& folder) {
+    std::vector<std::string> sheets;
+    for (const PieceFormat& format : piece_formats()) sheets.push_back("envelope." + format.extension);
+    std::vector<std::string_view> ours(sheets.begin(), sheets.end());
+    ours.push_back("tiles");
+    write_whole_directory(given.output, given.force, ours, [&](const std::filesystem::path& folder) {
         write_cut_files(folder, set, given.files.formats, files);
     });
     if (!given.quiet) fmt::print("{} pieces: {}\n", set.pieces.size(), given.output.string());

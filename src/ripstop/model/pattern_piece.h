@@ -21,9 +21,10 @@ struct Label {
 
 /// Whom a piece is sewn to along a part of an edge.
 struct Mate {
-    std::string seam;   ///< its id
-    std::string piece;  ///< the name of the other piece
-    double length = 0;  ///< of the part, on the cloth [m]
+    std::string seam;       ///< its id
+    std::string piece;      ///< the name of the other piece
+    double length = 0;      ///< of the part, on the cloth [m]
+    std::string type = {};  ///< of the seam
 };
 
 /// An edge of a piece: the run of its sew line from one corner to the next, counter-clockwise. Corners are points of the sew
@@ -32,7 +33,7 @@ struct PieceEdge {
     int first = 0;                 ///< in `PatternPiece::sew_line`: where it starts; it ends where the next edge starts
     double length = 0;             ///< of the edge as flattened, before any point of it was left out [m]
     double allowance = 0;          ///< cloth beyond the sew line [m]
-    std::string seam_type = {};    ///< how it is sewn or finished: `flat-felled`, `hem`, …
+    std::string seam_type = {};    ///< how most of it is sewn, or how it is finished: `flat-felled`, `hem`, …
     std::vector<Mate> mates = {};  ///< in the order of the edge; none where it is free
 };
 
@@ -95,6 +96,14 @@ struct PatternPiece {
     /// The sew line of an edge, both ends included (#P x 2).
     Points2 edge_line(std::size_t edge) const;
 };
+
+/// How many the pattern cuts, as it is written on it: `cut 12 + 12 mirrored`; empty where it is itself alone.
+std::string cut_count(const PatternPiece& piece);
+
+/// Counts what each pattern cuts once more, where pieces were left out: of equal pieces the first is the pattern and the others
+/// are cut by it, turned over where they are its mirror image. A label that states the count states the new one, or is dropped
+/// where the piece is cut once.
+void count_patterns(std::vector<PatternPiece>& pieces);
 
 /// All the pieces of an envelope, with what cutting and sewing them needs: what `export`, `nest` and the order work from.
 struct PieceSet {
