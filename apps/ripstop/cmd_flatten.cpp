@@ -67,7 +67,8 @@ void take_faults(CutPlan& plan, const Envelope& envelope, double seam_tolerance,
             tell(fmt::format("Warning: {}\n", issue.message));
 }
 
-ExitCode run(const Arguments& given) {
+ExitCode run(Arguments given) {
+    choose_formats(given.files, false);
     const std::string method = method_of(given.input);
     PieceOptions pattern = piece_options(given.pieces);
     DirectoryOptions writing{given.force, given.reproducible};

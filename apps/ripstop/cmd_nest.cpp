@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "format_options.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/units.h"
 #include "ripstop/io/piece_format.h"
@@ -37,11 +38,19 @@ NestOptions options_of(const Arguments& given) {
     return options;
 }
 
+/// Its bom.csv is not the marker's.
+void require_no_plan(const std::filesystem::path& folder) {
+    for (const char* file : {"report.json", "pieces.json"})
+        if (std::filesystem::exists(folder / file))
+            throw InputError(fmt::format("{}: is of a cut plan, it holds {}; give the marker a folder of its own",
+                                         folder.string(), file));
+}
+
 ExitCode run(Arguments given) {
     const NestOptions options = options_of(given);
-    for (const std::string& format : given.formats) piece_format_named(format);
     if (given.output.empty()) given.output = given.plan / "marker";
     const PieceSet set = read_pieces_of(given.plan);
+    require_no_plan(given.output);
     require_writable(given.output, given.force);
     const Markers markers = nest_pieces(set, options);
     write_whole_directory(
@@ -74,10 +83,7 @@ void add_nest(CLI::App& app) {
     command->add_flag("--flip", given->flip, "The cloth has no right side: pieces may be laid face down");
     command->add_option("--effort", given->effort, "Rounds of the search; 40. More is slower and a little shorter")
         ->check(CLI::Range(0, 100000));
-    std::string known;
-    for (const PieceFormat& format : piece_formats())
-        known += fmt::format("\n{:<6}{}", format.name, format.description);
-    command->add_option("--format", given->formats, "What to write, several with commas:" + known)->delimiter(',');
+    add_format_option(*command, given->formats);
     command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core. The result is the same")
         ->check(CLI::Range(0, 1024));
     command->add_flag("--force", given->force, "Replace the markers in the folder");

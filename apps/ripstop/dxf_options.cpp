@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "known.h"
 #include "ripstop/base/error.h"
 #include "ripstop/io/dxf_dialect.h"
 
@@ -44,27 +45,35 @@ std::string stated_date() {
 
 }  // namespace
 
-void add_dxf_options(CLI::App& command, PieceFileOptions& given, const char* flag) {
-    std::string known;
+DxfFlags add_dxf_options(CLI::App& command, PieceFileOptions& given, const char* flag) {
+    std::string dialects;
     for (const DxfDialect& dialect : dxf_dialects())
-        known += fmt::format("\n{:<7}{}", dialect.name, dialect.description);
-    command.add_option(flag, given.dialect, "Of the DXF files:" + known)->capture_default_str()->group("DXF");
-    command
-        .add_option("--grain-axis", given.grain_axis,
-                    "Along which the warp runs in the DXF: x or y (default: x; in the dialect clo: y)")
-        ->check(CLI::IsMember({"x", "y"}))
-        ->group("DXF");
-    command
-        .add_option("--date", given.date,
-                    "YYYY-MM-DD, the creation date in dialects that state one (else SOURCE_DATE_EPOCH, else none)")
-        ->group("DXF");
+        dialects += fmt::format("\n{:<7}{}", dialect.name, dialect.description);
+    DxfFlags flags;
+    flags.dialect = command.add_option(flag, given.dialect, "Of the DXF files:" + dialects)
+                        ->capture_default_str()
+                        ->check(known([](const std::string& name) { dxf_dialect_named(name); }))
+                        ->group("DXF");
+    flags.grain_axis = command
+                           .add_option("--grain-axis", given.grain_axis,
+                                       "Along which the warp runs in the DXF: x or y (default: x; in the dialect "
+                                       "clo: y)")
+                           ->check(CLI::IsMember({"x", "y"}))
+                           ->group("DXF");
+    const auto read_date = [](const std::string& text) {
+        if (!is_date(text)) throw InputError(fmt::format("\"{}\" is no date, expected YYYY-MM-DD", text));
+    };
+    flags.date = command
+                     .add_option("--date", given.date,
+                                 "YYYY-MM-DD, the creation date in PDF and in dialects that state one (else "
+                                 "SOURCE_DATE_EPOCH, else none)")
+                     ->check(known(read_date))
+                     ->group("DXF");
+    return flags;
 }
 
-PieceFileOptions dxf_options(PieceFileOptions given) {
-    dxf_dialect_named(given.dialect);
+PieceFileOptions with_date(PieceFileOptions given) {
     if (given.date.empty()) given.date = stated_date();
-    if (!given.date.empty() && !is_date(given.date))
-        throw InputError(fmt::format("--date {}: no date, expected YYYY-MM-DD", given.date));
     return given;
 }
 

@@ -3,37 +3,73 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "dxf_options.h"
+#include "known.h"
 #include "ripstop/base/units.h"
 #include "ripstop/io/paper.h"
 
 namespace ripstop::cli {
+namespace {
+
+bool has(const std::vector<std::string>& formats, const std::string& name) {
+    return std::find(formats.begin(), formats.end(), name) != formats.end();
+}
+
+}  // namespace
+
+CLI::Option* add_format_option(CLI::App& command, std::vector<std::string>& formats) {
+    std::string described;
+    for (const PieceFormat& format : piece_formats())
+        described += fmt::format("\n{:<6}{}", format.name, format.description);
+    return command
+        .add_option("--format,--formats", formats,
+                    fmt::format("What to write, several with commas ({}):{}", fmt::join(formats, ","), described))
+        ->delimiter(',')
+        ->check(known([](const std::string& name) { piece_format_named(name); }));
+}
 
 void add_format_options(CLI::App& command, FormatArguments& given, const char* dialect) {
-    std::string known;
-    for (const PieceFormat& format : piece_formats())
-        known += fmt::format("\n{:<6}{}", format.name, format.description);
-    command
-        .add_option("--format,--formats", given.formats,
-                    fmt::format("The cut files, several with commas ({}):{}", fmt::join(given.formats, ","), known))
-        ->delimiter(',')
-        ->group("Cut files");
-    command
-        .add_option("--paper", given.files.paper,
-                    "PDF: roll (a page a piece), how wide the roll is (914mm), or sheets: a4 ... a0, letter, tabloid")
-        ->capture_default_str()
-        ->group("Cut files");
-    command
-        .add_option("--frame", given.frame,
-                    "HPGL: length of a frame, for plotters that count to 32,767 (else HP-GL/2: all in one)")
-        ->group("Cut files");
-    add_dxf_options(command, given.files, dialect);
+    given.format = add_format_option(command, given.formats)->group("Cut files");
+    const CLI::Option* paper =
+        command
+            .add_option(
+                "--paper", given.files.paper,
+                "PDF: roll (a page a piece), how wide the roll is (914mm), or sheets: a4 ... a0, letter, tabloid")
+            ->capture_default_str()
+            ->check(known([](const std::string& name) { paper_named(name); }))
+            ->group("Cut files");
+    const CLI::Option* frame =
+        command
+            .add_option("--frame", given.frame,
+                        "HPGL: length of a frame, for plotters that count to 32,767 (else HP-GL/2: all in one)")
+            ->group("Cut files");
+    const DxfFlags dxf = add_dxf_options(command, given.files, dialect);
+    given.meant = {{paper, {"pdf"}},
+                   {frame, {"hpgl"}},
+                   {dxf.dialect, {"dxf"}},
+                   {dxf.grain_axis, {"dxf"}},
+                   {dxf.date, {"dxf", "pdf"}}};
+}
+
+void choose_formats(FormatArguments& given, bool alone) {
+    const bool is_asked = given.format->count() > 0;
+    std::vector<std::string> chosen = alone && !is_asked ? std::vector<std::string>{} : given.formats;
+    for (const auto& [option, formats] : given.meant) {
+        const auto is_chosen = [&chosen](const std::string& format) { return has(chosen, format); };
+        if (option->count() == 0 || std::any_of(formats.begin(), formats.end(), is_chosen)) continue;
+        if (is_asked)
+            throw CLI::ValidationError(fmt::format("{} means nothing for {}: it is for {}; add that to --format",
+                                                   option->get_name(), fmt::join(chosen, ","),
+                                                   fmt::join(formats, " and ")));
+        chosen.push_back(formats.front());
+    }
+    if (!chosen.empty()) given.formats = chosen;
 }
 
 PieceFileOptions file_options(const FormatArguments& given) {
-    for (const std::string& format : given.formats) piece_format_named(format);
-    PieceFileOptions options = dxf_options(given.files);
-    paper_named(options.paper);
+    PieceFileOptions options = with_date(given.files);
     if (!given.frame.empty()) options.frame = parse_length(given.frame, "--frame");
     return options;
 }

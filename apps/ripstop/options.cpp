@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "known.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
@@ -20,20 +21,6 @@ namespace ripstop::cli {
 namespace {
 
 constexpr std::size_t shown_remarks = 12;
-
-template <class LookUp>
-CLI::Validator known(LookUp look_up) {
-    return CLI::Validator(
-        [look_up](const std::string& text) {
-            try {
-                look_up(text);
-                return std::string();
-            } catch (const InputError& error) {
-                return std::string(error.what());
-            }
-        },
-        "");
-}
 
 /// CLI11's range lets "nan" through.
 CLI::Validator finite() {

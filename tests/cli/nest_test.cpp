@@ -52,7 +52,7 @@ TEST(NestCommand, EndsWith1WhereAPieceDoesNotFit) {
     make_plan(workshop, "plan");
     const ProgramRun run = workshop.ripstop("nest plan --roll 600mm --effort 0 --quiet");
     EXPECT_EQ(run.code, 1);
-    EXPECT_THAT(run.out, HasSubstr("not laid: G01P"));
+    EXPECT_THAT(run.out, HasSubstr(" x G01P"));
     EXPECT_THAT(run.out, HasSubstr("take a wider roll"));
 }
 
@@ -62,7 +62,16 @@ TEST(NestCommand, RefusesWhatItCannotUse) {
     make_plan(workshop, "plan");
     EXPECT_EQ(workshop.ripstop("nest plan --roll 1500").code, 3) << "a length without a unit";
     EXPECT_EQ(workshop.ripstop("nest plan --grain-tolerance 45").code, 2);
-    EXPECT_EQ(workshop.ripstop("nest plan --format paper").code, 3);
+    EXPECT_EQ(workshop.ripstop("nest plan --format paper").code, 2);
+    make_plan(workshop, "other");
+    const auto before = workshop.files("other");
+    for (const char* target : {"other", "other/cut"}) {
+        const ProgramRun run = workshop.ripstop(std::string("nest plan --effort 0 --force -o ") + target);
+        EXPECT_EQ(run.code, 3) << target;
+        EXPECT_THAT(run.err, HasSubstr("give the marker a folder of its own"));
+    }
+    EXPECT_EQ(workshop.files("other"), before);
+    EXPECT_EQ(workshop.ripstop("nest plan --effort 0 --quiet --formats svg -o svg").code, 0);
 }
 
 TEST(DiffCommand, Ends0For1OtherAnd3Unreadable) {

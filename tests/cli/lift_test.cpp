@@ -1,0 +1,106 @@
+/// `ripstop lift` and `ripstop export --tile` as a user runs them.
+#include <gmock/gmock.h>
+
+#include "support/program.h"
+
+namespace ripstop {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::ProgramRun;
+using testing::Workshop;
+
+/// The plan of a small balloon: 24 tiles in 4 patterns, of them 6 each.
+class LiftCommand : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        ASSERT_EQ(workshop.ripstop("design natural --gores 6 --panels 4 --volume 20 --edge 300mm -o small.obj").code,
+                  0);
+        ASSERT_LE(workshop.ripstop("flatten small.obj --unit m --quiet -o plan").code, 1);
+    }
+    /// A file of the plan with a line across the sheet on the layer `art`.
+    void draw_on(const std::string& file, const std::string& as) const {
+        std::string text = workshop.read(file);
+        text.insert(text.rfind("</svg>"),
+                    "<g inkscape:groupmode=\"layer\" inkscape:label=\"art\"><path d=\"M0 150 L9000 151\"/></g>");
+        workshop.write(as, text);
+    }
+    Workshop workshop;
+};
+
+TEST_F(LiftCommand, PutsALineOnThePieceItWasDrawnOn) {
+    draw_on("plan/cut/tiles/G04P02.svg", "drawn.svg");
+    const ProgramRun run = workshop.ripstop("lift plan drawn.svg -o art.obj");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_THAT(workshop.read("art.obj"), HasSubstr("o art G04P02\n"));
+    EXPECT_THAT(workshop.read("art.obj"), Not(HasSubstr("G01P02")));
+}
+
+TEST_F(LiftCommand, WritesNothingWhereThereIsNothingToLift) {
+    draw_on("plan/cut/tiles/G04P02.svg", "drawn.svg");
+    const ProgramRun run = workshop.ripstop("lift plan drawn.svg --layer nix -o art.obj");
+    EXPECT_EQ(run.code, 3);
+    EXPECT_THAT(run.err, HasSubstr("no line on a layer called nix; there are lines on art"));
+    const ProgramRun bare = workshop.ripstop("lift plan plan/cut/envelope.dxf -o art.obj");
+    EXPECT_EQ(bare.code, 3);
+    EXPECT_THAT(bare.err, HasSubstr("nothing is drawn on its pieces"));
+    EXPECT_EQ(workshop.names(), (std::vector<std::string>{"drawn.svg", "plan", "small.obj"}));
+}
+
+TEST_F(LiftCommand, TellsThePiecesOfAnotherPlanApart) {
+    ASSERT_EQ(workshop.ripstop("design natural --gores 6 --panels 4 --volume 20.1 --edge 300mm -o other.obj").code, 0);
+    ASSERT_LE(workshop.ripstop("flatten other.obj --unit m --quiet -o other").code, 1);
+    draw_on("other/cut/tiles/G04P02.svg", "drawn.svg");
+    const ProgramRun run = workshop.ripstop("lift plan drawn.svg -o art.obj");
+    EXPECT_EQ(run.code, 3);
+    EXPECT_THAT(run.err, HasSubstr("none of the plan's pieces is in it, only G04P02"));
+}
+
+TEST_F(LiftCommand, SaysWhichCutLinesAreNoPieces) {
+    draw_on("plan/cut/tiles/G04P02.svg", "drawn.svg");
+    std::string text = workshop.read("drawn.svg");
+    text.insert(text.rfind("</svg>"),
+                "<g data-name=\"mine\"><path class=\"cut\" d=\"M9000 0 L9100 0 L9100 50 Z\"/></g>");
+    workshop.write("drawn.svg", text);
+    const ProgramRun run = workshop.ripstop("lift plan drawn.svg -o art.obj");
+    EXPECT_EQ(run.code, 0);
+    EXPECT_THAT(run.err, HasSubstr("1 cut line is no piece's of the plan, and what is drawn there is left out: mine"));
+}
+
+TEST_F(LiftCommand, ExportOfSomePiecesCountsThese) {
+    const ProgramRun run = workshop.ripstop("export plan --tile G04* --tile G05* --dialect astm -o some");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_THAT(workshop.read("some/tiles/G04P02.dxf"), HasSubstr("Quantity: 2,0"));
+    EXPECT_THAT(workshop.read("some/tiles/G05P02.dxf"), HasSubstr("Quantity: 0,0"));
+    ASSERT_EQ(workshop.ripstop("export plan --tile G07* --tile G01P02 --dialect astm -o one").code, 0);
+    const std::string first = workshop.read("one/tiles/G01P02.dxf");
+    EXPECT_THAT(first, HasSubstr("Quantity: 1,0"));
+    EXPECT_THAT(first, Not(HasSubstr("\ncut "))) << "the count it had in the whole plan";
+}
+
+TEST_F(LiftCommand, ExportForceKeepsAnEnvelopeThatIsNoCutFile) {
+    ASSERT_EQ(workshop.ripstop("export plan -o out").code, 0);
+    workshop.write("out/envelope.obj", "mine");
+    ASSERT_EQ(workshop.ripstop("export plan -o out --force").code, 0);
+    EXPECT_EQ(workshop.read("out/envelope.obj"), "mine");
+}
+
+TEST_F(LiftCommand, ExportTakesTheFormatThatItsOptionsAreFor) {
+    EXPECT_THAT(workshop.ripstop("export plan --paper a3").out, HasSubstr("plan/cut-pdf-a3"));
+    EXPECT_EQ(workshop.files("plan/cut-pdf-a3").size(), 1U);
+    ASSERT_EQ(workshop.ripstop("export plan --frame 1.2m -o frames").code, 0);
+    EXPECT_EQ(workshop.files("frames").count("envelope.plt"), 1U);
+    EXPECT_EQ(workshop.files("frames").count("envelope.dxf"), 0U);
+    const ProgramRun unheeded = workshop.ripstop("export plan --dialect clo --format svg -o no");
+    EXPECT_EQ(unheeded.code, 2);
+    EXPECT_THAT(unheeded.err, HasSubstr("--dialect means nothing for svg: it is for dxf"));
+    EXPECT_EQ(workshop.ripstop("export plan --paper a4 --format dxf -o no").code, 2);
+    EXPECT_EQ(workshop.ripstop("export plan --date 2026-11-22 --format svg,hpgl -o no").code, 2);
+    EXPECT_EQ(workshop.ripstop("flatten small.obj --unit m --paper a4 --format dxf -o no").code, 2);
+    ASSERT_LE(workshop.ripstop("flatten small.obj --unit m --frame 1.2m --quiet -o all").code, 1);
+    EXPECT_EQ(workshop.files("all").count("cut/envelope.plt") + workshop.files("all").count("cut/envelope.dxf"), 2U);
+}
+
+}  // namespace
+}  // namespace ripstop
