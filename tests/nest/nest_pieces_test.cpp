@@ -159,6 +159,21 @@ TEST(NestPieces, RefusesByNameWhatDoesNotFitAndLaysTheRest) {
     EXPECT_NEAR(markers.markers.at(0).utilisation(), 1, 1e-9);
 }
 
+TEST(NestPieces, RefusesWhatFitsOnlyALengthThatEndsAndSaysSo) {
+    PieceSet set = loose_set({rectangle_piece("long", 6.05, 0.5), rectangle_piece("good", 1, 0.5)});
+    set.pieces[0].quantity = 2;
+    set.pieces[0].quantity_mirrored = 1;
+    NestOptions options = quick();
+    options.part_lengths = {7, 3};
+    const Markers markers = nest_pieces(set, options);
+    ASSERT_EQ(markers.refusals.size(), 1u);
+    EXPECT_EQ(markers.refusals[0].quantity, 3);
+    EXPECT_THAT(markers.refusals[0].reason,
+                HasSubstr("is 6050 mm long; the lengths of 7000 mm end and those of 3000 mm go on"));
+    options.part_lengths = {3, 7};
+    EXPECT_THAT(nest_pieces(set, options).refusals, IsEmpty());
+}
+
 TEST(NestPieces, MakesAMarkerOfEachFabricAndColourAtItsOwnWidth) {
     PieceSet set = loose_set(gore_like_pieces(12));
     Fabric wide;

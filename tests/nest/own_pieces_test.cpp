@@ -84,6 +84,19 @@ TEST_P(OwnPieces, CarryTheirNamesWithoutNumber) {
     EXPECT_EQ(names, (std::set<std::string>{"A", "B", "C", "D"}));
 }
 
+TEST_P(OwnPieces, AllLieOneWayWhereNoneMayBeTurned) {
+    const PieceSet set = four_of_a_pattern();
+    NestOptions one_way = options();
+    one_way.may_turn = false;
+    const Markers markers = nest_pieces(set, one_way);
+    PieceSet singly = set;  // as the judge counts them
+    for (PatternPiece& piece : singly.pieces) piece.quantity = 1, piece.quantity_mirrored = 0;
+    EXPECT_EQ(testing::faults_of(singly, markers, one_way.gap), "");
+    ASSERT_EQ(markers.markers.at(0).placements.size(), 4U);
+    for (const Placement& placement : markers.markers[0].placements)
+        EXPECT_NEAR(placement.turn, 0, 1e-12) << set.pieces[placement.piece].name;
+}
+
 INSTANTIATE_TEST_SUITE_P(, OwnPieces, ::testing::Bool(),
                          [](const auto& flip) { return flip.param ? "flipped" : "face_up"; });
 

@@ -46,12 +46,13 @@ struct Marker {
 /// A piece that could not be laid, and why, and what to do.
 struct Refusal {
     std::string piece, reason;
+    int quantity = 1;  ///< how many of it, mirror images counted with them
 };
 
 /// What became of all the pieces.
 struct Markers {
     std::vector<Marker> markers;  ///< by fabric, then colour
-    std::vector<Refusal> refusals;
+    std::vector<Refusal> refusals;  ///< one a piece
 };
 
 /// The piece as it lies: turned, mirrored and shifted, with its copy in its name; all outlines counter-clockwise,

@@ -38,12 +38,13 @@ struct Kind {
     std::size_t piece;
     bool mirrored;
     int copies;
+    bool half_turned = false;  ///< in place of pieces that were flattened the other way round
 };
 
 class Nester {
   public:
-    Nester(const PieceSet& set, const NestOptions& options, double width)
-        : set_(set), options_(options), width_(width), row_height_(width / rows_across) {}
+    Nester(const PieceSet& set, const OwnPieces& own, const NestOptions& options, double width)
+        : set_(set), own_(own), options_(options), width_(width), row_height_(width / rows_across) {}
 
     /// Lays one fabric and colour.
     Marker lay(const std::vector<Kind>& kinds, std::vector<Refusal>& refusals) {
@@ -62,7 +63,7 @@ class Nester {
         }
         lay_batch(marker);
         number_copies(marker);
-        lay_own_pieces(set_, marker);
+        own_.lay(options_.may_turn, marker);
         measure_parts(marker);
         return marker;
     }
@@ -83,6 +84,13 @@ class Nester {
         if (options_.may_turn)
             for (std::size_t i = 0, count = turns.size(); i < count; ++i) turns.push_back(std::numbers::pi + turns[i]);
         return turns;
+    }
+
+    std::vector<double> turns_of(const Kind& kind) const {
+        std::vector<double> all = turns();
+        if (kind.half_turned)
+            for (double& turn : all) turn += std::numbers::pi;
+        return all;
     }
 
     /// Where all shapes' rows start, below any point of theirs.
@@ -117,20 +125,37 @@ class Nester {
 
     void add_shapes(const Kind& kind, std::vector<Refusal>& refusals) {
         double narrowest = std::numeric_limits<double>::infinity(), shortest = narrowest;
-        for (const double turn : turns())
+        for (const double turn : turns_of(kind))
             for (int face_down = 0; face_down <= (options_.may_flip ? 1 : 0); ++face_down) {
                 LaidShape shape = make_shape(kind, turn, face_down == 1);
                 narrowest = std::min(narrowest, shape.size.y());
                 shortest = std::min(shortest, shape.size.x());
                 if (shape.last_row >= 0 && shape.size.x() <= longest()) add_shape(std::move(shape));
             }
-        const std::string& name = set_.pieces[kind.piece].name;
         if (narrowest > width_ + rounding)
-            refusals.push_back({name, "is " + in_millimetres(narrowest) + " wide across the warp, the roll " +
-                                          in_millimetres(width_) + "; divide it, turn its grain or take a wider roll"});
+            refuse(kind,
+                   "is " + in_millimetres(narrowest) + " wide across the warp, the roll " + in_millimetres(width_) +
+                       "; divide it, turn its grain or take a wider roll",
+                   refusals);
         else if (shortest > longest())
-            refusals.push_back({name, "is " + in_millimetres(shortest) + " long, the cloth without a join " +
-                                          in_millimetres(longest()) + "; divide it or take a longer roll"});
+            refuse(kind, "is " + in_millimetres(shortest) + too_long_for(shortest), refusals);
+    }
+
+    std::string too_long_for(double length) const {
+        const std::vector<double>& parts = options_.part_lengths;
+        const double most = *std::max_element(parts.begin(), parts.end());
+        if (length > most)
+            return " long, the cloth without a join " + in_millimetres(most) + "; divide it or take a longer roll";
+        return " long; the lengths of " + in_millimetres(most) + " end and those of " + in_millimetres(parts.back()) +
+               " go on, in which it does not fit; lay it on a roll of its own of such lengths, or divide it";
+    }
+
+    void refuse(const Kind& kind, std::string reason, std::vector<Refusal>& refusals) const {
+        const std::string& name = set_.pieces[kind.piece].name;
+        if (!refusals.empty() && refusals.back().piece == name)  // its kinds follow one another
+            refusals.back().quantity += kind.copies;
+        else
+            refusals.push_back({name, std::move(reason), kind.copies});
     }
 
     /// Only the last part comes again and again; earlier ones may be full when a piece's turn comes.
@@ -218,12 +243,24 @@ class Nester {
     }
 
     const PieceSet& set_;
+    const OwnPieces& own_;
     const NestOptions& options_;
     double width_, row_height_;
     int profile_rows_ = 1;     ///< to a row
     std::vector<Kind> kinds_;  ///< of the batch
     Strip strip_;              ///< of the batch
 };
+
+/// A piece as often as it is cut; where nothing may be turned, those of its own pieces apart that lie the other way
+/// round.
+void add_kinds(const PieceSet& set, const OwnPieces& own, std::size_t piece, bool may_turn, std::vector<Kind>& kinds) {
+    for (const bool mirrored : {false, true}) {
+        const int copies = mirrored ? set.pieces[piece].quantity_mirrored : set.pieces[piece].quantity;
+        const int turned = may_turn ? 0 : own.half_turned(piece, mirrored);
+        if (copies > turned) kinds.push_back({piece, mirrored, copies - turned});
+        if (turned > 0) kinds.push_back({piece, mirrored, turned, true});
+    }
+}
 
 void require_sound(const NestOptions& options) {
     const auto is_length = [](double value) { return std::isfinite(value) && value > 0 && value < 1e6; };
@@ -242,6 +279,7 @@ void require_sound(const NestOptions& options) {
 Markers nest_pieces(const PieceSet& set, const NestOptions& options) {
     require_sound(options);
     std::map<std::pair<std::string, std::string>, std::vector<Kind>> cloths;
+    const OwnPieces own(set);
     double copies = 0;
     for (const PatternPiece& piece : set.pieces) copies += double(piece.quantity) + piece.quantity_mirrored;
     if (copies > most_copies)
@@ -250,14 +288,12 @@ Markers nest_pieces(const PieceSet& set, const NestOptions& options) {
     for (std::size_t i = 0; i < set.pieces.size(); ++i) {
         const PatternPiece& piece = set.pieces[i];
         if (piece.outline().rows() < 3) continue;
-        std::vector<Kind>& kinds = cloths[{piece.fabric, piece.colour}];
-        if (piece.quantity > 0) kinds.push_back({i, false, piece.quantity});
-        if (piece.quantity_mirrored > 0) kinds.push_back({i, true, piece.quantity_mirrored});
+        add_kinds(set, own, i, options.may_turn, cloths[{piece.fabric, piece.colour}]);
     }
     Markers result;
     for (const auto& [cloth, kinds] : cloths) {
         const double width = options.roll_width.value_or(set.fabric(cloth.first).roll_width);
-        Marker marker = Nester(set, options, width).lay(kinds, result.refusals);
+        Marker marker = Nester(set, own, options, width).lay(kinds, result.refusals);
         if (marker.placements.empty()) continue;
         marker.fabric = cloth.first;
         marker.colour = cloth.second;

@@ -1,10 +1,8 @@
 #include "ripstop/nest/own_pieces.h"
 
 #include <algorithm>
-#include <limits>
-#include <map>
+#include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "ripstop/geometry/polygon.h"
 
@@ -22,47 +20,77 @@ double misfit(const PatternPiece& from, const PatternPiece& to, const Vec2& sign
     return most;
 }
 
-/// Where `own` has to lie to cover what `copy` of `pattern` covers.
-Placement covering(const Placement& copy, const PatternPiece& pattern, const PatternPiece& own, std::size_t piece) {
+bool covers_half_turned(const PatternPiece& own, const PatternPiece& pattern) {
     const double mirror = own.mirrored ? -1 : 1;
-    const bool half_turn = misfit(own, pattern, {-1, -mirror}) < misfit(own, pattern, {1, mirror});
-    Placement placement = copy;
-    placement.piece = piece;
-    placement.copy = 0;
-    placement.mirrored = false;
-    placement.face_down = copy.is_drawn_mirrored() != own.mirrored;
-    if (half_turn) placement.turn += copy.turn > std::numbers::pi / 2 ? -std::numbers::pi : std::numbers::pi;
-    placement.shift = Vec2::Zero();
-    const auto middle_as = [](const Placement& as, const PatternPiece& laid) -> Vec2 {
-        return as.placed(Points2(area_centroid(laid.outline()).transpose())).row(0).transpose();
-    };
-    placement.shift = middle_as(copy, pattern) - middle_as(placement, own);
-    return placement;
+    return misfit(own, pattern, {-1, -mirror}) < misfit(own, pattern, {1, mirror});
+}
+
+bool lies_half_turned(double turn) {
+    return std::cos(turn) < 0;
 }
 
 }  // namespace
 
-void lay_own_pieces(const PieceSet& set, Marker& marker) {
+OwnPieces::OwnPieces(const PieceSet& set) : set_(set) {
     std::map<std::string, std::size_t> patterns;
     for (std::size_t i = 0; i < set.pieces.size(); ++i)
         if (set.pieces[i].pattern.empty()) patterns.emplace(set.pieces[i].name, i);
-    // the pieces each pattern cuts, and those it cuts turned over, the last first
-    std::map<std::pair<std::size_t, bool>, std::vector<std::size_t>> waiting;
     for (std::size_t i = set.pieces.size(); i-- > 0;) {
         const PatternPiece& piece = set.pieces[i];
-        const auto pattern = patterns.find(piece.pattern.empty() ? piece.name : piece.pattern);
-        if (pattern != patterns.end()) waiting[{pattern->second, piece.mirrored}].push_back(i);
+        const auto found = patterns.find(piece.pattern.empty() ? piece.name : piece.pattern);
+        if (found != patterns.end()) own_[{found->second, piece.mirrored}].push_back({i, false});
     }
-    for (const auto& [kind, own] : waiting) {
-        const auto& [first, mirrored] = kind;
-        const PatternPiece& pattern = set.pieces[first];
-        auto next = own.rbegin();
-        if (static_cast<int>(own.size()) != (mirrored ? pattern.quantity_mirrored : pattern.quantity)) continue;
-        for (Placement& placement : marker.placements) {
-            if (placement.copy == 0 || placement.piece != first || placement.mirrored != mirrored) continue;
-            placement = covering(placement, pattern, set.pieces[*next], *next);
-            ++next;
-        }
+    std::erase_if(own_, [&set](const auto& kind) {
+        const PatternPiece& pattern = set.pieces[kind.first.first];
+        const int wanted = kind.first.second ? pattern.quantity_mirrored : pattern.quantity;
+        return static_cast<int>(kind.second.size()) != wanted || pattern.outline().rows() < 3;
+    });
+    for (auto& [kind, own] : own_)
+        for (Own& one : own)
+            one.half_turned = one.piece != kind.first && set.pieces[one.piece].outline().rows() >= 3 &&
+                              covers_half_turned(set.pieces[one.piece], set.pieces[kind.first]);
+}
+
+int OwnPieces::half_turned(std::size_t pattern, bool mirrored) const {
+    const auto own = own_.find({pattern, mirrored});
+    if (own == own_.end()) return 0;
+    return static_cast<int>(
+        std::count_if(own->second.begin(), own->second.end(), [](const Own& one) { return one.half_turned; }));
+}
+
+OwnPieces::Own OwnPieces::take(std::vector<Own>& waiting, bool may_turn, double turn) {
+    auto next = waiting.rbegin();
+    if (!may_turn)
+        next = std::find_if(waiting.rbegin(), waiting.rend(),
+                            [turn](const Own& one) { return one.half_turned == lies_half_turned(turn); });
+    const Own own = *next;
+    waiting.erase(std::next(next).base());
+    return own;
+}
+
+/// Where a piece has to lie to cover what the copy of its pattern covers.
+Placement OwnPieces::covering(const Placement& copy, const Own& own) const {
+    const PatternPiece &pattern = set_.pieces[copy.piece], &piece = set_.pieces[own.piece];
+    Placement placement = copy;
+    placement.piece = own.piece;
+    placement.copy = 0;
+    placement.mirrored = false;
+    placement.face_down = copy.is_drawn_mirrored() != piece.mirrored;
+    if (own.half_turned) placement.turn += lies_half_turned(copy.turn) ? -std::numbers::pi : std::numbers::pi;
+    placement.shift = Vec2::Zero();
+    const auto middle_as = [](const Placement& as, const PatternPiece& laid) -> Vec2 {
+        return as.placed(Points2(area_centroid(laid.outline()).transpose())).row(0).transpose();
+    };
+    placement.shift = middle_as(copy, pattern) - middle_as(placement, piece);
+    return placement;
+}
+
+void OwnPieces::lay(bool may_turn, Marker& marker) const {
+    auto waiting = own_;
+    for (Placement& placement : marker.placements) {
+        const auto own = waiting.find({placement.piece, placement.mirrored});
+        if (placement.copy == 0 || own == waiting.end()) continue;
+        placement = covering(placement, take(own->second, may_turn, placement.turn));
     }
 }
 

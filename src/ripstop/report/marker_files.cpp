@@ -112,7 +112,7 @@ std::string marker_json(const PieceSet& set, const Markers& markers, const std::
     const std::vector<std::string> stems = marker_stems(markers);
     for (std::size_t i = 0; i < stems.size(); ++i) list.push_back(json_of(set, markers.markers[i], stems[i], formats));
     for (const Refusal& refusal : markers.refusals)
-        refused.push_back({{"piece", refusal.piece}, {"reason", refusal.reason}});
+        refused.push_back({{"piece", refusal.piece}, {"quantity", refusal.quantity}, {"reason", refusal.reason}});
     const Json json = {
         {"schema", "1.0"}, {"input", set.input}, {"revision", set.revision}, {"markers", list}, {"refused", refused}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -129,8 +129,13 @@ std::string marker_table(const Markers& markers) {
                         fmt::format("{:.1f}", marker.utilisation() / percent), std::to_string(marker.parts.size()),
                         ""});
     std::string text = markers.markers.empty() ? "" : aligned_table(rows, 2);
-    for (const Refusal& refusal : markers.refusals)
-        text += fmt::format("not laid: {} {}\n", refusal.piece, refusal.reason);
+    std::size_t laid = 0, refused = 0;
+    for (const Marker& marker : markers.markers) laid += marker.placements.size();
+    for (const Refusal& refusal : markers.refusals) {
+        text += fmt::format("not laid: {} x {} {}\n", refusal.quantity, refusal.piece, refusal.reason);
+        refused += static_cast<std::size_t>(refusal.quantity);
+    }
+    if (refused > 0) text += fmt::format("not laid in all: {} of {} pieces\n", refused, laid + refused);
     return text;
 }
 

@@ -25,7 +25,7 @@ void write_marker_files(const std::filesystem::path& folder, const PieceSet& set
 /// docs/marker.schema.json.
 std::string marker_json(const PieceSet& set, const Markers& markers, const std::vector<std::string>& formats);
 
-/// A table for a terminal: a line a marker, and a line a piece that could not be laid.
+/// A table for a terminal: a line a marker, and a line a piece that could not be laid, then how many in all.
 std::string marker_table(const Markers& markers);
 
 }  // namespace ripstop
