@@ -45,12 +45,26 @@ bool is_drawable(const FlatTile& tile) {
     return positions.rows() == tile.tile.mesh.vertex_count() && positions.rows() > 0 && positions.allFinite();
 }
 
+namespace {
+
+std::string lower(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+/// Windows keeps these for devices, whatever the extension.
+bool is_device(const std::string& name) {
+    const std::string small = lower(name);
+    for (const char* const device : {"con", "prn", "aux", "nul"})
+        if (small == device) return true;
+    const bool is_port = small.size() == 4 && (small.starts_with("com") || small.starts_with("lpt"));
+    return is_port && small[3] >= '0' && small[3] <= '9';
+}
+
+}  // namespace
+
 std::vector<std::string> file_stems(const std::vector<std::string>& names) {
-    const auto lower = [](std::string text) {
-        for (char& c : text)
-            if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-        return text;
-    };
     std::vector<std::string> stems;
     std::set<std::string> used{"seams"};  // the picture of the seams
     for (const std::string& name : names) {
@@ -61,6 +75,8 @@ std::vector<std::string> file_stems(const std::vector<std::string>& names) {
             if (!kept) c = '_';
         }
         if (base.empty() || base.front() == '.' || base.front() == '-') base.insert(0, "_");
+        const std::size_t name_end = std::min(base.find('.'), base.size());
+        if (is_device(base.substr(0, name_end))) base.insert(name_end, "_");
         std::string stem = base;
         for (int n = 2; !used.insert(lower(stem)).second; ++n) stem = base + "_" + std::to_string(n);
         stems.push_back(stem);

@@ -23,7 +23,7 @@ bool is_drawable(const FlatTile& tile);
 
 /// A file name stem for each name: ASCII letters, digits, `.`, `_`, `-`, all else `_`; no leading point or dash, at most 80
 /// characters, never empty, and unique even where upper and lower case are one (then `_2`, `_3` … in order).
-/// None is `seams`, the picture of the seams.
+/// None is `seams`, the picture of the seams, nor a device of Windows: `con.a` gives `con_.a`.
 std::vector<std::string> file_stems(const std::vector<std::string>& names);
 std::vector<std::string> file_stems(const CutPlan& plan);
 
