@@ -22,16 +22,17 @@ void add_diff(CLI::App& app) {
     command->add_option("--tolerance", given->tolerance, "Lengths that differ by no more are the same; 0.01mm");
     command->add_flag("--json", given->json, "Print one JSON object on stdout instead of the table");
     command->footer(
-        "Pieces are matched by their names, edges by their order.\n"
+        "Pieces are matched by their names, edges by where they lie.\n"
         "Exit codes: 0 the same, 1 different, 2 usage, 3 unusable input.\n"
         "Example: ripstop diff plan-1 plan-2");
     command->callback([given] {
         const double tolerance = parse_length(given->tolerance, "--tolerance");
         const PieceSet before = read_pieces_of(given->before), after = read_pieces_of(given->after);
         const std::vector<PieceChange> changes = compare_pieces(before, after, tolerance);
-        fmt::print("{}", given->json ? revision_json(changes, given->before.string(), given->after.string())
-                                     : revision_text(changes));
-        if (!changes.empty()) throw CLI::RuntimeError(1);
+        const std::vector<SeamTypeChange> types = compare_seam_types(before, after, tolerance);
+        fmt::print("{}", given->json ? revision_json(changes, types, given->before.string(), given->after.string())
+                                     : revision_text(changes, types));
+        if (!changes.empty() || !types.empty()) throw CLI::RuntimeError(1);
     });
 }
 

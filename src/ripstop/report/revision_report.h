@@ -7,11 +7,12 @@
 
 namespace ripstop {
 
-/// What changed between two revisions, for a terminal: a line a piece, then a line for each of its edges and fields
-/// that changed. `No piece changed.` where none did.
-std::string revision_text(const std::vector<PieceChange>& changes);
+/// What changed between two revisions, for a terminal: a line a piece, then a line for each seam type, edge, drawn line and
+/// field that changed. `No piece changed.` where none did.
+std::string revision_text(const std::vector<PieceChange>& changes, const std::vector<SeamTypeChange>& seam_types = {});
 
 /// docs/diff.schema.json.
-std::string revision_json(const std::vector<PieceChange>& changes, const std::string& before, const std::string& after);
+std::string revision_json(const std::vector<PieceChange>& changes, const std::vector<SeamTypeChange>& seam_types,
+                          const std::string& before, const std::string& after);
 
 }  // namespace ripstop
