@@ -51,7 +51,7 @@ struct Refusal {
 
 /// What became of all the pieces.
 struct Markers {
-    std::vector<Marker> markers;  ///< by fabric, then colour
+    std::vector<Marker> markers;    ///< by fabric, then colour
     std::vector<Refusal> refusals;  ///< one a piece
 };
 
