@@ -40,8 +40,7 @@ TEST(NestCommand, LaysAPlanOnTheRoll) {
     EXPECT_EQ(json.out, workshop.read("plan/marker/marker.json"));
     std::set<std::string> laid;
     const Json marker = Json::parse(json.out)["markers"][0];
-    for (const Json& placement : marker["placements"])
-        laid.insert(placement["piece"].get<std::string>());
+    for (const Json& placement : marker["placements"]) laid.insert(placement["piece"].get<std::string>());
     EXPECT_EQ(laid.size(), 24u) << "each with its own name, though they have 4 patterns";
     const ProgramRun one_thread = workshop.ripstop("nest plan --effort 3 --json --jobs 1 -o other");
     EXPECT_EQ(one_thread.out, json.out);

@@ -1,10 +1,11 @@
 #include "ripstop/report/cut_files.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <limits>
 #include <sstream>
 
+#include "ripstop/base/error.h"
 #include "ripstop/io/pieces_json.h"
 #include "ripstop/pattern/pieces.h"
 #include "support/flat_tiles.h"
@@ -13,6 +14,8 @@
 
 namespace ripstop {
 namespace {
+
+using ::testing::HasSubstr;
 
 PieceSet two_pieces() {
     const CutPlan plan = testing::two_tile_plan();
@@ -46,6 +49,37 @@ TEST(PieceSet, ComesBackFromItsFileToTheLastBit) {
     EXPECT_EQ(again.pieces[0].cut_line, set.pieces[0].cut_line);
     EXPECT_EQ(again.pieces[0].edges[0].mates[0].piece, "H\xC3\xBClle");
     EXPECT_EQ(again.pieces[0].notches[0].along, 1.0 / 3);
+}
+
+std::string refusal(const PieceSet& set) {
+    std::istringstream in(pieces_json(set));
+    try {
+        read_pieces(in, "pieces.json");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(PieceSet, IsRefusedWhereItSaysWhatNoPieceHas) {
+    const PieceSet sound = two_pieces();
+    EXPECT_EQ(refusal(sound), "accepted");
+    PieceSet set = sound;
+    set.pieces[0].edges[0].allowance = -0.001;
+    EXPECT_THAT(refusal(set), HasSubstr("pieces 1: edges 1: allowance_m is negative"));
+    set = sound;
+    set.pieces[1].notches.emplace_back();
+    set.pieces[1].notches[0].outward = Vec2(2, 0);
+    EXPECT_THAT(refusal(set), HasSubstr("outward has not the length 1"));
+    set = sound;
+    set.pieces[1].pattern = "nobody";
+    EXPECT_THAT(refusal(set), HasSubstr("no piece with a pattern of its own is called nobody"));
+    set = sound;
+    set.pieces[1].fabric = "silk";
+    EXPECT_THAT(refusal(set), HasSubstr("no fabric is called silk"));
+    set = sound;
+    set.pieces[1].name = set.pieces[0].name;
+    EXPECT_THAT(refusal(set), HasSubstr("two pieces are called G01 P01"));
 }
 
 TEST(PieceSet, WritesTheSameCutFilesAfterItWasRead) {

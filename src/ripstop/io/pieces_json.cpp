@@ -26,7 +26,7 @@ Json points_json(const Points2& points) {
 Json edge_json(const PieceEdge& edge) {
     Json mates = Json::array();
     for (const Mate& mate : edge.mates)
-        mates.push_back({{"seam", mate.seam}, {"piece", mate.piece}, {"length_m", mate.length}});
+        mates.push_back({{"seam", mate.seam}, {"piece", mate.piece}, {"length_m", mate.length}, {"type", mate.type}});
     return {{"first", edge.first},
             {"length_m", edge.length},
             {"allowance_m", edge.allowance},
@@ -157,9 +157,10 @@ PieceEdge read_edge(const Reader& from, int points) {
     edge.first = from.whole("first", 0, std::max(0, points - 1));
     edge.length = from.number("length_m");
     edge.allowance = from.number("allowance_m");
+    if (edge.allowance < 0) from.refuse("allowance_m is negative");
     edge.seam_type = from.text("type");
     edge.mates = from.each<Mate>("mates", [](const Reader& mate) {
-        return Mate{mate.text("seam"), mate.text("piece"), mate.number("length_m")};
+        return Mate{mate.text("seam"), mate.text("piece"), mate.number("length_m"), mate.text("type")};
     });
     return edge;
 }
@@ -171,6 +172,7 @@ PieceNotch read_notch(const Reader& from, int edges) {
     notch.along = from.number("along_m");
     notch.on_sew = from.point("on_sew_m");
     notch.outward = from.point("outward");
+    if (std::abs(notch.outward.norm() - 1) > 1e-6) from.refuse("outward has not the length 1");
     notch.reach = from.number("reach_m");
     notch.depth = from.number("depth_m");
     notch.count = from.whole("count", 1, 2);
@@ -216,6 +218,21 @@ PatternPiece read_piece(const Reader& from) {
     return piece;
 }
 
+/// Pieces go by their names: as mates, as patterns, on the roll.
+void check_names(const PieceSet& set, const Reader& from) {
+    std::set<std::string> names, files, patterns, fabrics{""};
+    for (const Fabric& fabric : set.fabrics) fabrics.insert(fabric.name);
+    for (const PatternPiece& piece : set.pieces) {
+        if (!files.insert(piece.file).second) from.refuse("two pieces have the file " + piece.file);
+        if (!names.insert(piece.name).second) from.refuse("two pieces are called " + piece.name);
+        if (!fabrics.contains(piece.fabric)) from.refuse(piece.name + ": no fabric is called " + piece.fabric);
+        if (piece.pattern.empty()) patterns.insert(piece.name);
+    }
+    for (const PatternPiece& piece : set.pieces)
+        if (!piece.pattern.empty() && !patterns.contains(piece.pattern))
+            from.refuse(piece.name + ": no piece with a pattern of its own is called " + piece.pattern);
+}
+
 }  // namespace
 
 std::string pieces_json(const PieceSet& set) {
@@ -248,9 +265,7 @@ PieceSet read_pieces(std::istream& in, const std::string& name) {
         return SeamType{type.text("name"), type.number("allowance_m"), type.whole("rows", 0, 100), type.flag("tape")};
     });
     set.pieces = from.each<PatternPiece>("pieces", read_piece);
-    std::set<std::string> files;
-    for (const PatternPiece& piece : set.pieces)
-        if (!files.insert(piece.file).second) from.refuse("two pieces have the file " + piece.file);
+    check_names(set, from);
     return set;
 }
 

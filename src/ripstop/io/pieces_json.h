@@ -12,7 +12,8 @@ namespace ripstop {
 std::string pieces_json(const PieceSet& set);
 
 /// Throws InputError naming the file and the place for anything but what `pieces_json` writes: an edge that is none of the
-/// outline's, a coordinate that is not finite or beyond a kilometre, a set without fabric.
+/// outline's, a coordinate that is not finite or beyond a kilometre, a set without fabric, a name
+/// that stands twice or that nothing has.
 PieceSet read_pieces(std::istream& in, const std::string& name);
 
 }  // namespace ripstop
