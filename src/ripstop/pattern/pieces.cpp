@@ -55,17 +55,10 @@ void name_piece(PatternPiece& piece, const CutPlan& plan, const Tile& tile, cons
     piece.revision = options.revision;
 }
 
-/// How many are cut by the pattern; empty where it is itself alone.
-std::string count_of(const PatternPiece& piece) {
-    if (piece.quantity <= 1 && piece.quantity_mirrored == 0) return "";
-    const std::string same = "cut " + std::to_string(piece.quantity);
-    return piece.quantity_mirrored == 0 ? same : same + " + " + std::to_string(piece.quantity_mirrored) + " mirrored";
-}
-
 /// What stands below the name: what is needed at the table first.
 std::vector<std::string> notes_of(const PatternPiece& piece) {
     std::vector<std::string> notes{"WARP"};
-    if (const std::string count = count_of(piece); !count.empty()) notes.push_back(count);
+    if (const std::string count = cut_count(piece); !count.empty()) notes.push_back(count);
     if (!piece.gore.empty() && !piece.row.empty()) notes.push_back("gore " + piece.gore + " row " + piece.row);
     if (!piece.revision.empty()) notes.push_back("rev " + piece.revision);
     return notes;
@@ -119,7 +112,7 @@ void write_on(PatternPiece& piece) {
         if (piece.grain_line.rows() == 2 && piece.grain_line(1, 0) - piece.grain_line(0, 0) >= 0.5 * room.radius) break;
     }
     for (std::size_t i = 1; i < piece.labels.size(); ++i)  // the first is the name
-        piece.labels[i].counts = piece.labels[i].text == count_of(piece);
+        piece.labels[i].counts = piece.labels[i].text == cut_count(piece);
     if (piece.grain_line.rows() != 2) piece.grain_line = grain_line_at_pole(piece.sew_line, room);
     const Vec2 tail = piece.grain_line.row(0), head = piece.grain_line.row(1);
     const double length = (head - tail).norm();
