@@ -123,6 +123,105 @@ TEST(CheckDrawing, NamesAContourThatCrossesItself) {
     EXPECT_THAT(message(check, "crossing"), HasSubstr("at (150.00, 150.00) mm"));
 }
 
+TEST(CheckDrawing, NamesAContourWithNothingInIt) {
+    const DrawingCheck check =
+        check_drawing(drawing_of({closed("CUT", square({0, 0}, 300)), closed("CUT", points({{500, 0}, {900, 0}}))}));
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"crossing"}));
+    EXPECT_THAT(message(check, "crossing"), HasSubstr("runs there and back from (500.00, 0.00) mm"));
+}
+
+TEST(CheckDrawing, NamesPiecesThatOverlapAndByHowMuch) {
+    PatternDrawing drawing = drawing_of({closed("CUT", square({0, 0}, 300)), closed("CUT", square({290, 250}, 300))});
+    drawing.texts = {{"TEXT", -1, "A", Vec2(10, 10), 5, 0}, {"TEXT", -1, "B", Vec2(500, 500), 5, 0}};
+    DrawingCheck check = check_drawing(drawing);
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"overlap"}));
+    EXPECT_THAT(message(check, "overlap"), HasSubstr("A and B overlap by 10.00 mm at (290.00, 250.00) mm"));
+    // In a cross no corner of one lies in the other.
+    drawing.texts.clear();
+    drawing.paths = {closed("CUT", points({{0, 100}, {300, 100}, {300, 150}, {0, 150}})),
+                     closed("CUT", points({{100, 0}, {200, 0}, {200, 300}, {100, 300}}))};
+    check = check_drawing(drawing);
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"overlap"}));
+    EXPECT_THAT(message(check, "overlap"), HasSubstr("overlap by 50.00 mm"));
+}
+
+TEST(CheckDrawing, LetsPiecesHaveACutInCommon) {
+    // Side by side, one of them half as tall, and one round its other sides that reaches 0.05 mm into it.
+    const Points2 round =
+        points({{300, 200}, {449.95, 200}, {449.95, 0}, {700, 0}, {700, 700}, {0, 700}, {0, 300}, {300, 300}});
+    EXPECT_TRUE(check_drawing(drawing_of({closed("CUT", square({0, 0}, 300)), closed("CUT", square({300, 50}, 150)),
+                                          closed("CUT", round)}))
+                    .sound());
+}
+
+TEST(CheckDrawing, NamesAPieceThatIsDrawnOverItsTwinWithOtherCorners) {
+    const DrawingCheck check =
+        check_drawing(drawing_of({closed("CUT", square({0, 0}, 300)),
+                                  closed("CUT", points({{300.02, 0}, {300, 300}, {150, 300}, {0, 300}, {0, 0}}))}));
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"overlap"}));
+    EXPECT_THAT(message(check, "overlap"), HasSubstr("lie on each other at (0.00, 0.00) mm"));
+}
+
+TEST(CheckDrawing, TellsAHoleFromAPieceByWhatIsDrawnInIt) {
+    PatternDrawing drawing = drawing_of({closed("CUT", square({0, 0}, 300)), closed("CUT", square({100, 100}, 80))});
+    drawing.texts = {{"TEXT", -1, "A", Vec2(10, 10), 5, 0}};
+    EXPECT_TRUE(check_drawing(drawing).sound()) << "a hole";
+    drawing.paths.push_back(closed("CUT", square({110, 110}, 50)));
+    drawing.texts.push_back({"TEXT", -1, "B", Vec2(120, 120), 5, 0});
+    EXPECT_TRUE(check_drawing(drawing).sound()) << "a piece in the hole";
+    drawing.paths.pop_back();
+    DrawingCheck check = check_drawing(drawing);
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"overlap"}));
+    EXPECT_THAT(message(check, "overlap"), HasSubstr("A and B overlap: the one at (100.00, 100.00) mm lies within"));
+    drawing.texts.pop_back();
+    drawing.paths.push_back(open("GRAIN", points({{110, 110}, {150, 110}})));
+    EXPECT_EQ(codes(check_drawing(drawing)), (std::vector<std::string>{"overlap"}));
+    drawing.paths.back() = closed("SEW", square({105, 105}, 70));
+    EXPECT_EQ(codes(check_drawing(drawing)), (std::vector<std::string>{"overlap"}));
+    drawing.paths.back() = closed("SEW", square({95, 95}, 90));
+    EXPECT_TRUE(check_drawing(drawing).sound()) << "the seam of a hole";
+}
+
+TEST(CheckDrawing, LooksAtEachBlockAlone) {
+    PatternDrawing drawing = block_drawing();
+    drawing.groups.push_back({"B_ONE", "1"});
+    drawing.paths.push_back(closed("1", square({100, 100}, 300), 1));
+    EXPECT_TRUE(check_drawing(drawing).sound()) << "Gerber stacks the pieces";
+    drawing.paths.push_back(closed("11", square({150, 150}, 20), 1));
+    EXPECT_TRUE(check_drawing(drawing).sound()) << "an internal cut";
+    drawing.paths.back() = closed("11", square({80, 150}, 40), 1);
+    EXPECT_EQ(codes(check_drawing(drawing)), (std::vector<std::string>{"overlap"}));
+    drawing.paths.back() = closed("14", square({80, 150}, 40), 1);
+    EXPECT_EQ(codes(check_drawing(drawing)), (std::vector<std::string>{"sew_outside"}));
+}
+
+TEST(CheckDrawing, NamesASewLineOutsideOfThePieces) {
+    const DrawnPath piece = closed("CUT", square({0, 0}, 300));
+    EXPECT_TRUE(check_drawing(drawing_of({piece, closed("SEW", square({15, 15}, 270))})).sound());
+    EXPECT_TRUE(check_drawing(drawing_of({piece, closed("SEW", square({0, 0}, 300))})).sound()) << "no allowance";
+    EXPECT_TRUE(check_drawing(drawing_of({piece, closed("SEW", square({-0.01, -0.01}, 300.02))})).sound()) << "rounded";
+    DrawingCheck check = check_drawing(drawing_of({piece, closed("SEW", square({40, 40}, 270))}));
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"sew_outside"}));
+    // The far corner is 10 mm out both ways.
+    EXPECT_THAT(message(check, "sew_outside"),
+                HasSubstr("reaches 14.14 mm out of the one on layer CUT at (310.00, 310.00)"));
+    check = check_drawing(drawing_of({piece, closed("SEW", square({-10, -10}, 320))}));
+    EXPECT_THAT(message(check, "sew_outside"), HasSubstr("reaches 14.14 mm out of"));
+    check = check_drawing(drawing_of({piece, closed("SEW", square({400, 40}, 200))}));
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"sew_outside"}));
+    EXPECT_THAT(message(check, "sew_outside"),
+                HasSubstr("at (400.00, 40.00) mm lies in no closed contour that is cut"));
+}
+
+TEST(CheckDrawing, DoesNotTakeLinesWithinEachOtherForPiecesWhereTheLayersAreNotKnown) {
+    const DrawnPath piece = closed("Layer 1", square({0, 0}, 300));
+    EXPECT_TRUE(check_drawing(drawing_of({piece, closed("Layer 1", square({15, 15}, 270))})).issues.empty());
+    EXPECT_FALSE(check_drawing(drawing_of({piece, closed("Layer 1", square({150, 15}, 270))})).sound());
+    const DrawingCheck check = check_drawing(drawing_of({piece, closed("Layer 2", square({150, 15}, 270))}));
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"overlap"}));
+    EXPECT_TRUE(check.sound()) << "the other one may be no piece";
+}
+
 TEST(CheckDrawing, NamesLinesWithoutLength) {
     const DrawingCheck check =
         check_drawing(drawing_of({closed("CUT", square({0, 0}, 300)), open("NOTCH", points({{5, 5}, {5, 5}}))}));

@@ -64,7 +64,9 @@ PatternPiece sample_piece(const std::string& name, const Vec2& at, const Vec2& s
 }
 
 std::vector<PatternPiece> sample_pieces() {
-    PatternPiece gore = piece_of(sinusoidal_gore("gore"));
+    FlatTile tile = sinusoidal_gore("gore");
+    tile.flattening.positions.col(1).array() += 1;  // above the others
+    const PatternPiece gore = piece_of(tile);
     return {sample_piece("G01P03"), disk("crown", Vec2(0.7, 0.12), 0.1),
             sample_piece("narrow", Vec2(0.02, 0.4), Vec2(0.9, 0.03)), gore};
 }
