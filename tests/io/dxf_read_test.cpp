@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
+#include "ripstop/pattern/check_drawing.h"
 #include "support/outside.h"
 
 namespace ripstop {
@@ -126,10 +127,19 @@ TEST(ReadDxf, SaysWhereTheUnitIsStated) {
                                               "9 $MEASUREMENT 70 1 0 ENDSEC"));
     EXPECT_EQ(found.format, "DXF AC1015");
     EXPECT_EQ(found.comment, "a comment");
-    ASSERT_EQ(found.units.size(), 3U);
+    ASSERT_EQ(found.units.size(), 2U) << "$MEASUREMENT is for hatches";
     EXPECT_EQ(found.units[0].unit.name, "mm");
-    EXPECT_EQ(found.units[2].unit.name, "in");
-    EXPECT_EQ(found.units[2].where, "the text \"UNITS: ENGLISH\"");
+    EXPECT_EQ(found.units[1].unit.name, "in");
+    EXPECT_EQ(found.units[1].where, "the text \"UNITS: ENGLISH\"");
+}
+
+TEST(ReadDxf, DoesNotTakeMetricForMillimetres) {
+    const std::string square = "0 LWPOLYLINE 8 CUT 70 1 10 0 20 0 10 300 20 0 10 300 20 300 10 0 20 300";
+    const DrawingCheck check =
+        check_drawing(read(drawing(square, "0 SECTION 2 HEADER 9 $MEASUREMENT 70 1 9 $INSUNITS 70 0 0 ENDSEC")));
+    EXPECT_FALSE(check.unit.has_value());
+    ASSERT_EQ(check.issues.size(), 1U);
+    EXPECT_EQ(check.issues[0].code, "unit");
 }
 
 TEST(ReadDxf, NamesWhatItDoesNotRead) {

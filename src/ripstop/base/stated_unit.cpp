@@ -37,11 +37,6 @@ std::optional<LengthUnit> unit_of_insunits(std::string_view value) {
     return unit_named(units[value[0] - '0']);
 }
 
-std::optional<LengthUnit> unit_of_measurement(std::string_view value) {
-    if (value == "0") return unit_named("in");
-    return value == "1" ? unit_named("mm") : std::nullopt;
-}
-
 std::optional<LengthUnit> unit_of_text(std::string_view text) {
     const std::string lower = lower_case(trimmed(text));
     constexpr std::string_view key = "units:";

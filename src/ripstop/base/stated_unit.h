@@ -11,9 +11,6 @@ namespace ripstop {
 /// The number of $INSUNITS: 1 inch, 2 foot, 4 mm, 5 cm, 6 m.
 std::optional<LengthUnit> unit_of_insunits(std::string_view value);
 
-/// The number of $MEASUREMENT: 0 inches, 1 millimetres, as drawings that have nothing better are taken.
-std::optional<LengthUnit> unit_of_measurement(std::string_view value);
-
 /// A text `Units: METRIC` (millimetres), `ENGLISH` (inches) or of a unit itself, in any case of letters.
 std::optional<LengthUnit> unit_of_text(std::string_view text);
 

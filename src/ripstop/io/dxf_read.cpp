@@ -89,9 +89,8 @@ class Reader {
             if (tags[i].code != 9) continue;
             const std::string_view value = tags[i + 1].value;
             if (tags[i].value == "$ACADVER") drawing_.format = "DXF " + readable_name(value.substr(0, 12));
-            const auto unit = tags[i].value == "$INSUNITS"      ? unit_of_insunits(value)
-                              : tags[i].value == "$MEASUREMENT" ? unit_of_measurement(value)
-                                                                : std::nullopt;
+            // $MEASUREMENT tells metric from imperial for hatches, not millimetres from metres.
+            const auto unit = tags[i].value == "$INSUNITS" ? unit_of_insunits(value) : std::nullopt;
             if (unit) drawing_.units.push_back({std::string(tags[i].value), *unit});
         }
     }
