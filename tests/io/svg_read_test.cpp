@@ -79,6 +79,29 @@ TEST(ReadSvg, SaysItsUnitOnlyWhereItHasOne) {
     EXPECT_TRUE(read("<svg width='100%'/>").units.empty());
 }
 
+TEST(ReadSvg, FitsTheDrawingIntoWidthAndHeightAsSvgDoes) {
+    // A user unit is 2 mm by the width and 1 mm by the height: the smaller shows all of it, the larger fills the page.
+    const PatternDrawing found = read("<svg width='100mm' height='100mm' viewBox='0 0 50 100'/>");
+    ASSERT_EQ(found.units.size(), 2U);
+    EXPECT_EQ(found.units[0].where, "height and viewBox");
+    EXPECT_EQ(found.units[0].unit.name, "mm");
+    EXPECT_DOUBLE_EQ(found.units[1].unit.metres, 2e-3);
+    EXPECT_FALSE(check_drawing(found).sound()) << "many readers know only the width";
+    EXPECT_DOUBLE_EQ(
+        read("<svg width='100mm' height='100mm' viewBox='0 0 50 100' preserveAspectRatio='xMidYMid slice'/>")
+            .units.at(0)
+            .unit.metres,
+        2e-3);
+    EXPECT_DOUBLE_EQ(read("<svg width='100mm' height='96' viewBox='0 0 100 100'/>").units.at(0).unit.metres, 0.254e-3)
+        << "a bare number counts 1/96 inch";
+    // Rounded to a hundredth: the smaller, and no second opinion.
+    const PatternDrawing rounded = read("<svg width='210mm' height='297mm' viewBox='0 0 210 297.01'/>");
+    ASSERT_EQ(rounded.units.size(), 1U);
+    EXPECT_DOUBLE_EQ(rounded.units[0].unit.metres, 0.297 / 297.01);
+    EXPECT_EQ(read("<svg height='297mm' viewBox='0 0 210 297'/>").units.at(0).unit.name, "mm");
+    EXPECT_EQ(read("<svg width='100%' height='297mm' viewBox='0 0 210 297'/>").units.at(0).unit.name, "mm");
+}
+
 TEST(ReadSvg, NamesWhatItDoesNotReadAndLeavesOutWhatIsNotDrawn) {
     const PatternDrawing found =
         read_body("<defs><path d='M0 0L1 1'/></defs><use href='#a'/><path class='cut' d='M0 0A1 1 0 0 1 2 0'/>");

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <pugixml.hpp>
 #include <set>
 #include <string_view>
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int deepest = 256;
 constexpr double farthest = 1e9;
+constexpr double pixel = 0.0254 / 96;  // of CSS [m]
 
 /// What elements within each other hand down.
 struct Place {
@@ -74,22 +76,38 @@ class Reader {
         return length->number;
     }
 
-    /// One user unit, from `width="210mm"` and `viewBox="0 0 210 297"`, or from the height.
+    /// One user unit along a side, from `width="210mm"` and `viewBox="0 0 210 297"`.
+    std::optional<StatedUnit> unit_along(const pugi::xml_node& root, const std::string& key, double extent) const {
+        const auto length = stated_length(root.attribute(key.c_str()).value());
+        if (!length || !(length->number > 0) || !(extent > 0)) return std::nullopt;
+        const double unit = length->number * (length->unit ? length->unit->metres : pixel) / extent;
+        if (!(unit > 1e-9 && unit < 10))
+            refuse(root, key + " makes a user unit of " + std::to_string(unit) +
+                             " m, expected less than 10 m and some length; export the drawing again");
+        return StatedUnit{key + " and viewBox", unit_of(unit)};
+    }
+
+    /// Where the sides make two units of it, the drawing fits into both (`meet`) or fills both (`slice`). Many readers know only
+    /// the width, so the other one is told too where that can be measured on a piece.
     void read_unit(const pugi::xml_node& root) {
-        const std::vector<double> box = svg_numbers(root.attribute("viewBox").value(), place_of(root));
-        for (const auto& [key, index] : {std::pair("width", 2U), std::pair("height", 3U)}) {
+        const auto has_unit = [&root](const char* key) {
             const auto length = stated_length(root.attribute(key).value());
-            if (!length || !length->unit || !(length->number > 0)) continue;
-            if (box.size() == 4 && !(box[index] > 0)) continue;
-            const double metres = length->number * length->unit->metres / (box.size() == 4 ? box[index] : 96.0);
+            return length && length->unit && length->number > 0;
+        };
+        if (!has_unit("width") && !has_unit("height")) return;
+        const std::vector<double> box = svg_numbers(root.attribute("viewBox").value(), place_of(root));
+        if (box.size() != 4) {
             // Without a viewBox a user unit is 1/96 inch, whatever the width.
-            const double unit = box.size() == 4 ? metres : metres_per_unit("in") / 96;
-            if (!(unit > 1e-9 && unit < 10))
-                refuse(root, std::string(key) + " makes a user unit of " + std::to_string(unit) +
-                                 " m, expected less than 10 m and some length; export the drawing again");
-            drawing_.units.push_back({key + std::string(box.size() == 4 ? " and viewBox" : ""), unit_of(unit)});
+            drawing_.units.push_back({has_unit("width") ? "width" : "height", unit_of(pixel)});
             return;
         }
+        auto first = unit_along(root, "width", box[2]), second = unit_along(root, "height", box[3]);
+        const bool is_slice =
+            std::string_view(root.attribute("preserveAspectRatio").value()).find("slice") != std::string_view::npos;
+        if (first && second && (second->unit.metres < first->unit.metres) != is_slice) std::swap(first, second);
+        if (first) drawing_.units.push_back(*first);
+        if (second && (!first || std::abs(second->unit.metres / first->unit.metres - 1) > 1e-3))
+            drawing_.units.push_back(*second);
     }
 
     static LengthUnit unit_of(double metres) {
