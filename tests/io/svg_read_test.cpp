@@ -79,6 +79,17 @@ TEST(ReadSvg, SaysItsUnitOnlyWhereItHasOne) {
     EXPECT_TRUE(read("<svg width='100%'/>").units.empty());
 }
 
+TEST(ReadSvg, LeavesOutWhatIsHiddenAndDoesNotGuessTheScaleOfAnSvgWithin) {
+    const PatternDrawing found = read_body(
+        "<g style='fill:none; display: none'><rect width='2' height='1'/></g><rect display='none' width='2' "
+        "height='1'/>"
+        "<svg viewBox='0 0 1 1'><rect width='2' height='1'/></svg><svg><rect width='2' height='1'/></svg>");
+    EXPECT_EQ(found.paths.size(), 1U);
+    ASSERT_EQ(found.unread.size(), 1U);
+    EXPECT_EQ(found.unread[0].kind, "svg");
+    EXPECT_FALSE(check_drawing(found).sound());
+}
+
 TEST(ReadSvg, FitsTheDrawingIntoWidthAndHeightAsSvgDoes) {
     // A user unit is 2 mm by the width and 1 mm by the height: the smaller shows all of it, the larger fills the page.
     const PatternDrawing found = read("<svg width='100mm' height='100mm' viewBox='0 0 50 100'/>");

@@ -121,9 +121,11 @@ class Reader {
         static const std::set<std::string_view> undrawn{"defs",  "symbol",    "clipPath", "mask",  "marker", "pattern",
                                                         "style", "namedview", "metadata", "title", "desc",   "script"};
         const std::string_view kind = local_name(node);
-        if (undrawn.contains(kind)) return;
+        if (undrawn.contains(kind) || is_hidden(node)) return;
         if (++place.depth > deepest) refuse(node, "elements more than 256 deep, expected fewer; ungroup them");
         place.motion = place.motion * motion_of(node);
+        if (kind == "svg" && (node.attribute("x") || node.attribute("y") || node.attribute("viewBox")))
+            return drawing_.leave_unread("svg", place.layer, node.offset_debug());  // has a scale of its own
         if (kind == "g" || kind == "a" || kind == "svg" || kind == "switch") {
             enter(node, place);
             for (const pugi::xml_node& child : node.children()) draw(child, place);
@@ -136,6 +138,13 @@ class Reader {
             draw_text(node, place);
         else if (!draw_shape(node, kind, place))
             drawing_.leave_unread(readable_name(kind.substr(0, 40)), place.layer, node.offset_debug());
+    }
+
+    static bool is_hidden(const pugi::xml_node& node) {
+        std::string style = node.attribute("style").value();
+        std::erase(style, ' ');
+        return style.find("display:none") != std::string::npos ||
+               std::string_view(node.attribute("display").value()) == "none";
     }
 
     void enter(const pugi::xml_node& node, Place& place) {

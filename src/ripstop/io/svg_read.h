@@ -11,8 +11,8 @@ namespace ripstop {
 ///
 /// path (M L H V C S Q T Z, absolute and relative; curves in 16 chords; A is `unread`), line, polyline, polygon, rect, circle,
 /// ellipse and text, in groups with transformations. A group is a `g` with an id, innermost first; the layer is the class of
-/// what is drawn, else the nearest Inkscape layer. What is only defined (defs, symbol, clipPath, …) is not drawn; `use`,
-/// image and all else is `unread`. Unit: width, height and viewBox; without a unit in them none is stated.
+/// what is drawn, else the nearest Inkscape layer. What is only defined (defs, symbol, clipPath, …) is not drawn, nor is
+/// what is hidden (`display`); `use`, an svg in it with a place or scale of its own, image and all else is `unread`. Unit: width, height and viewBox; without a unit in them none is stated.
 /// Where they make two of it the first is the one SVG takes (the smaller but for `slice`), and the other is stated too.
 ///
 /// Throws InputError `NAME: byte N: …` for what is no XML, `NAME: …` for another root than svg, a path or number that cannot be

@@ -213,7 +213,7 @@ class Checker {
     bool by_group() const { return survey_.convention == LayerConvention::numbered; }
 
     void check_unread() {
-        static const std::set<std::string> curves{"SPLINE", "ELLIPSE", "HELIX", "path"};
+        static const std::set<std::string> curves{"SPLINE", "ELLIPSE", "HELIX", "path", "svg"};
         for (const UnreadEntity& entity : drawing_.unread) {
             const bool is_curve = curves.contains(entity.kind);
             add("unread",
