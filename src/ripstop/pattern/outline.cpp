@@ -103,7 +103,8 @@ class Mates {
         auto at = std::find(seams_.begin(), seams_.end(), part.seam);
         if (at == seams_.end()) {
             at = seams_.insert(at, part.seam);
-            list.push_back({part.seam->id, plan.tiles[static_cast<std::size_t>(part.mate)].tile.name, 0, part.seam->type.name});
+            list.push_back(
+                {part.seam->id, plan.tiles[static_cast<std::size_t>(part.mate)].tile.name, 0, part.seam->type.name});
         }
         list[static_cast<std::size_t>(at - seams_.begin())].length += part.flat_length;
     }
