@@ -190,7 +190,8 @@ double IndexedOutline::distance(const Vec2& point) const {
 }
 
 OutlineRelation relate(const IndexedOutline& first, const IndexedOutline& second, double tolerance) {
-    if (first.points().rows() == second.points().rows() && first.points() == second.points()) return {Relation::same, {}};
+    if (first.points().rows() == second.points().rows() && first.points() == second.points())
+        return {Relation::same, {}};
     const Meetings meetings = find_meetings(first, second);
     std::vector<Vec2> of_first{first.corner(0)}, of_second{second.corner(0)};
     if (!meetings.none() || second.is_near(of_first.front(), tolerance) ||
