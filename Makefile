@@ -1,5 +1,5 @@
 # `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
-.PHONY: setup build demo test bench bench-solve bench-seams dress-seams robustness matched accuracy accuracy-check install format \
+.PHONY: setup build demo test bench bench-solve bench-seams dress-seams robustness matched accuracy accuracy-check sanitize install format \
 	check clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
@@ -49,6 +49,11 @@ setup:
 
 build/.setup: scripts/setup.sh scripts/packages.txt apps/rhino/package-lock.json tests/dxf/package-lock.json
 	$(MAKE) setup
+
+sanitize: build/.setup
+	cmake --preset asan -Wno-dev
+	cmake --build build/asan -j $(JOBS)
+	ctest --test-dir build/asan -j $(JOBS) --output-on-failure --timeout 900
 
 check:
 	scripts/check_format.sh
