@@ -107,7 +107,7 @@ export function makeEnvelopeScene(shape, canvas) {
     const uniforms = { palette: { value: null }, focus: { value: new Vector2(-1, -1) } };
     const sphere = new Sphere(new Vector3(...shape.centre), shape.radius);
     const cloth = clothMesh(shape.positions, shape.ids, uniforms, sphere, 2);
-    const rim = clothMesh(shape.rim.positions, shape.rim.ids, uniforms, sphere, 1);
+    const rim = clothMesh(shape.rim.positions, shape.rim.ids, uniforms, sphere, -1);
     group.add(cloth, rim, thinLines(model));
     const failing = new WideLines(group, 0xa50f2d, 2.5, 1);
     const proposed = new WideLines(group, 0x111111, 3, 2, { dashed: true, dashSize: shape.radius / 60, gapSize: shape.radius / 110 });
@@ -171,6 +171,8 @@ export function makeEnvelopeScene(shape, canvas) {
         choose(tiles, seam) {
             uniforms.focus.value.set(tiles[0]?.index ?? -1, tiles[1]?.index ?? tiles[0]?.index ?? -1);
             const line = seam ? seamLine(model, seam) : tiles.flatMap(outlineOf);
+            // Seams are short: they are seen through the cloth too.
+            casing.material.depthTest = chosen.material.depthTest = !seam;
             casing.show(line);
             chosen.show(line);
             request();
@@ -180,8 +182,7 @@ export function makeEnvelopeScene(shape, canvas) {
             proposed.show(failingTiles.flatMap((tile) => proposalLine(shape, tile)));
             request();
         },
-        lookAt(tiles) {
-            const { middle, normal, radius } = tiles[0].frame;
+        lookAt({ middle, normal, radius }) {
             flyTo(middle, [normal[0], normal[1] * 0.8 + 0.05, normal[2]], Math.max(6 * radius, Math.min(wholeDistance(), 1.6 * shape.radius)), false);
         },
         home: () => flyHome(false),

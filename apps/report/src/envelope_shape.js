@@ -31,18 +31,40 @@ function tileFrame(tile) {
     return { middle, normal: normal.map((value) => value / size), radius };
 }
 
+// Of each boundary edge the direction into the cloth, in the plane of its triangle.
+function inwardOf(tile) {
+    const { loop, space, triangles } = tile;
+    const place = new Map(Array.from(loop, (vertex, i) => [vertex, i]));
+    const inward = Array.from(loop, () => [0, 0, 0]);
+    for (let t = 0; t < triangles.length; t += 3)
+        for (let k = 0; k < 3; ++k) {
+            const [a, b, c] = [triangles[t + k], triangles[t + ((k + 1) % 3)], triangles[t + ((k + 2) % 3)]];
+            const i = place.get(a);
+            if (i === undefined || loop[(i + 1) % loop.length] !== b) continue;
+            const along = [0, 1, 2].map((j) => space[3 * b + j] - space[3 * a + j]);
+            const across = [0, 1, 2].map((j) => space[3 * c + j] - space[3 * a + j]);
+            const length = along.reduce((sum, value) => sum + value * value, 0) || 1e-12;
+            const share = along.reduce((sum, value, j) => sum + value * across[j], 0) / length;
+            const height = across.map((value, j) => value - share * along[j]);
+            const size = Math.hypot(...height) || 1;
+            inward[i] = height.map((value) => value / size);
+        }
+    return inward;
+}
+
 // A band along the inside of every boundary edge, for what is said of edges: two triangles each.
 function rimOf(tiles, edgeCount) {
     const positions = new Float32Array(18 * edgeCount), ids = new Uint16Array(6 * edgeCount);
     let at = 0;
     for (const tile of tiles) {
         const { loop, space, frame } = tile;
-        const width = 0.09 * frame.radius;
-        const inner = Array.from(loop, (vertex) => {
-            const p = [space[3 * vertex], space[3 * vertex + 1], space[3 * vertex + 2]];
-            const inward = frame.middle.map((value, k) => value - p[k]);
-            const length = Math.hypot(...inward) || 1;
-            return p.map((value, k) => value + (inward[k] / length) * Math.min(width, 0.4 * length));
+        const width = 0.07 * frame.radius;
+        const inward = inwardOf(tile);
+        const inner = Array.from(loop, (vertex, i) => {
+            const before = inward[(i + loop.length - 1) % loop.length];
+            const both = inward[i].map((value, k) => value + before[k]);
+            const length = Math.hypot(...both) || 1;
+            return both.map((value, k) => space[3 * vertex + k] + (width / length) * value);
         });
         for (let i = 0; i < loop.length; ++i) {
             const j = (i + 1) % loop.length;
@@ -54,6 +76,28 @@ function rimOf(tiles, edgeCount) {
         }
     }
     return { positions, ids };
+}
+
+// Where a tile or a seam lies, which way it faces and how large it is.
+export function placeOfChosen(model, tiles, seam) {
+    if (!seam) return tiles[0].frame;
+    const line = seamLine(model, seam);
+    const ends = [line.slice(0, 3), line.slice(-3)];
+    const normal = [0, 1, 2].map((k) => tiles.reduce((sum, tile) => sum + tile.frame.normal[k], 0));
+    const size = Math.hypot(...normal);
+    const half = 6 * Math.floor(line.length / 12);
+    return {
+        middle: line.slice(half, half + 3),
+        normal: size > 0.2 ? normal.map((value) => value / size) : tiles[0].frame.normal,
+        radius: Math.max(0.4 * tiles[0].frame.radius, Math.hypot(...ends[0].map((value, k) => value - ends[1][k])) / 2),
+    };
+}
+
+function farthest(tiles, from) {
+    let radius = 0;
+    for (const { space } of tiles)
+        for (let i = 0; i < space.length; i += 3) radius = Math.max(radius, Math.hypot(space[i] - from[0], space[i + 1] - from[1], space[i + 2] - from[2]));
+    return radius;
 }
 
 export function makeEnvelopeShape(model) {
@@ -90,7 +134,7 @@ export function makeEnvelopeShape(model) {
         ids,
         rim: rimOf(tiles, edgeCount),
         centre,
-        radius: Math.hypot(...box[0].map((value, k) => (box[1][k] - value) / 2)) || 1,
+        radius: farthest(tiles, centre) || 1,
         pick: makePicking(positions),
         turn,
     };

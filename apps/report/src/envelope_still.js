@@ -50,7 +50,8 @@ export function makeEnvelopeStill(shape, canvas) {
         context.setLineDash(dash);
         context.beginPath();
         for (let i = 0; i < points.length; i += 6) {
-            context.moveTo(...project(points.slice(i, i + 3)));
+            const goesOn = i > 0 && [0, 1, 2].every((k) => points[i + k] === points[i + k - 3]);
+            if (!goesOn) context.moveTo(...project(points.slice(i, i + 3)));
             context.lineTo(...project(points.slice(i + 3, i + 6)));
         }
         context.stroke();
@@ -108,8 +109,7 @@ export function makeEnvelopeStill(shape, canvas) {
             proposed = failingTiles.flatMap((tile) => proposalLine(shape, tile));
             request();
         },
-        lookAt(tiles) {
-            const { normal } = tiles[0].frame;
+        lookAt({ normal }) {
             azimuth = Math.atan2(normal[0], normal[2]);
             height = Math.asin(Math.max(-1, Math.min(1, normal[1]))) * 0.8;
             request();

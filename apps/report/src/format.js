@@ -16,7 +16,10 @@ export const signedMillimetres = (value, decimals = 2) => figure(value, decimals
 export const degrees = (value, decimals = 1) => figure(value, decimals) + '°';
 export const squareMetres = (value, decimals = 2) => figure(value, decimals) + '\u00a0m²';
 
-// As many decimals as a limit is worth: 2 % and not 2.000 %.
-export const short = (value) => figure(value, 3).replace(/\.?0+$/, '');
+// About three digits, none of them idle: 2 and not 2.000.
+export function short(value) {
+    const text = figure(value, Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : Math.abs(value) >= 1 ? 2 : 3);
+    return text.includes('.') ? text.replace(/\.?0+$/, '') : text;
+}
 
 export const count = (number, one, many = one + 's') => `${figure(number, 0)} ${number === 1 ? one : many}`;

@@ -2,7 +2,7 @@ import './style.css';
 import { readModel } from './data.js';
 import { html } from './dom.js';
 import { makeEnvelopeScene } from './envelope_scene.js';
-import { makeEnvelopeShape } from './envelope_shape.js';
+import { makeEnvelopeShape, placeOfChosen } from './envelope_shape.js';
 import { makeEnvelopeStill } from './envelope_still.js';
 import { degrees, percent } from './format.js';
 import { legendView } from './legend.js';
@@ -55,7 +55,9 @@ function start(model) {
 
     const choose = (kind, item, isSeen) => {
         state.change({ chosen: { kind, index: item.index } });
-        if (!isSeen) view.lookAt(kind === 'tile' ? [item] : item.sides.map((side) => model.tiles[side.tile]));
+        if (isSeen) return;
+        if (kind === 'tile') view.lookAt(placeOfChosen(model, [item], null));
+        else view.lookAt(placeOfChosen(model, item.sides.map((side) => model.tiles[side.tile]), item));
     };
     const onTile = (tile) => choose('tile', tile);
     const onSeam = (seam) => choose('seam', seam);
@@ -172,6 +174,7 @@ function start(model) {
     // On paper: every row, and the pieces of the tiles that fail.
     window.addEventListener('beforeprint', () => {
         for (const table of [tiles, seams]) table.showWhole(true);
+        for (const details of document.querySelectorAll('details')) details.open = true;
         const failing = failingTiles(model).filter((tile) => tile.flat).slice(0, 24);
         printed.replaceChildren(...(failing.length > 0 ? [html('h2', {}, 'The pieces that fail'),
             html('div', { class: 'pieces' }, failing.map((tile) => html('figure', {}, pieceView(shape, tile, context()), html('figcaption', {}, tile.name))))] : []));

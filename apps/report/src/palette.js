@@ -5,14 +5,14 @@ export const places = { below: 0, first: 1, steps: 256, above: 257, flipped: 258
 const palettes = {
     // Told apart by lightness and by blue against orange, which nearly everyone sees.
     safe: {
-        name: 'Blue and orange, safe for the colour-blind',
+        name: 'Colour-blind safe',
         stops: ['#1f5fbf', '#8fbbe8', '#f7f5ef', '#f6b26b', '#e06c00'],
         below: '#101c4a',
         above: '#5c0a1e',
     },
     // The paper's: by size alone, whatever the sign; only what is beyond the tolerance is red.
     paper: {
-        name: 'Blue, green, yellow; red beyond',
+        name: 'Rainbow, red beyond',
         stops: ['#f08c28', '#f6d646', '#56ba78', '#38a6d6', '#2c5cc8', '#38a6d6', '#56ba78', '#f6d646', '#f08c28'],
         below: '#ce1826',
         above: '#ce1826',
@@ -39,7 +39,7 @@ export function paletteTable(id) {
     for (let i = 0; i < places.steps; ++i) set(places.first + i, between(stops, i / (places.steps - 1)));
     set(places.above, channels(above));
     set(places.flipped, [0, 0, 0]);
-    set(places.unknown, [222, 226, 231]);
+    set(places.unknown, [230, 233, 237]);
     return table;
 }
 

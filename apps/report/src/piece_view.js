@@ -179,7 +179,7 @@ export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover
             labels(piece),
         ],
         proposedSeam(shape, tile),
-        rings(shape, tile, frame),
+        !chosenSeam && rings(shape, tile, frame),
         seamPaths(model, tile, chosenSeam, onSeam));
     if (hover)
         drawing.addEventListener('pointermove', (event) => {

@@ -54,7 +54,7 @@ function table(id, title, items, columns, onItem) {
     const heads = columns.map((column) => html('th', { scope: 'col' }, html('button', { onclick: () => sortBy(column) }, column.name)));
 
     function row(item) {
-        return html('tr', { class: item.ok ? 'ok' : 'bad' }, columns.map((column) => {
+        return html('tr', { class: item.ok ? null : 'fails' }, columns.map((column) => {
             const value = column.value(item);
             if (column.isName) return html('th', { scope: 'row' }, html('button', { class: 'link', onclick: () => onItem(item) }, value));
             if (column.isVerdict) return html('td', {}, html('span', { class: `mark ${item.ok ? 'ok' : 'bad'}`, 'aria-hidden': 'true' }), value);

@@ -72,6 +72,10 @@ export function verdictView(model, { onTile, onSeam }) {
     const proposals = model.tiles.filter((tile) => tile.said.proposal);
     const others = report.envelope.findings.filter((finding) => finding.code !== 'seam');
     const uncertain = model.seams.filter((seam) => !seam.said.certain).length;
+    const notes = [
+        ...(uncertain > 0 ? [`${count(uncertain, 'seam')} ${uncertain === 1 ? 'is' : 'are'} not certain: the meshes leave more of the length open than the seam may err.`] : []),
+        ...report.input.remarks,
+    ];
     const worstSeam = seams.toSorted((one, other) => Math.abs(other.said.drift_max_mm) - Math.abs(one.said.drift_max_mm))[0];
     const redesign = proposals.length > 0 || report.envelope.merges.length > 0;
     return html('header', { class: `verdict ${good ? 'good' : 'poor'}` },
@@ -89,8 +93,7 @@ export function verdictView(model, { onTile, onSeam }) {
                     `: draw a seam ${tile.said.proposal.direction}; ${halves(tile.said.proposal)}.`)),
                 proposals.length > 6 && html('li', {}, `and ${proposals.length - 6} more: choose a failing tile.`),
                 report.envelope.merges.length > 0 && html('li', {}, `${count(report.envelope.merges.length, 'pair')} of neighbours could be one tile; report.json names them.`)))),
-        uncertain > 0 && html('p', { class: 'note' }, `${count(uncertain, 'seam')} ${uncertain === 1 ? 'is' : 'are'} not certain: the meshes leave more of the length open than the seam may err.`),
-        report.input.remarks.map((remark) => html('p', { class: 'note' }, remark)));
+        notes.length > 0 && html('details', { class: 'note' }, html('summary', {}, count(notes.length, 'note')), html('ul', {}, notes.map((note) => html('li', {}, note)))));
 }
 
 function halves(proposal) {
