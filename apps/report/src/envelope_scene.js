@@ -7,37 +7,34 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { outlineOf, pointedAt, proposalLine, seamLine, shadesOf } from './envelope_shape.js';
+import { edgesDrawnOnce, outlineOf, pointedAt, proposalLine, seamLine, shadesOf } from './envelope_shape.js';
 import { paletteTable, places } from './palette.js';
+import { withOwnCorners } from './shared_corners.js';
 
 const vertexShader = `
 precision highp float;
 uniform mat4 modelViewMatrix, projectionMatrix;
-in vec3 position;
+uniform sampler2D palette;
+uniform vec2 focus;
+in vec3 position, facing;
 in float shade, tile;
-flat out float vShade, vTile;
-out vec3 vView;
+flat out vec3 vColour;
 void main() {
     vec4 view = modelViewMatrix * vec4(position, 1.0);
-    vShade = shade;
-    vTile = tile;
-    vView = view.xyz;
+    vec3 normal = mat3(modelViewMatrix) * facing;
+    vec3 cloth = texelFetch(palette, ivec2(int(shade + 0.5), 0), 0).rgb;
+    if (focus.x >= 0.0 && tile != focus.x && tile != focus.y) cloth = mix(cloth, vec3(0.93), 0.5);
+    // A little light from the viewer, so that shape can be seen and colours can still be read.
+    vColour = cloth * (0.76 + 0.24 * abs(dot(normal, normalize(view.xyz))));
     gl_Position = projectionMatrix * view;
 }`;
 
-// A little light from the viewer, so that shape can be seen and colours can still be read.
 const fragmentShader = `
-precision highp float;
-uniform sampler2D palette;
-uniform vec2 focus;
-flat in float vShade, vTile;
-in vec3 vView;
+precision mediump float;
+flat in vec3 vColour;
 out vec4 colour;
 void main() {
-    vec3 normal = normalize(cross(dFdx(vView), dFdy(vView)));
-    vec3 cloth = texelFetch(palette, ivec2(int(vShade + 0.5), 0), 0).rgb;
-    if (focus.x >= 0.0 && vTile != focus.x && vTile != focus.y) cloth = mix(cloth, vec3(0.93), 0.5);
-    colour = vec4(cloth * (0.76 + 0.24 * abs(normal.z)), 1.0);
+    colour = vec4(vColour, 1.0);
 }`;
 
 function paletteTexture(id) {
@@ -46,11 +43,29 @@ function paletteTexture(id) {
     return texture;
 }
 
-function clothMesh(positions, ids, uniforms, sphere, offset) {
+// The outward normals of triangles, in steps of 1/127.
+function facingOf(positions, index, t, into) {
+    const corner = (k) => 3 * index[3 * t + k];
+    const [a, b, c] = [corner(0), corner(1), corner(2)];
+    const e = [0, 1, 2].map((k) => positions[b + k] - positions[a + k]), f = [0, 1, 2].map((k) => positions[c + k] - positions[a + k]);
+    const normal = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
+    const size = Math.hypot(...normal) || 1;
+    for (let k = 0; k < 3; ++k) into[c + k] = Math.round((127 * normal[k]) / size);
+}
+
+// Colour, tile and normal of a triangle stand at its last corner.
+function clothMesh({ positions, index, ids }, uniforms, sphere, offset) {
     const geometry = new BufferGeometry();
+    const count = positions.length / 3;
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
-    geometry.setAttribute('tile', new BufferAttribute(ids, 1));
-    geometry.setAttribute('shade', new BufferAttribute(new Uint16Array(ids.length), 1));
+    geometry.setAttribute('tile', new BufferAttribute(new Uint16Array(count), 1));
+    geometry.setAttribute('shade', new BufferAttribute(new Uint16Array(count), 1));
+    geometry.setIndex(new BufferAttribute(index, 1));
+    geometry.setAttribute('facing', new BufferAttribute(new Int8Array(3 * count), 3, true));
+    ids.forEach((id, t) => {
+        geometry.attributes.tile.array[index[3 * t + 2]] = id;
+        facingOf(positions, index, t, geometry.attributes.facing.array);
+    });
     geometry.boundingSphere = sphere;
     const material = new RawShaderMaterial({
         glslVersion: GLSL3, vertexShader, fragmentShader, uniforms, side: DoubleSide,
@@ -59,11 +74,29 @@ function clothMesh(positions, ids, uniforms, sphere, offset) {
     return new Mesh(geometry, material);
 }
 
+function clothArrays(shape) {
+    const { tiles } = shape.model;
+    const parts = tiles.map((tile) => withOwnCorners(tile.triangles, tile.space.length / 3));
+    const positions = new Float32Array(3 * parts.reduce((sum, part) => sum + part.copies.length, 0));
+    const index = new Uint32Array(3 * shape.triangleCount);
+    let first = 0;
+    parts.forEach((part, i) => {
+        const { space, firstTriangle } = tiles[i];
+        part.copies.forEach((vertex, v) => { for (let k = 0; k < 3; ++k) positions[3 * (first + v) + k] = space[3 * vertex + k]; });
+        part.index.forEach((vertex, k) => { index[3 * firstTriangle + k] = first + vertex; });
+        first += part.copies.length;
+    });
+    return { positions, index, ids: shape.ids };
+}
+
+const rimArrays = ({ positions, ids }) => ({ positions, ids, index: Uint32Array.from({ length: positions.length / 3 }, (_, i) => i) });
+
 function setShades(mesh, shades) {
     mesh.visible = shades !== null;
     if (!shades) return;
-    mesh.geometry.attributes.shade.array.set(shades);
-    mesh.geometry.attributes.shade.needsUpdate = true;
+    const { index, attributes } = mesh.geometry;
+    for (let t = 0; t < shades.length; ++t) attributes.shade.array[index.array[3 * t + 2]] = shades[t];
+    attributes.shade.needsUpdate = true;
 }
 
 class WideLines {
@@ -91,23 +124,23 @@ class WideLines {
 }
 
 function thinLines(model) {
-    const points = new Float32Array(model.tiles.flatMap(outlineOf));
+    const points = new Float32Array(model.tiles.flatMap(edgesDrawnOnce));
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(points, 3));
-    return new LineSegments(geometry, new LineBasicMaterial({ color: 0x1f2933, transparent: true, opacity: 0.42 }));
+    return new LineSegments(geometry, new LineBasicMaterial({ color: 0x6f7a85 }));
 }
 
 // Throws where the browser has no WebGL 2.
 export function makeEnvelopeScene(shape, canvas) {
     const { model } = shape;
-    const renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    const renderer = new WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: true });
     renderer.setClearColor(0xffffff);
     const scene = new Scene(), group = new Group();
     scene.add(group);
     const uniforms = { palette: { value: null }, focus: { value: new Vector2(-1, -1) } };
     const sphere = new Sphere(new Vector3(...shape.centre), shape.radius);
-    const cloth = clothMesh(shape.positions, shape.ids, uniforms, sphere, 2);
-    const rim = clothMesh(shape.rim.positions, shape.rim.ids, uniforms, sphere, -1);
+    const cloth = clothMesh(clothArrays(shape), uniforms, sphere, 4);
+    const rim = clothMesh(rimArrays(shape.rim), uniforms, sphere, 1);
     group.add(cloth, rim, thinLines(model));
     const failing = new WideLines(group, 0xa50f2d, 2.5, 1);
     const proposed = new WideLines(group, 0x111111, 3, 2, { dashed: true, dashSize: shape.radius / 60, gapSize: shape.radius / 110 });
@@ -118,11 +151,22 @@ export function makeEnvelopeScene(shape, canvas) {
     controls.minDistance = shape.radius / 20;
     controls.maxDistance = shape.radius * 10;
 
-    let waiting = false, tween = null;
-    const draw = () => {
-        waiting = false;
-        if (tween) tween();
+    // Coarse while it moves, at four times the pixels once it rests: smooth edges at no price in speed.
+    // Where even that is slow, as without a graphics card, coarser.
+    let waiting = false, tween = null, resting = 0, last = 0, coarse = 1;
+    const render = (share) => {
+        const ratio = Math.min(3, window.devicePixelRatio * share);
+        if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
         renderer.render(scene, camera);
+    };
+    const draw = (now) => {
+        waiting = false;
+        if (now - last > 45 && now - last < 300) coarse = Math.max(0.5, coarse - 0.125);
+        last = now;
+        if (tween) tween();
+        render(coarse);
+        clearTimeout(resting);
+        resting = setTimeout(() => render(2), 200);
     };
     const request = () => {
         if (!waiting) requestAnimationFrame(draw);
@@ -206,13 +250,12 @@ export function makeEnvelopeScene(shape, canvas) {
         },
         resize(width, height) {
             const isFirst = camera.position.lengthSq() === 0;
-            renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
             renderer.setSize(width, height, false);
             camera.aspect = width / height;
             camera.updateProjectionMatrix();
             if (isFirst) flyHome(true);
             request();
         },
-        drawNow: draw,
+        drawNow: () => render(2),
     };
 }

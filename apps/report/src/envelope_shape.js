@@ -54,7 +54,7 @@ function inwardOf(tile) {
 
 // A band along the inside of every boundary edge, for what is said of edges: two triangles each.
 function rimOf(tiles, edgeCount) {
-    const positions = new Float32Array(18 * edgeCount), ids = new Uint16Array(6 * edgeCount);
+    const positions = new Float32Array(18 * edgeCount), ids = new Uint16Array(2 * edgeCount);
     let at = 0;
     for (const tile of tiles) {
         const { loop, space, frame } = tile;
@@ -71,7 +71,7 @@ function rimOf(tiles, edgeCount) {
             const a = space.subarray(3 * loop[i], 3 * loop[i] + 3), b = space.subarray(3 * loop[j], 3 * loop[j] + 3);
             for (const point of [a, b, inner[j], a, inner[j], inner[i]]) {
                 positions.set(point, 3 * at);
-                ids[at++] = tile.index;
+                ids[Math.floor(at++ / 3)] = tile.index;
             }
         }
     }
@@ -115,7 +115,7 @@ export function makeEnvelopeShape(model) {
         for (let i = 0; i < tile.space.length; i += 3)
             tile.space.set(turn([tile.space[i], tile.space[i + 1], tile.space[i + 2]]), i);
 
-    const positions = new Float32Array(9 * triangleCount), ids = new Uint16Array(3 * triangleCount);
+    const positions = new Float32Array(9 * triangleCount), ids = new Uint16Array(triangleCount);
     const box = [turn(lower), turn(upper)];
     let corner = 0;
     for (const tile of tiles) {
@@ -123,15 +123,15 @@ export function makeEnvelopeShape(model) {
         tile.frame = tileFrame(tile);
         for (const vertex of tile.triangles) {
             positions.set(tile.space.subarray(3 * vertex, 3 * vertex + 3), 3 * corner);
-            ids[corner++] = tile.index;
+            ids[Math.floor(corner++ / 3)] = tile.index;
         }
     }
     const centre = box[0].map((value, k) => (value + box[1][k]) / 2);
     return {
         model,
         triangleCount,
-        positions,
-        ids,
+        positions,  // three corners a triangle
+        ids,        // the tile of each triangle
         rim: rimOf(tiles, edgeCount),
         centre,
         radius: farthest(tiles, centre) || 1,
@@ -140,15 +140,15 @@ export function makeEnvelopeShape(model) {
     };
 }
 
-// The place in the palette of every corner of the shape's triangles, and of the band's.
+// The place in the palette of each of the shape's triangles, and of the band's.
 export function shadesOf(shape, map) {
     const { model } = shape;
     const cloth = new Uint16Array(shape.ids.length);
     const rim = map.rim ? new Uint16Array(shape.rim.ids.length) : null;
     let edge = 0;
     for (const tile of model.tiles) {
-        clothPlaces(model, tile, map).forEach((place, t) => cloth.fill(place, 3 * (tile.firstTriangle + t), 3 * (tile.firstTriangle + t) + 3));
-        if (rim) for (const place of rimPlaces(model, tile, map)) rim.fill(place, 6 * edge, 6 * ++edge);
+        cloth.set(clothPlaces(model, tile, map), tile.firstTriangle);
+        if (rim) for (const place of rimPlaces(model, tile, map)) rim.fill(place, 2 * edge, 2 * ++edge);
     }
     return { cloth, rim };
 }
@@ -162,6 +162,15 @@ function pairs(points, isClosed) {
 
 export const outlineOf = (tile) => pairs(Array.from(tile.loop, (vertex) => tile.space.subarray(3 * vertex, 3 * vertex + 3)), true);
 
+// Of the boundary what no other tile draws: of the two sides of a seam the first.
+export function edgesDrawnOnce(tile) {
+    const isElsewhere = new Uint8Array(tile.loop.length);
+    for (const side of tile.sides)
+        if (side.name === 'b') for (let i = 0; i < side.count; ++i) isElsewhere[(side.first + i) % isElsewhere.length] = 1;
+    const at = (i) => 3 * tile.loop[i % tile.loop.length];
+    return Array.from(tile.loop).flatMap((_, i) => (isElsewhere[i] ? [] : [...tile.space.subarray(at(i), at(i) + 3), ...tile.space.subarray(at(i + 1), at(i + 1) + 3)]));
+}
+
 export const seamLine = (model, seam) => seam.sides.slice(0, 1).flatMap((side) => pairs(sidePoints(model.tiles[side.tile], side, model.tiles[side.tile].space, 3), false));
 
 export function proposalLine(shape, tile) {
@@ -173,7 +182,7 @@ export function proposalLine(shape, tile) {
 export function pointedAt(shape, ray, pointer, project, reach = 7) {
     const hit = shape.pick(ray.origin, ray.direction);
     if (!hit) return null;
-    const tile = shape.model.tiles[shape.ids[3 * hit.triangle]];
+    const tile = shape.model.tiles[shape.ids[hit.triangle]];
     let nearest = reach, seam = null;
     for (const side of tile.sides) {
         const points = sidePoints(tile, side, tile.space, 3).map(project);

@@ -26,17 +26,17 @@ export function makeEnvelopeStill(shape, canvas) {
         if (byTile) {
             for (const tile of model.tiles) {
                 const points = Array.from(tile.loop, (vertex) => project(tile.space.subarray(3 * vertex, 3 * vertex + 3)));
-                list.push({ points, place: shades.cloth[3 * tile.firstTriangle + 3 * Math.floor(tile.triangles.length / 6)] });
+                list.push({ points, place: shades.cloth[tile.firstTriangle + Math.floor(tile.triangles.length / 6)] });
             }
         } else {
             for (let t = 0; t < shape.triangleCount; ++t) {
                 const points = [0, 1, 2].map((k) => project(shape.positions.subarray(9 * t + 3 * k, 9 * t + 3 * k + 3)));
-                list.push({ points, place: shades.cloth[3 * t] });
+                list.push({ points, place: shades.cloth[t] });
             }
         }
         if (shades.rim)
-            for (let e = 0; e < shape.rim.ids.length; e += 3) {
-                const points = [0, 1, 2].map((k) => project(shape.rim.positions.subarray(3 * (e + k), 3 * (e + k) + 3)));
+            for (let e = 0; e < shape.rim.ids.length; ++e) {
+                const points = [0, 1, 2].map((k) => project(shape.rim.positions.subarray(9 * e + 3 * k, 9 * e + 3 * k + 3)));
                 for (const point of points) point[2] += 0.002 * shape.radius;
                 list.push({ points, place: shades.rim[e] });
             }
