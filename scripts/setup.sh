@@ -1,18 +1,20 @@
 #!/bin/sh
-# Installs the Debian packages of packages.txt that are missing, and what apps/rhino has from npm. Needs root or sudo only if a
-# package is missing.
+# Installs the Debian packages of packages.txt that are missing, and what apps/rhino and apps/report have from npm. Needs root or
+# sudo only if a package is missing.
 set -eu
 cd "$(dirname "$0")"
 
-install_rhino3dm() {
-    cd ../apps/rhino
+install_from_npm() {
     stamp=node_modules/.ripstop-setup
-    [ "$stamp" -nt package-lock.json ] && return
-    if ! npm ci --no-audit --no-fund --loglevel=error; then
-        echo "setup: npm could not install rhino3dm for apps/rhino; is there a connection to the registry?" >&2
-        exit 1
+    cd "../apps/$1"
+    if ! [ "$stamp" -nt package-lock.json ]; then
+        if ! npm ci --no-audit --no-fund --loglevel=error; then
+            echo "setup: npm could not install what apps/$1 needs; is there a connection to the registry?" >&2
+            exit 1
+        fi
+        touch "$stamp"
     fi
-    touch "$stamp"
+    cd ../../scripts
 }
 
 missing=""
@@ -22,7 +24,8 @@ done
 # Some distributions of Node.js bring npm along; Debian's does not.
 command -v npm > /dev/null || missing="$missing npm"
 if [ -z "$missing" ]; then
-    install_rhino3dm
+    install_from_npm rhino
+    install_from_npm report
     exit 0
 fi
 as_root=""
@@ -31,4 +34,5 @@ echo "Installing:$missing"
 $as_root apt-get update -q
 # shellcheck disable=SC2086
 $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=500 install -y -q --no-install-recommends $missing
-install_rhino3dm
+install_from_npm rhino
+install_from_npm report

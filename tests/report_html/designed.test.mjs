@@ -7,7 +7,7 @@ import { reports } from './reports.mjs';
 
 const file = reports.designed();
 const options = { skip: file ? false : 'the program was built without the page' };
-const heading = (page) => page.locator('.panel h3').innerText();
+const heading = (page) => page.locator('.panel h2').innerText();
 
 test('says at the top that it can be made, and how soon and smoothly it is shown', options, () => opened(file, async (page) => {
     assert.match(await page.locator('h1').innerText(), /^Manufacturable\. All 360 tiles can be made, and all 696 seams fit\.$/);
@@ -35,7 +35,7 @@ test('shows the piece of a tile that is clicked in space', options, () => opened
     const { centre, height } = await canvasBox(page);
     let name = '';
     for (const away of [0, 0.05, 0.1, 0.15]) {  // not on a seam
-        await page.mouse.click(centre[0] + 0.02 * height, centre[1] + away * height);
+        await page.mouse.click(centre[0] + (0.05 + away / 2) * height, centre[1] + away * height);
         name = await heading(page);
         if (/^G\d\dP\d\d/.test(name)) break;
     }

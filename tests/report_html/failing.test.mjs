@@ -9,7 +9,7 @@ import { reports } from './reports.mjs';
 
 const dress = reports.dress(), unequal = reports.unequal();
 const options = { skip: dress ? false : 'no dress to flatten, or built without the page' };
-const heading = (page) => page.locator('.panel h3').innerText();
+const heading = (page) => page.locator('.panel h2').innerText();
 
 test('says why and what to redesign', options, () => opened(dress, async (page) => {
     assert.match(await page.locator('h1').innerText(), /^Not manufacturable as drawn\. \d+ of 14 tiles cannot be made as drawn\.$/);
@@ -41,7 +41,7 @@ test('follows a seam that does not fit', options, () => opened(unequal, async (p
     assert.equal(await page.locator('.drift polyline.bad').count(), 1);
     const figures = await page.locator('.panel .figures').innerText();
     const [, mismatch] = figures.match(/Mismatch\s+([+−][\d.]+)\smm/);
-    const [, first, second] = figures.match(/On panel_\d\d\s+([\d.]+)\smm[^]*On panel_\d\d\s+([\d.]+)\smm/);
+    const [, first, second] = figures.match(/On panel_\d\d, edge \d+\s+([\d.]+)\smm[^]*On panel_\d\d, edge \d+\s+([\d.]+)\smm/);
     // Figures are rounded to 0.1 mm, each.
     assert.ok(Math.abs(Number(mismatch.replace('−', '-')) - (second - first)) < 0.11, figures);
     await page.locator('.panel .link').first().click();

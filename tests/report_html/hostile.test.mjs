@@ -12,7 +12,7 @@ test('shows names that are markup as they are and runs none of it', { skip: file
     assert.equal(await options.count(), 2);
     for (const [i, name] of names.entries()) {
         await options.nth(i).click();
-        assert.ok((await page.locator('.panel h3').innerText()).startsWith(name), name);
+        assert.ok((await page.locator('.panel h2').innerText()).startsWith(name), name);
         assert.equal(await page.locator('[role=status]').innerText().then((text) => text.includes(name)), true);
     }
     await page.locator('.panel .edges .link').first().click();

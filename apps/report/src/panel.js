@@ -39,7 +39,7 @@ function tilePanel(shape, tile, context) {
     const { said } = tile;
     const { strain } = said;
     return [
-        html('h3', {}, html('span', { class: `mark ${tile.ok ? 'ok' : 'bad'}`, 'aria-hidden': 'true' }), tile.name, html('span', { class: 'verdict-word' }, verdictWord(tile))),
+        html('h2', {}, html('span', { class: `mark ${tile.ok ? 'ok' : 'bad'}`, 'aria-hidden': 'true' }), tile.name, ' ', html('span', { class: 'verdict-word' }, verdictWord(tile))),
         tile.findings.length > 0 && html('ul', { class: 'findings' }, tile.findings.map((finding) => html('li', {}, finding.message))),
         proposalWords(tile),
         pieceView(shape, tile, context),
@@ -50,7 +50,7 @@ function tilePanel(shape, tile, context) {
             pair('Warp strain', `${percent(strain.warp_min_pct)} to ${percent(strain.warp_max_pct)}`, html('small', {}, `limit ±${short(tile.limits.strain * 100)} %`)),
             pair('Weft strain', `${percent(strain.weft_min_pct)} to ${percent(strain.weft_max_pct)}`, html('small', {}, `limit ±${short(tile.limits.strain * 100)} %`)),
             pair('Shear', `up to ${degrees(strain.shear_max_deg, 2)}`, html('small', {}, `limit ${degrees((tile.limits.shear * 180) / Math.PI)}`))),
-        html('h4', {}, 'Sewn edges'),
+        html('h3', {}, 'Sewn edges'),
         edgeList(model, tile, context.onSeam),
         said.note && html('p', { class: 'note' }, said.note),
         html('p', { class: 'note' }, `${said.fabric}; grain: ${said.grain.source}; ${figure(said.triangles, 0)} triangles${said.remeshed ? ' (meshed anew)' : ''}; ${said.method}`),
@@ -80,15 +80,15 @@ function seamWord(said) {
 function seamPanel(shape, seam, context) {
     const { model } = shape;
     const { said } = seam;
-    const tiles = seam.sides.map((side) => model.tiles[side.tile]);
+    const tiles = [...new Set(seam.sides.map((side) => model.tiles[side.tile]))];  // one where it is sewn to itself
     return [
-        html('h3', {}, html('span', { class: `mark ${seam.ok ? 'ok' : 'bad'}`, 'aria-hidden': 'true' }), `Seam ${seam.id}`, html('span', { class: 'verdict-word' }, seamWord(said))),
+        html('h2', {}, html('span', { class: `mark ${seam.ok ? 'ok' : 'bad'}`, 'aria-hidden': 'true' }), `Seam ${seam.id}`, ' ', html('span', { class: 'verdict-word' }, seamWord(said))),
         html('p', {}, 'Between ', html('button', { class: 'link', onclick: () => context.onTile(tiles[0]) }, said.tile_a), ' and ',
             html('button', { class: 'link', onclick: () => context.onTile(tiles[1] ?? tiles[0]) }, said.tile_b), '.'),
         html('dl', { class: 'figures' },
             pair('As drawn', millimetres(said.length_mm)),
-            pair(`On ${said.tile_a}`, millimetres(said.flat_a_mm)),
-            pair(`On ${said.tile_b}`, millimetres(said.flat_b_mm)),
+            pair(`On ${said.tile_a}, edge ${said.chain_a}`, millimetres(said.flat_a_mm)),
+            pair(`On ${said.tile_b}, edge ${said.chain_b}`, millimetres(said.flat_b_mm)),
             pair('Mismatch', html('span', { class: said.ok ? 'ok' : 'bad' }, signedMillimetres(said.mismatch_mm)), html('small', {}, percent(said.mismatch_pct, 3))),
             pair('Farthest apart', millimetres(said.drift_max_mm, 2), html('small', {}, `at ${millimetres(said.drift_max_at_mm, 0)}; allowed ${millimetres(said.limit_mm, 2)}`)),
             pair('Sewn', said.type, html('small', {}, `allowance ${short(said.allowance_a_mm)} and ${short(said.allowance_b_mm)} mm`))),
@@ -101,13 +101,13 @@ function seamPanel(shape, seam, context) {
 function nothingChosen(model) {
     const patterns = model.tiles.filter((tile) => !tile.said.equal_to && !tile.said.mirror_of).length;
     return [
-        html('h3', {}, 'Choose a tile or a seam'),
+        html('h2', {}, 'Choose a tile or a seam'),
         html('p', {}, 'Click one in the picture, or choose it in the list. Its piece is shown here as it is cut.'),
         html('dl', { class: 'figures' },
             pair('Tiles', figure(model.tiles.length, 0), html('small', {}, patterns < model.tiles.length ? `of ${figure(patterns, 0)} patterns` : '')),
             pair('Seams', figure(model.seams.length, 0)),
             pair('Cloth', squareMetres(model.report.envelope.area_m2))),
-        html('h4', {}, 'In the piece'),
+        html('h3', {}, 'In the piece'),
         html('ul', { class: 'key' },
             html('li', {}, html('i', { class: 'key-cut' }), 'cut line'),
             html('li', {}, html('i', { class: 'key-sew' }), 'sew line'),
