@@ -144,5 +144,7 @@ test('passes axe-core with nothing, a tile and a seam chosen', options, () => op
 test('fits a narrow screen', options, () => opened(file, async (page) => {
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(wide <= 390, `${wide} px wide`);
+    const [high, content] = await page.evaluate(() => [document.documentElement.scrollHeight, document.getElementById('page').offsetHeight]);
+    assert.ok(high <= content + 1, `${high} px high, and ${content} of it are used`);
     await assertAccessible(page);
 }, { viewport: { width: 390, height: 844 } }));

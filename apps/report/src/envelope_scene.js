@@ -227,7 +227,7 @@ export function makeEnvelopeScene(shape, canvas) {
             request();
         },
         lookAt({ middle, normal, radius }) {
-            flyTo(middle, [normal[0], normal[1] * 0.8 + 0.05, normal[2]], Math.max(6 * radius, Math.min(wholeDistance(), 1.6 * shape.radius)), false);
+            flyTo(middle, [normal[0], normal[1] * 0.8 + 0.05, normal[2]], Math.min(wholeDistance(), Math.max(6 * radius, 1.6 * shape.radius)), false);
         },
         home: () => flyHome(false),
         turn(right, up) {

@@ -1,47 +1,45 @@
-// The envelope without WebGL: seen from afar, the farthest triangles first. Very many triangles are drawn tile by tile.
+// The envelope without WebGL: seen from afar, each pixel in the colour of the nearest triangle there.
 import { outlineOf, pointedAt, proposalLine, seamLine, shadesOf } from './envelope_shape.js';
-import { cssColour, paletteTable } from './palette.js';
-
-const mostTriangles = 60000;
+import { paletteTable } from './palette.js';
+import { fillTriangle, makeImage } from './raster.js';
 
 export function makeEnvelopeStill(shape, canvas) {
     const { model } = shape;
     const context = canvas.getContext('2d');
-    const byTile = shape.triangleCount > mostTriangles;
     let azimuth = 0.5, height = 0.25, magnified = 1, waiting = false;
     let shades = null, table = null, chosen = [], marked = [], proposed = [];
     let focus = shape.centre;
 
+    // What every point is projected by: asked of the page once a picture, for asking takes longer than drawing.
+    let look = null;
+    const takeLook = () => {
+        const { clientWidth: width, clientHeight: high } = canvas;
+        look = {
+            sin: Math.sin(azimuth), cos: Math.cos(azimuth), sinHeight: Math.sin(height), cosHeight: Math.cos(height),
+            x: width / 2, y: high / 2, scale: (magnified * 0.47 * Math.min(width, high)) / shape.radius,
+        };
+    };
     const project = (point) => {
-        const [x, y, z] = Array.from(point, (value, k) => value - focus[k]);
-        const across = x * Math.cos(azimuth) - z * Math.sin(azimuth);
-        const towards = x * Math.sin(azimuth) + z * Math.cos(azimuth);
-        const up = y * Math.cos(height) - towards * Math.sin(height);
-        const scale = (magnified * 0.47 * Math.min(canvas.clientWidth, canvas.clientHeight)) / shape.radius;
-        return [canvas.clientWidth / 2 + scale * across, canvas.clientHeight / 2 - scale * up, towards * Math.cos(height) + y * Math.sin(height)];
+        const x = point[0] - focus[0], y = point[1] - focus[1], z = point[2] - focus[2];
+        const across = x * look.cos - z * look.sin, towards = x * look.sin + z * look.cos;
+        const up = y * look.cosHeight - towards * look.sinHeight;
+        return [look.x + look.scale * across, look.y - look.scale * up, towards * look.cosHeight + y * look.sinHeight];
     };
 
-    function faces() {
-        const list = [];
-        if (byTile) {
-            for (const tile of model.tiles) {
-                const points = Array.from(tile.loop, (vertex) => project(tile.space.subarray(3 * vertex, 3 * vertex + 3)));
-                list.push({ points, place: shades.cloth[tile.firstTriangle + Math.floor(tile.triangles.length / 6)] });
+    // Triangles of three corners each, in the colours of their places; `ahead`: drawn as if nearer by so much.
+    function fill(image, positions, triangleShades, ratio, ahead) {
+        const colours = new Uint32Array(table.buffer);
+        const x = [0, 0, 0], y = [0, 0, 0];
+        for (let t = 0; t < triangleShades.length; ++t) {
+            let depth = ahead;
+            for (let k = 0; k < 3; ++k) {
+                const [across, down, towards] = project(positions.subarray(9 * t + 3 * k, 9 * t + 3 * k + 3));
+                x[k] = across * ratio;
+                y[k] = down * ratio;
+                depth += towards / 3;
             }
-        } else {
-            for (let t = 0; t < shape.triangleCount; ++t) {
-                const points = [0, 1, 2].map((k) => project(shape.positions.subarray(9 * t + 3 * k, 9 * t + 3 * k + 3)));
-                list.push({ points, place: shades.cloth[t] });
-            }
+            fillTriangle(image, colours[triangleShades[t]], x, y, depth);
         }
-        if (shades.rim)
-            for (let e = 0; e < shape.rim.ids.length; ++e) {
-                const points = [0, 1, 2].map((k) => project(shape.rim.positions.subarray(9 * e + 3 * k, 9 * e + 3 * k + 3)));
-                for (const point of points) point[2] += 0.002 * shape.radius;
-                list.push({ points, place: shades.rim[e] });
-            }
-        for (const face of list) face.depth = face.points.reduce((sum, point) => sum + point[2], 0) / face.points.length;
-        return list.sort((one, other) => one.depth - other.depth);
     }
 
     function stroke(points, colour, width, dash = []) {
@@ -51,7 +49,12 @@ export function makeEnvelopeStill(shape, canvas) {
         context.beginPath();
         for (let i = 0; i < points.length; i += 6) {
             const goesOn = i > 0 && [0, 1, 2].every((k) => points[i + k] === points[i + k - 3]);
-            if (!goesOn) context.moveTo(...project(points.slice(i, i + 3)));
+            if (!goesOn) {
+                // Many short paths are drawn much faster than one of many parts.
+                context.stroke();
+                context.beginPath();
+                context.moveTo(...project(points.slice(i, i + 3)));
+            }
             context.lineTo(...project(points.slice(i + 3, i + 6)));
         }
         context.stroke();
@@ -60,20 +63,14 @@ export function makeEnvelopeStill(shape, canvas) {
     function draw() {
         waiting = false;
         if (!shades || !canvas.clientWidth) return;
+        takeLook();
         const ratio = canvas.width / canvas.clientWidth;
+        const image = makeImage(context, -Infinity);
+        image.pixels.fill(0xffffffff);
+        fill(image, shape.positions, shades.cloth, ratio, 0);
+        if (shades.rim) fill(image, shape.rim.positions, shades.rim, ratio, 0.004 * shape.radius);
+        context.putImageData(image.data, 0, 0);
         context.setTransform(ratio, 0, 0, ratio, 0, 0);
-        context.fillStyle = '#fff';
-        context.fillRect(0, 0, canvas.clientWidth, canvas.clientHeight);
-        context.lineWidth = 0.6;
-        context.setLineDash([]);
-        for (const { points, place } of faces()) {
-            context.fillStyle = context.strokeStyle = cssColour(table, place);
-            context.beginPath();
-            points.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
-            context.closePath();
-            context.fill();
-            context.stroke();
-        }
         const seen = model.tiles.filter(({ frame: { normal } }) => project(focus.map((value, k) => value + normal[k]))[2] > 0);
         stroke(seen.flatMap(outlineOf), 'rgb(31 41 51 / 0.4)', 1);
         stroke(marked, '#a50f2d', 2.5);
@@ -125,11 +122,10 @@ export function makeEnvelopeStill(shape, canvas) {
         },
         pointed(x, y) {
             // The ray through the pointer: where it meets the plane of the screen, from far before it.
-            const scale = (magnified * 0.47 * Math.min(canvas.clientWidth, canvas.clientHeight)) / shape.radius;
-            const across = (x - canvas.clientWidth / 2) / scale, up = (canvas.clientHeight / 2 - y) / scale;
-            const right = [Math.cos(azimuth), 0, -Math.sin(azimuth)];
-            const towards = [Math.sin(azimuth) * Math.cos(height), Math.sin(height), Math.cos(azimuth) * Math.cos(height)];
-            const upward = [-Math.sin(azimuth) * Math.sin(height), Math.cos(height), -Math.cos(azimuth) * Math.sin(height)];
+            takeLook();
+            const { sin, cos, sinHeight, cosHeight } = look;
+            const across = (x - look.x) / look.scale, up = (look.y - y) / look.scale;
+            const right = [cos, 0, -sin], towards = [sin * cosHeight, sinHeight, cos * cosHeight], upward = [-sin * sinHeight, cosHeight, -cos * sinHeight];
             const origin = focus.map((value, k) => value + across * right[k] + up * upward[k] + 10 * shape.radius * towards[k]);
             return pointedAt(shape, { origin, direction: towards.map((value) => -value) }, [x, y], project);
         },

@@ -39,7 +39,7 @@ export function makeList(model, state, { onTile, onSeam, onSearch }) {
         if (!option) return;
         option.setAttribute('aria-selected', 'true');
         box.setAttribute('aria-activedescendant', option.id);
-        const above = option.offsetTop - box.offsetTop, { scrollTop, clientHeight } = box;
+        const above = option.offsetTop, { scrollTop, clientHeight } = box;
         if (above < scrollTop || above + option.offsetHeight > scrollTop + clientHeight) box.scrollTop = above - clientHeight / 2;
     }
     const open = (item) => item && kinds[kind].open(item);

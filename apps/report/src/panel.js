@@ -81,10 +81,10 @@ function seamPanel(shape, seam, context) {
     const { model } = shape;
     const { said } = seam;
     const tiles = [...new Set(seam.sides.map((side) => model.tiles[side.tile]))];  // one where it is sewn to itself
+    const link = (tile) => html('button', { class: 'link', onclick: () => context.onTile(tile) }, tile.name);
     return [
         html('h2', {}, html('span', { class: `mark ${seam.ok ? 'ok' : 'bad'}`, 'aria-hidden': 'true' }), `Seam ${seam.id}`, ' ', html('span', { class: 'verdict-word' }, seamWord(said))),
-        html('p', {}, 'Between ', html('button', { class: 'link', onclick: () => context.onTile(tiles[0]) }, said.tile_a), ' and ',
-            html('button', { class: 'link', onclick: () => context.onTile(tiles[1] ?? tiles[0]) }, said.tile_b), '.'),
+        html('p', {}, tiles.length > 1 ? ['Between ', link(tiles[0]), ' and ', link(tiles[1]), '.'] : [link(tiles[0]), ' is sewn to itself.']),
         html('dl', { class: 'figures' },
             pair('As drawn', millimetres(said.length_mm)),
             pair(`On ${said.tile_a}, edge ${said.chain_a}`, millimetres(said.flat_a_mm)),

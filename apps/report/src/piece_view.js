@@ -4,8 +4,9 @@ import { html, svg } from './dom.js';
 import { figure, millimetres } from './format.js';
 import { clothPlaces, rimPlaces } from './maps.js';
 import { cssColour, paletteTable, places } from './palette.js';
+import { fillTriangle, makeImage } from './raster.js';
 
-const pixels = 1300;  // of the picture of the triangles, along its longer side
+const pixels = 1600;  // of the picture of the triangles, along its longer side
 
 // Where things lie: x as on the cloth, y downwards, millimetres.
 function frameOf(tile) {
@@ -24,22 +25,22 @@ function clothPicture(model, tile, map, palette, frame) {
     const scale = pixels / Math.max(frame.width, frame.height);
     const canvas = html('canvas', { width: Math.ceil(frame.width * scale), height: Math.ceil(frame.height * scale) });
     const context = canvas.getContext('2d');
-    const table = paletteTable(palette), shades = clothPlaces(model, tile, map);
+    const image = makeImage(context);
+    const colours = new Uint32Array(paletteTable(palette).buffer);
     const { flat, triangles } = tile;
-    context.lineWidth = 0.8;
-    let last = -1;
-    for (let t = 0; t < shades.length; ++t) {
-        if (shades[t] !== last) context.fillStyle = context.strokeStyle = cssColour(table, (last = shades[t]));
-        context.beginPath();
+    const x = [0, 0, 0], y = [0, 0, 0];
+    clothPlaces(model, tile, map).forEach((place, t) => {
         for (let k = 0; k < 3; ++k) {
             const vertex = 2 * triangles[3 * t + k];
-            context.lineTo((flat[vertex] * 1000 - frame.x) * scale, (-flat[vertex + 1] * 1000 - frame.y) * scale);
+            x[k] = (flat[vertex] * 1000 - frame.x) * scale;
+            y[k] = (-flat[vertex + 1] * 1000 - frame.y) * scale;
         }
-        context.closePath();
-        context.fill();
-        context.stroke();
-    }
-    return svg('image', { x: frame.x, y: frame.y, width: frame.width, height: frame.height, preserveAspectRatio: 'none', href: canvas.toDataURL() });
+        fillTriangle(image, colours[place], x, y);
+    });
+    context.putImageData(image.data, 0, 0);
+    return svg('image', {
+        x: frame.x, y: frame.y, width: canvas.width / scale, height: canvas.height / scale, preserveAspectRatio: 'none', href: canvas.toDataURL(),
+    });
 }
 
 function pathOf(points, isClosed) {

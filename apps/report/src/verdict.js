@@ -61,8 +61,9 @@ function reasonLine(kind, onTile) {
     const { finding, tile } = kind.worst;
     const unit = meanings[kind.code]?.[1] ?? '';
     const figures = unit ? `: ${short(Math.abs(finding.value))}${unit === '%' ? '\u00a0%' : unit}, allowed ${short(finding.limit)}${unit === '%' ? '\u00a0%' : unit}` : '';
-    return html('li', {}, html('b', {}, count(kind.tiles.size, 'tile')), `: ${meaning(kind.code)}. Worst `,
-        html('button', { class: 'link', onclick: () => onTile(tile) }, tile.name), `${figures}.`);
+    const link = html('button', { class: 'link', onclick: () => onTile(tile) }, tile.name);
+    if (kind.tiles.size === 1) return html('li', {}, link, `: ${meaning(kind.code)}${figures}.`);
+    return html('li', {}, html('b', {}, count(kind.tiles.size, 'tile')), `: ${meaning(kind.code)}. Worst `, link, `${figures}.`);
 }
 
 export function verdictView(model, { onTile, onSeam }) {
