@@ -3,7 +3,7 @@ import { readModel } from './data.js';
 import { html } from './dom.js';
 import { makeEnvelopeScene } from './envelope_scene.js';
 import { makeEnvelopeShape, placeOfChosen } from './envelope_shape.js';
-import { makeEnvelopeStill } from './envelope_still.js';
+import { makeEnvelopePlain } from './envelope_plain.js';
 import { degrees, percent } from './format.js';
 import { legendView } from './legend.js';
 import { makeList } from './list.js';
@@ -15,18 +15,18 @@ import { makeState } from './state.js';
 import { basis, seamTable, tileTable } from './tables.js';
 import { failingSeams, failingTiles, verdictView } from './verdict.js';
 
-// WebGL where there is some, else a still picture. A canvas that was asked for one cannot give the other.
+// WebGL where there is some, else pixel by pixel. A canvas that was asked for one cannot give the other.
 function envelopeView(shape, holder) {
     const make = (maker) => {
         const canvas = html('canvas', { class: 'envelope', tabindex: '0', role: 'application', 'aria-label': 'The envelope in space. Arrow keys go from tile to tile, with shift they turn it, plus and minus zoom, Home shows all, Escape lets go.' });
         holder.replaceChildren(canvas);
-        return { canvas, ...maker(shape, canvas), isStill: maker === makeEnvelopeStill };
+        return { canvas, ...maker(shape, canvas), isPlain: maker === makeEnvelopePlain };
     };
-    if (!document.createElement('canvas').getContext('webgl2')) return make(makeEnvelopeStill);
+    if (!document.createElement('canvas').getContext('webgl2')) return make(makeEnvelopePlain);
     try {
         return make(makeEnvelopeScene);
     } catch {
-        return make(makeEnvelopeStill);
+        return make(makeEnvelopePlain);
     }
 }
 
@@ -87,7 +87,7 @@ function start(model) {
             printed, tiles.element, model.seams.length > 0 && seams.element, basis(model)), tip, live);
     const view = envelopeView(shape, holder);
     const { canvas } = view;
-    if (view.isStill) hint.prepend('This browser has no WebGL: a still picture is shown. ');
+    if (view.isPlain) hint.prepend('This browser has no WebGL: the envelope is drawn more plainly. ');
 
     function nextFailing() {
         const failing = [...failingTiles(model).map((item) => ['tile', item]), ...failingSeams(model).map((item) => ['seam', item])];

@@ -3,7 +3,7 @@ import { outlineOf, pointedAt, proposalLine, seamLine, shadesOf } from './envelo
 import { paletteTable } from './palette.js';
 import { fillTriangle, makeImage } from './raster.js';
 
-export function makeEnvelopeStill(shape, canvas) {
+export function makeEnvelopePlain(shape, canvas) {
     const { model } = shape;
     const context = canvas.getContext('2d');
     let azimuth = 0.5, height = 0.25, magnified = 1, waiting = false;
