@@ -1,4 +1,4 @@
-// The tiles in space as one shape: what both the 3D view and the still one draw and pick from.
+// The tiles in space as one shape: what both views draw and pick from.
 import { sidePoints } from './data.js';
 import { clothPlaces, rimPlaces } from './maps.js';
 import { makePicking } from './picking.js';
