@@ -15,6 +15,7 @@ Open these:
   demo/envelope.obj                         the envelope in space (any 3D viewer, Rhino, Blender)
   demo/cut-plan/cut/envelope.svg            every piece, true size
   demo/cut-plan/cut/envelope.dxf            the same for the cutter (R12, millimetres)
+  demo/cut-plan/cut/envelope.pdf            paper templates, a page each
   demo/cut-plan/pictures/G01P08.svg         one piece in the colours of its error
   demo/cut-plan/report.json, tiles.csv      every figure; seams.csv, pictures/seams.svg: how the edges fit
 END

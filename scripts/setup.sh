@@ -1,20 +1,27 @@
 #!/bin/sh
-# Installs the Debian packages of packages.txt that are missing, and what apps/rhino and apps/report have from npm. Needs root or
-# sudo only if a package is missing.
+# Installs the Debian packages of packages.txt that are missing, and what apps/rhino, apps/report and tests/dxf have from npm. Needs root
+# or sudo only if a package is missing.
 set -eu
 cd "$(dirname "$0")"
 
-install_from_npm() {
-    stamp=node_modules/.ripstop-setup
-    cd "../apps/$1"
-    if ! [ "$stamp" -nt package-lock.json ]; then
+# What the package.json of a folder names.
+install_npm() {
+    (
+        cd "../$1"
+        stamp=node_modules/.ripstop-setup
+        [ "$stamp" -nt package-lock.json ] && exit
         if ! npm ci --no-audit --no-fund --loglevel=error; then
-            echo "setup: npm could not install what apps/$1 needs; is there a connection to the registry?" >&2
+            echo "setup: npm could not install what $1 needs; is there a connection to the registry?" >&2
             exit 1
         fi
         touch "$stamp"
-    fi
-    cd ../../scripts
+    )
+}
+
+install_all_npm() {
+    install_npm apps/rhino
+    install_npm apps/report
+    install_npm tests/dxf
 }
 
 missing=""
@@ -24,8 +31,7 @@ done
 # Some distributions of Node.js bring npm along; Debian's does not.
 command -v npm > /dev/null || missing="$missing npm"
 if [ -z "$missing" ]; then
-    install_from_npm rhino
-    install_from_npm report
+    install_all_npm
     exit 0
 fi
 as_root=""
@@ -34,5 +40,4 @@ echo "Installing:$missing"
 $as_root apt-get update -q
 # shellcheck disable=SC2086
 $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=500 install -y -q --no-install-recommends $missing
-install_from_npm rhino
-install_from_npm report
+install_all_npm

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "commands.h"
+#include "format_options.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/glob.h"
 #include "ripstop/report/cut_files.h"
@@ -13,7 +14,7 @@ namespace {
 
 struct Arguments {
     std::filesystem::path plan, output;
-    std::vector<std::string> formats{"dxf"};
+    FormatArguments files{{"dxf"}};
     std::vector<std::string> tiles;
     bool force = false, quiet = false;
 };
@@ -27,13 +28,27 @@ void keep_named(PieceSet& set, const std::vector<std::string>& globs) {
     if (set.pieces.empty()) throw InputError("no piece is called as --tile says; the names stand in tiles.csv");
 }
 
+/// After what is in it: dialects and papers beside each other, as formats.
+std::string default_name(const FormatArguments& given) {
+    const PieceFileOptions usual, &files = given.files;
+    std::vector<std::string> words = given.formats;
+    if (files.dialect != usual.dialect) {
+        if (words == std::vector<std::string>{"dxf"}) words.clear();
+        words.push_back(files.dialect);
+    }
+    if (!files.grain_axis.empty()) words.push_back("grain-" + files.grain_axis);
+    if (files.paper != usual.paper) words.push_back(files.paper);
+    return fmt::format("{}", fmt::join(words, "-"));
+}
+
 ExitCode run(Arguments given) {
-    if (given.output.empty()) given.output = given.plan / fmt::format("cut-{}", fmt::join(given.formats, "-"));
-    for (const std::string& format : given.formats) piece_format_named(format);
+    const PieceFileOptions files = file_options(given.files);
+    if (given.output.empty()) given.output = given.plan / ("cut-" + default_name(given.files));
     PieceSet set = read_pieces_of(given.plan);
     keep_named(set, given.tiles);
-    write_whole_directory(given.output, given.force, {"envelope.*", "tiles"},
-                          [&](const std::filesystem::path& folder) { write_cut_files(folder, set, given.formats); });
+    write_whole_directory(given.output, given.force, {"envelope.*", "tiles"}, [&](const std::filesystem::path& folder) {
+        write_cut_files(folder, set, given.files.formats, files);
+    });
     if (!given.quiet) fmt::print("{} pieces: {}\n", set.pieces.size(), given.output.string());
     return manufacturable;
 }
@@ -46,10 +61,7 @@ void add_export(CLI::App& app) {
         app.add_subcommand("export", "The pieces of a cut plan as other cut files, without solving again");
     command->add_option("plan", given->plan, "A folder that `ripstop flatten` wrote")->required();
     command->add_option("-o,--output", given->output, "The folder to write; else one in the plan's");
-    std::string known;
-    for (const PieceFormat& format : piece_formats())
-        known += fmt::format("\n{:<6}{}", format.name, format.description);
-    command->add_option("--format", given->formats, "What to write, several with commas:" + known)->delimiter(',');
+    add_format_options(*command, given->files, "--dialect");
     command->add_option("--tile", given->tiles, "Only pieces of these names; * and ? stand for anything");
     command->add_flag("--force", given->force, "Replace the folder where it is not empty");
     command->add_flag("--quiet", given->quiet, "Say nothing where all is well");

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "commands.h"
+#include "format_options.h"
 #include "options.h"
 #include "piece_options.h"
 #include "progress_bar.h"
@@ -34,6 +35,7 @@ struct Arguments {
     std::string propose = "auto";
     bool propose_merges = false;
     PieceArguments pieces;
+    FormatArguments files{DirectoryOptions{}.formats};
 };
 
 /// Where no unit was given, the size tells whether metres were the right guess.
@@ -69,6 +71,9 @@ void take_faults(CutPlan& plan, const Envelope& envelope, double seam_tolerance,
 ExitCode run(const Arguments& given) {
     const std::string method = method_of(given.input);
     PieceOptions pattern = piece_options(given.pieces);
+    DirectoryOptions writing{given.force, given.reproducible};
+    writing.formats = given.files.formats;
+    writing.files = file_options(given.files);
     require_writable(given.directory, given.force);
     const Input input = resolve(given.input);
     const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
@@ -86,8 +91,7 @@ ExitCode run(const Arguments& given) {
 
     if (pattern.revision.empty()) pattern.revision = plan.input_sha256.substr(0, 8);
     const PieceSet pieces = make_piece_set(plan, make_pieces(plan, pattern, given.jobs), pattern.revision);
-    write_directory(given.directory, plan, pieces, {given.force, given.reproducible},
-                    measure_strain_maps(plan, given.jobs));
+    write_directory(given.directory, plan, pieces, writing, measure_strain_maps(plan, given.jobs));
     if (given.json)
         fmt::print("{}", report_json(plan, given.reproducible));
     else if (!given.quiet)
@@ -118,6 +122,7 @@ void add_flatten(CLI::App& app) {
         "--propose-merges", given->propose_merges,
         "Try every two neighbours as one tile and list those that could be made; flattens once more a seam");
     add_piece_options(*command, given->pieces);
+    add_format_options(*command, given->files, "--dxf-dialect");
     command->footer("Example: ripstop flatten envelope.obj --unit mm --fabric nylon -o cut-plan");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);

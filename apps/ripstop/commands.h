@@ -14,5 +14,8 @@ void add_compare(CLI::App& app);
 void add_methods(CLI::App& app);
 void add_design(CLI::App& app);
 void add_export(CLI::App& app);
+void add_nest(CLI::App& app);
+void add_diff(CLI::App& app);
+void add_validate(CLI::App& app);
 
 }  // namespace ripstop::cli

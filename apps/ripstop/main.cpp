@@ -67,6 +67,9 @@ int main(int argc, char** argv) {
     cli::add_methods(app);
     cli::add_design(app);
     cli::add_export(app);
+    cli::add_nest(app);
+    cli::add_diff(app);
+    cli::add_validate(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::RuntimeError& result) {

@@ -30,7 +30,8 @@ TEST(TopLevel, SaysItsVersionLicenceAndLibraries) {
 
 TEST(TopLevel, ExplainsEachCommandOnStdout) {
     const Workshop workshop;
-    for (const char* const command : {"", "flatten", "check", "compare", "methods", "design", "design natural"}) {
+    for (const char* const command :
+         {"", "flatten", "check", "compare", "methods", "design", "design natural", "nest", "diff"}) {
         const ProgramRun run = workshop.ripstop(std::string(command) + " --help");
         EXPECT_EQ(run.code, 0) << command;
         EXPECT_THAT(run.out, HasSubstr("Usage: ripstop")) << command;

@@ -3,12 +3,16 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <regex>
 #include <sstream>
 
+#include "ripstop/geometry/polygon.h"
 #include "ripstop/pattern/pieces.h"
 #include "ripstop/report/cut_files.h"
 #include "support/flat_tiles.h"
+#include "support/golden.h"
 #include "support/outside.h"
+#include "support/pattern_pieces.h"
 
 namespace ripstop {
 namespace {
@@ -51,10 +55,10 @@ TEST(Svg, TurnsUprightLabelsCounterClockwise) {
 TEST(Svg, GivesEachPieceItsOwnId) {
     const std::string text = svg({triangle("Bílý <1>"), triangle("Bílý <1>"), triangle(""), triangle("reference")},
                                  std::vector<Vec2>(4, Vec2::Zero()));
-    EXPECT_THAT(text, HasSubstr("<g id=\"Bílý_&lt;1&gt;\" data-name=\"Bílý &lt;1&gt;\">"));
+    EXPECT_THAT(text, HasSubstr("<g id=\"Bílý_&lt;1&gt;\" data-name=\"Bílý &lt;1&gt;\" inkscape:groupmode=\"layer\""));
     EXPECT_THAT(text, HasSubstr("<g id=\"Bílý_&lt;1&gt;-2\""));
     EXPECT_THAT(text, HasSubstr("<g id=\"piece\""));
-    EXPECT_THAT(text, HasSubstr("<g id=\"reference-2\" data-name=\"reference\">"));
+    EXPECT_THAT(text, HasSubstr("<g id=\"reference-2\" data-name=\"reference\" "));
 }
 
 TEST(Svg, IsWellFormedForAnotherReader) {
@@ -116,6 +120,77 @@ print(width, height, grey[0], grey[-1])
     EXPECT_EQ(height, 600);
     EXPECT_NEAR(left, 1150, 1.5);
     EXPECT_NEAR(right - left, 500, 1.5) << "100 mm in pixels of 0.2 mm, give or take what a hairline covers";
+}
+
+TEST(Svg, SaysOfEachEdgeWhatItIsSewnTo) {
+    const std::string text = svg({testing::band("P", 0.5, 0.3)});
+    EXPECT_THAT(text, HasSubstr("data-edge=\"1\" data-seam=\"S001\" data-mate=\"neighbour below\" "
+                                "data-type=\"flat-felled\" data-length-mm=\"500.000\" data-allowance-mm=\"12.000\""));
+    EXPECT_THAT(text, HasSubstr("data-edge=\"2\" data-type=\"hem\" data-length-mm=\"300.000\""));
+    EXPECT_THAT(text, HasSubstr("data-edge=\"3\" data-seam=\"S002 S003\" data-mate=\"Bílý, C\""));
+}
+
+TEST(Svg, HasALayerForEachKindOfLine) {
+    const std::string text = svg({testing::band("P", 0.5, 0.3)});
+    std::size_t at = text.find("<g id=\"P\"");
+    for (const char* layer : {"P", "cut", "sew", "notch", "internal", "grain", "text", "reference"}) {
+        at = text.find("inkscape:groupmode=\"layer\" inkscape:label=\"" + std::string(layer) + "\"", at);
+        ASSERT_NE(at, std::string::npos) << layer;
+    }
+    EXPECT_THAT(svg({triangle("P")}), ::testing::Not(HasSubstr("label=\"sew\""))) << "no empty layers";
+}
+
+TEST(Svg, IsMeasuredInTrueSizeByInkscape) {
+    if (testing::run_command("inkscape --version").code != 0) GTEST_SKIP() << "no Inkscape here";
+    const testing::ScratchDirectory scratch;
+    const PatternPiece piece = testing::band("P", 0.5, 0.3);
+    testing::write_text(scratch.path("p.svg"), svg({piece}));
+    const auto measured = [&scratch](const std::string& id, const std::string& what) {
+        const auto result = testing::run_command("(env HOME=" + scratch.path() + " inkscape --query-id=" + id +
+                                                 " --query-" + what + " " + scratch.path("p.svg") + " 2> /dev/null)");
+        EXPECT_EQ(result.code, 0) << result.output;
+        return std::strtod(result.output.c_str(), nullptr) * 25.4 / 96;  // its pixels are 1/96 in
+    };
+    // Inkscape adds a line's width, and rounds to six digits.
+    constexpr double line = 0.2;
+    EXPECT_NEAR(measured("reference", "width"), 100 + line, 0.01);
+    EXPECT_NEAR(measured("P", "width"), 524 + line, 0.01) << "500 mm and the allowances";
+    EXPECT_NEAR(measured("P", "height"), 324 + line, 0.01);
+}
+
+Points2 points_of(const std::string& path) {
+    const std::regex number("(-?[0-9.]+) (-?[0-9.]+)");
+    std::vector<Vec2> points;
+    for (std::sregex_iterator p(path.begin(), path.end(), number), end; p != end; ++p)
+        points.emplace_back(std::stod((*p)[1]), std::stod((*p)[2]));
+    Points2 rows(static_cast<Eigen::Index>(points.size()), 2);
+    for (std::size_t i = 0; i < points.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+    return rows;
+}
+
+TEST(Svg, LeavesTheAllowanceItStatesBetweenEachEdgeAndTheCutLine) {
+    for (const PatternPiece& piece : make_pieces(testing::two_tile_plan())) {
+        const std::string text = svg({piece});
+        std::smatch cut;
+        ASSERT_TRUE(std::regex_search(text, cut, std::regex("class=\"cut\"[^>]* d=\"([^\"]*) Z\"")));
+        const Points2 outline = points_of(cut[1]);
+        const std::regex sew("class=\"sew\"[^>]*data-allowance-mm=\"([0-9.]+)\" d=\"([^\"]*)\"");
+        int edges = 0;
+        for (std::sregex_iterator edge(text.begin(), text.end(), sew), end; edge != end; ++edge, ++edges) {
+            const double allowance = std::stod((*edge)[1]);
+            const Points2 line = points_of((*edge)[2]);
+            EXPECT_GT(allowance, 1);
+            for (Eigen::Index i = 0; i < line.rows(); ++i) EXPECT_TRUE(contains(outline, Vec2(line.row(i))));
+            // away from the corners, where the neighbour's allowance counts; both lines leave out 0.05 mm of a curve
+            const Vec2 middle = (line.row((line.rows() - 1) / 2) + line.row(line.rows() / 2)) / 2;
+            EXPECT_NEAR(distance_to_outline(outline, middle), allowance, 0.1) << piece.name << " edge " << edges + 1;
+        }
+        EXPECT_EQ(edges, static_cast<int>(piece.edges.size()));
+    }
+}
+
+TEST(Svg, IsWhatItWasLastTime) {
+    testing::expect_golden("band.svg", svg({testing::band("G01P01", 0.25, 0.12, 0.01)}));
 }
 
 }  // namespace

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <sstream>
 
 #include "ripstop/io/pieces_json.h"
 #include "ripstop/pattern/pieces.h"
 #include "support/flat_tiles.h"
 #include "support/outside.h"
+#include "support/pattern_pieces.h"
 
 namespace ripstop {
 namespace {
@@ -90,6 +92,18 @@ TEST(LayOut, KeepsPiecesApartInOrderAndAsTheyAreTurned) {
     }
     EXPECT_NEAR(lowest.norm(), 0, 1e-12);
     EXPECT_LT((highest - lowest).maxCoeff(), 2 * (highest - lowest).minCoeff()) << "about square";
+}
+
+TEST(LayOut, IsAsLongAsItIsAskedToBe) {
+    const std::vector<PatternPiece> pieces = testing::many_pieces(20);
+    const std::vector<Vec2> row = lay_out(pieces, 0.02, std::numeric_limits<double>::infinity());
+    const std::vector<Vec2> column = lay_out(pieces, 0.02, 0.1);
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        EXPECT_EQ(row[i].y(), row[0].y());
+        EXPECT_GT(row[i].x(), row[i - 1].x());
+        EXPECT_EQ(column[i].x(), column[0].x());
+        EXPECT_LT(column[i].y(), column[i - 1].y());
+    }
 }
 
 TEST(LayOut, OfNothingIsNothing) {

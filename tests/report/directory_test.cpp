@@ -62,11 +62,11 @@ TEST(PlanDirectory, HoldsWhatTheContractNames) {
         written.push_back(name);
     }
     if (page_template().empty()) written.insert(written.end() - 3, "report.html");  // built without Node.js
-    EXPECT_THAT(written,
-                ElementsAre("cut/envelope.dxf", "cut/envelope.svg", "cut/pieces.json", "cut/tiles/Bily__dracek_.dxf",
-                            "cut/tiles/Bily__dracek_.svg", "cut/tiles/G01_P01.dxf", "cut/tiles/G01_P01.svg",
-                            "flat/Bily__dracek_.obj", "flat/G01_P01.obj", "pictures/Bily__dracek_.svg",
-                            "pictures/G01_P01.svg", "report.html", "report.json", "seams.csv", "tiles.csv"));
+    EXPECT_THAT(written, ElementsAre("bom.csv", "cut/envelope.dxf", "cut/envelope.pdf", "cut/envelope.svg",
+                                     "cut/pieces.json", "cut/tiles/Bily__dracek_.dxf", "cut/tiles/Bily__dracek_.svg",
+                                     "cut/tiles/G01_P01.dxf", "cut/tiles/G01_P01.svg", "flat/Bily__dracek_.obj",
+                                     "flat/G01_P01.obj", "pictures/Bily__dracek_.svg", "pictures/G01_P01.svg",
+                                     "report.html", "report.json", "seams.csv", "tiles.csv"));
     EXPECT_THAT(names(scratch.path()), ElementsAre("plan"));
 }
 
@@ -118,8 +118,9 @@ TEST(PlanDirectory, ReplacesAnOldPlanUnderForceAndKeepsWhatIsNotIts) {
     testing::write_text(scratch.path("plan/report.html"), "old");
     testing::write_text(scratch.path("plan/photos/first flight.txt"), "mine");
     ASSERT_EQ(refusal(scratch.path("plan"), {true, false, false}), "accepted");
-    std::vector<std::string> expected{"cut", "flat", "photos", "report.html", "report.json", "seams.csv", "tiles.csv"};
-    if (page_template().empty()) expected.erase(expected.begin() + 3);  // the old one went all the same
+    std::vector<std::string> expected{"bom.csv",     "cut",         "flat",      "photos",
+                                      "report.html", "report.json", "seams.csv", "tiles.csv"};
+    if (page_template().empty()) expected.erase(expected.begin() + 4);  // the old one went all the same
     EXPECT_EQ(names(scratch.path("plan")), expected);
     EXPECT_FALSE(fs::exists(scratch.path("plan/flat/OLD.obj")));
     EXPECT_EQ(testing::content(scratch.path("plan/photos/first flight.txt")), "mine");

@@ -4,6 +4,8 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/io/dxf.h"
+#include "ripstop/io/hpgl.h"
+#include "ripstop/io/pdf.h"
 #include "ripstop/io/svg.h"
 
 namespace ripstop {
@@ -12,10 +14,21 @@ std::span<const PieceFormat> piece_formats() {
     static const std::array formats{
         PieceFormat{"dxf", "dxf", "DXF for cutters and CAD", true,
                     [](std::ostream& out, const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts,
-                       const PieceFileOptions&) { write_dxf(out, pieces, shifts); }},
+                       const PieceFileOptions& options) {
+                        write_dxf(out, pieces, shifts,
+                                  {options.dialect, options.style, options.revision, options.date, options.grain_axis});
+                    }},
         PieceFormat{"svg", "svg", "SVG in true size, an edge a path", true,
                     [](std::ostream& out, const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts,
                        const PieceFileOptions&) { write_svg(out, pieces, shifts); }},
+        PieceFormat{"pdf", "pdf", "PDF in true size for printers, a page a piece or on sheets (--paper)", false,
+                    [](std::ostream& out, const std::vector<PatternPiece>& pieces, const std::vector<Vec2>&,
+                       const PieceFileOptions& options) {
+                        write_pdf(out, pieces, {options.style, options.revision, options.paper, options.date});
+                    }},
+        PieceFormat{"hpgl", "plt", "HPGL for plotters and cutters: pen 1 draws, 2 cuts, 3 notches (--frame)", true,
+                    [](std::ostream& out, const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts,
+                       const PieceFileOptions& options) { write_hpgl(out, pieces, shifts, {options.frame}); }},
     };
     return formats;
 }

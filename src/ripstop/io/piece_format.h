@@ -11,8 +11,13 @@ namespace ripstop {
 
 /// What a pattern file says besides the pieces, and how.
 struct PieceFileOptions {
-    std::string style = {};     ///< what the pieces belong to: the input's name
-    std::string revision = {};  ///< of the patterns
+    std::string style = {};       ///< what the pieces belong to: the input's name
+    std::string revision = {};    ///< of the patterns
+    std::string dialect = "cam";  ///< of a DXF: a name of `dxf_dialects`
+    std::string date = {};        ///< of their making, YYYY-MM-DD; none: none is stated
+    std::string grain_axis = {};  ///< of a DXF, x or y; none: as the dialect has it
+    std::string paper = "roll";   ///< of a PDF: as `paper_named` takes it
+    double frame = 0;             ///< of HPGL: length of a frame [m]; 0: all in one
 };
 
 /// A kind of file for cutters, plotters and printers.

@@ -3,6 +3,20 @@
 #include "ripstop/base/error.h"
 
 namespace ripstop {
+namespace {
+
+/// Of what is cut; of a drawing without outline, of its lines.
+Points2 extent(const PatternPiece& piece) {
+    if (piece.sew_line.rows() > 0) return piece.outline();
+    Points2 points(0, 2);
+    for (const DrawnLine& line : piece.lines) {
+        points.conservativeResize(points.rows() + line.points.rows(), 2);
+        points.bottomRows(line.points.rows()) = line.points;
+    }
+    return points;
+}
+
+}  // namespace
 
 Sheet make_sheet(const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts) {
     if (!shifts.empty() && shifts.size() != pieces.size())
@@ -12,8 +26,10 @@ Sheet make_sheet(const std::vector<PatternPiece>& pieces, const std::vector<Vec2
     sheet.shifts = shifts.empty() ? std::vector<Vec2>(pieces.size(), Vec2::Zero()) : shifts;
     bool any = false;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (pieces[i].sew_line.rows() == 0) continue;
-        const Vec2 lower = pieces[i].lower() + sheet.shifts[i], upper = pieces[i].upper() + sheet.shifts[i];
+        const Points2 points = extent(pieces[i]);
+        if (points.rows() == 0) continue;
+        const Vec2 lower = Vec2(points.colwise().minCoeff()) + sheet.shifts[i];
+        const Vec2 upper = Vec2(points.colwise().maxCoeff()) + sheet.shifts[i];
         sheet.lower = any ? Vec2(sheet.lower.cwiseMin(lower)) : lower;
         sheet.upper = any ? Vec2(sheet.upper.cwiseMax(upper)) : upper;
         any = true;

@@ -2,6 +2,7 @@
 
 #include <ostream>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "ripstop/base/number_text.h"
@@ -65,7 +66,7 @@ void draw_edge(std::ostream& out, const Page& page, const PatternPiece& piece, s
         seams += (seams.empty() ? "" : " ") + xml_text(mate.seam);
         mates += (mates.empty() ? "" : ", ") + xml_text(mate.piece);
     }
-    out << "<path class=\"sew\" stroke=\"#0000ff\" data-edge=\"" << e + 1 << '"';
+    out << "<path class=\"sew\" stroke=\"#0000ff\" data-edge=\"" << std::to_string(e + 1) << '"';
     if (!seams.empty()) out << " data-seam=\"" << seams << "\" data-mate=\"" << mates << '"';
     out << " data-type=\"" << xml_text(edge.seam_type) << "\" data-length-mm=\""
         << format_fixed(edge.length / millimetre, 3) << "\" data-allowance-mm=\""
@@ -73,29 +74,57 @@ void draw_edge(std::ostream& out, const Page& page, const PatternPiece& piece, s
         << "\"/>\n";
 }
 
-void draw(std::ostream& out, const Page& page, const PatternPiece& piece, const Vec2& shift, const std::string& id) {
-    out << "<g id=\"" << id << "\" data-name=\"" << xml_text(piece.name) << "\">\n";
+/// A layer of a piece, for Inkscape and what reads its layers; a group for all others.
+template <class Draw>
+void draw_layer(std::ostream& out, const char* name, const Draw& draw) {
+    std::ostringstream inside;
+    draw(inside);
+    if (inside.view().empty()) return;
+    out << "<g inkscape:groupmode=\"layer\" inkscape:label=\"" << name << "\">\n" << inside.view() << "</g>\n";
+}
+
+void draw_sew_line(std::ostream& out, const Page& page, const PatternPiece& piece, const Vec2& shift) {
     const bool is_cut = piece.cut_line.rows() > 0;
-    if (is_cut)
-        out << "<path class=\"cut\" stroke=\"#ff0000\" d=\"" << closed_path(page, piece.cut_line, shift) << "\"/>\n";
     for (std::size_t e = 0; e < piece.edges.size(); ++e) draw_edge(out, page, piece, e, shift);
-    if (piece.edges.empty() && piece.sew_line.rows() > 0)
-        out << "<path class=\"sew\" stroke=\"" << (is_cut ? "#0000ff" : "#ff0000") << "\" d=\""
-            << closed_path(page, piece.sew_line, shift) << "\"/>\n";
+    if (piece.edges.empty() && is_cut && piece.sew_line.rows() > 0)
+        out << "<path class=\"sew\" stroke=\"#0000ff\" d=\"" << closed_path(page, piece.sew_line, shift) << "\"/>\n";
+}
+
+void draw_notches(std::ostream& out, const Page& page, const PatternPiece& piece, const Vec2& shift) {
     for (const PieceNotch& notch : piece.notches)
         for (const auto& [from, to] : notch.slits())
             out << "<path class=\"notch\" stroke=\"#ff0000\" data-seam=\"" << xml_text(notch.seam) << "\" d=\"M"
                 << page.at(from + shift) << " L" << page.at(to + shift) << "\"/>\n";
-    for (const DrawnLine& line : piece.lines)
-        out << "<path class=\"internal\" stroke=\"#0000ff\" data-name=\"" << xml_text(line.name) << "\" d=\""
-            << open_path(page, line.points, shift) << "\"/>\n";
+}
+
+void draw_grain(std::ostream& out, const Page& page, const PatternPiece& piece, const Vec2& shift) {
     const Points2 arrow = grain_arrow(piece);
-    if (arrow.rows() == 4) {
-        const auto end = [&](int row) { return page.at(Vec2(arrow.row(row)) + shift); };
-        out << "<path stroke=\"#0000ff\" d=\"M" << end(0) << " L" << end(1) << " M" << end(2) << " L" << end(1) << " L"
-            << end(3) << "\"/>\n";
-    }
-    for (const Label& label : piece.labels) out << text(page, label, shift, "#000000");
+    if (arrow.rows() != 4) return;
+    const auto end = [&](int row) { return page.at(Vec2(arrow.row(row)) + shift); };
+    out << "<path class=\"grain\" stroke=\"#0000ff\" d=\"M" << end(0) << " L" << end(1) << " M" << end(2) << " L"
+        << end(1) << " L" << end(3) << "\"/>\n";
+}
+
+void draw(std::ostream& out, const Page& page, const PatternPiece& piece, const Vec2& shift, const std::string& id) {
+    const std::string name = xml_text(piece.name);
+    out << "<g id=\"" << id << "\" data-name=\"" << name << "\" inkscape:groupmode=\"layer\" inkscape:label=\"" << name
+        << "\">\n";
+    draw_layer(out, "cut", [&](std::ostream& layer) {
+        if (piece.outline().rows() > 0)
+            layer << "<path class=\"cut\" stroke=\"#ff0000\" d=\"" << closed_path(page, piece.outline(), shift)
+                  << "\"/>\n";
+    });
+    draw_layer(out, "sew", [&](std::ostream& layer) { draw_sew_line(layer, page, piece, shift); });
+    draw_layer(out, "notch", [&](std::ostream& layer) { draw_notches(layer, page, piece, shift); });
+    draw_layer(out, "internal", [&](std::ostream& layer) {
+        for (const DrawnLine& line : piece.lines)
+            layer << "<path class=\"internal\" stroke=\"#0000ff\" data-name=\"" << xml_text(line.name) << "\" d=\""
+                  << open_path(page, line.points, shift) << "\"/>\n";
+    });
+    draw_layer(out, "grain", [&](std::ostream& layer) { draw_grain(layer, page, piece, shift); });
+    draw_layer(out, "text", [&](std::ostream& layer) {
+        for (const Label& label : piece.labels) layer << text(page, label, shift, "#000000");
+    });
     out << "</g>\n";
 }
 
@@ -106,10 +135,12 @@ void write_svg(std::ostream& out, const std::vector<PatternPiece>& pieces, const
     const Page page(sheet);
     const Vec2 size = (sheet.upper - sheet.lower + Vec2::Constant(2 * margin)) / millimetre;
     const std::string width = format_fixed(size.x(), 3), height = format_fixed(size.y(), 3);
-    // a hairline on one piece; on a sheet of tens of metres it would be invisible, so it grows with the sheet
-    const std::string stroke = format_fixed(std::max(0.2, size.maxCoeff() / 2500), 1);
-    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width
-        << "mm\" height=\"" << height << "mm\" viewBox=\"0 0 " << width << ' ' << height << "\">\n"
+    // a hairline on one piece; on a sheet of tens of metres it would be invisible, so it grows with the sheet's shorter
+    // side: a marker is short across however long the roll
+    const std::string stroke = format_fixed(std::max(0.2, size.minCoeff() / 2500), 1);
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+        << "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"" << width << "mm\" height=\""
+        << height << "mm\" viewBox=\"0 0 " << width << ' ' << height << "\">\n"
         << "<g fill=\"none\" stroke-width=\"" << stroke << "\" font-family=\"sans-serif\" text-anchor=\"middle\">\n";
     std::set<std::string> used{"reference"};
     for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -117,7 +148,9 @@ void write_svg(std::ostream& out, const std::vector<PatternPiece>& pieces, const
     constexpr double side = Sheet::square_side;
     Points2 square(4, 2);
     square << 0, 0, side, 0, side, side, 0, side;
-    out << "<g id=\"reference\">\n<path stroke=\"#808080\" d=\"" << closed_path(page, square, sheet.square) << "\"/>\n"
+    out << "<g id=\"reference\" inkscape:groupmode=\"layer\" inkscape:label=\"reference\">\n<path stroke=\"#808080\" "
+           "d=\""
+        << closed_path(page, square, sheet.square) << "\"/>\n"
         << text(page, {"100 mm", Vec2(side / 2, side / 2), 0.01, 0}, sheet.square, "#808080") << "</g>\n</g>\n</svg>\n";
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "ripstop/base/error.h"
 #include "ripstop/io/pieces_json.h"
@@ -46,7 +47,8 @@ PieceSet make_piece_set(const CutPlan& plan, std::vector<PatternPiece> pieces, c
 
 void write_cut_files(const fs::path& cut, const PieceSet& set, const std::vector<std::string>& formats,
                      PieceFileOptions options) {
-    const std::vector<Vec2> shifts = lay_out(set.pieces, sheet_gap);
+    constexpr double one_row = std::numeric_limits<double>::infinity();
+    const std::vector<Vec2> shifts = lay_out(set.pieces, sheet_gap, options.frame > 0 ? one_row : 0);
     options.style = set.input;
     options.revision = set.revision;
     fs::create_directories(cut);
@@ -76,7 +78,7 @@ PieceSet read_pieces_of(const fs::path& directory) {
     return read_pieces(in, file.string());
 }
 
-std::vector<Vec2> lay_out(const std::vector<PatternPiece>& pieces, double gap) {
+std::vector<Vec2> lay_out(const std::vector<PatternPiece>& pieces, double gap, double width) {
     double total = 0, widest = 0;
     for (const PatternPiece& piece : pieces) {
         if (piece.sew_line.rows() == 0) continue;
@@ -85,7 +87,7 @@ std::vector<Vec2> lay_out(const std::vector<PatternPiece>& pieces, double gap) {
         widest = std::max(widest, size.x());
     }
     // Rows do not fill up: a tenth more than the square root comes out about square.
-    const double sheet_width = std::max(widest, 1.1 * std::sqrt(total));
+    const double sheet_width = std::max(widest, width > 0 ? width : 1.1 * std::sqrt(total));
     std::vector<Vec2> shifts(pieces.size(), Vec2::Zero());
     double x = 0, top = 0, row_height = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -4,6 +4,7 @@
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/figures.h"
 #include "ripstop/report/html_report.h"
+#include "ripstop/report/order.h"
 #include "ripstop/report/output_file.h"
 #include "ripstop/report/picture.h"
 #include "ripstop/report/report_json.h"
@@ -26,7 +27,7 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
     const std::vector<std::string> stems = file_stems(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
         if (is_drawable(plan.tiles[i])) write_file(dir / "flat" / (stems[i] + ".obj"), flat_obj(plan.tiles[i]));
-    write_cut_files(dir / "cut", pieces, options.formats);
+    write_cut_files(dir / "cut", pieces, options.formats, options.files);
     write_pieces(dir / "cut" / "pieces.json", pieces);
     if (options.pictures) {
         fs::create_directory(dir / "pictures");
@@ -39,6 +40,7 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
     write_file(dir / "seams.csv", seams_csv(plan));
     const std::string page = html_report(plan, pieces.pieces, strains);
     if (!page.empty()) write_file(dir / "report.html", page);
+    write_file(dir / "bom.csv", bom_csv(pieces, nullptr));
     write_file(dir / "report.json", report_json(plan, options.reproducible));
 }
 

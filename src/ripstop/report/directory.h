@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ripstop/io/piece_format.h"
 #include "ripstop/model/cut_plan.h"
 #include "ripstop/model/pattern_piece.h"
 #include "ripstop/model/strain_map.h"
@@ -15,11 +16,12 @@ struct DirectoryOptions {
     bool force = false;         ///< replace what stands in a directory that is not empty
     bool reproducible = false;  ///< leave `seconds` out of report.json: the same bytes on every run
     bool pictures = true;       ///< pictures/NAME.svg, one a tile, and pictures/seams.svg
-    std::vector<std::string> formats = {"dxf", "svg"};  ///< of the cut files: names of `piece_formats`
+    std::vector<std::string> formats = {"dxf", "svg", "pdf"};  ///< of the cut files: names of `piece_formats`
+    PieceFileOptions files = {};                               ///< how they are written
 };
 
 /// Writes the whole cut plan as `dir`: report.json, report.html (`html_report`, with the maps of `strains`), tiles.csv,
-/// seams.csv, flat/NAME.obj, cut/ (`write_cut_files`) with pieces.json, pictures/NAME.svg. NAME is the tile's `file` in
+/// seams.csv, bom.csv, flat/NAME.obj, cut/ (`write_cut_files`) with pieces.json, pictures/NAME.svg. NAME is the tile's `file` in
 /// report.json. Tiles without flat positions have no OBJ and, made by nobody, no piece. All or nothing, as
 /// `write_whole_directory` does and throws; under `force` the old plan is replaced, and files in it that no plan has are kept.
 void write_directory(const std::filesystem::path& dir, const CutPlan& plan, const PieceSet& pieces,

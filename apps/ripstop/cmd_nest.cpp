@@ -1,0 +1,94 @@
+/// ripstop nest: the pieces of a cut plan on the roll.
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "ripstop/base/error.h"
+#include "ripstop/base/units.h"
+#include "ripstop/io/piece_format.h"
+#include "ripstop/nest/nest_pieces.h"
+#include "ripstop/report/cut_files.h"
+#include "ripstop/report/marker_files.h"
+#include "ripstop/report/whole_directory.h"
+#include "tell.h"
+
+namespace ripstop::cli {
+namespace {
+
+struct Arguments {
+    std::filesystem::path plan, output;
+    std::string roll, gap = "5mm";
+    std::vector<std::string> roll_lengths, formats{"dxf", "svg", "pdf"};
+    double grain_tolerance = 0;
+    int effort = 40, jobs = 0;
+    bool flip = false, one_way = false, force = false, json = false, quiet = false;
+};
+
+NestOptions options_of(const Arguments& given) {
+    NestOptions options;
+    if (!given.roll.empty()) options.roll_width = parse_length(given.roll, "--roll");
+    options.gap = parse_length(given.gap, "--gap");
+    options.grain_tolerance = given.grain_tolerance * degree;
+    options.may_turn = !given.one_way;
+    options.may_flip = given.flip;
+    for (const std::string& length : given.roll_lengths)
+        options.part_lengths.push_back(parse_length(length, "--roll-length"));
+    options.rounds = given.effort;
+    options.threads = given.jobs;
+    return options;
+}
+
+ExitCode run(Arguments given) {
+    const NestOptions options = options_of(given);
+    for (const std::string& format : given.formats) piece_format_named(format);
+    if (given.output.empty()) given.output = given.plan / "marker";
+    const PieceSet set = read_pieces_of(given.plan);
+    require_writable(given.output, given.force);
+    const Markers markers = nest_pieces(set, options);
+    write_whole_directory(
+        given.output, given.force, {"marker*.*", "bom.csv"},
+        [&](const std::filesystem::path& folder) { write_marker_files(folder, set, markers, given.formats); });
+    if (given.json)
+        fmt::print("{}", marker_json(set, markers, given.formats));
+    else if (!given.quiet || !markers.refusals.empty())
+        fmt::print("{}", marker_table(markers));
+    return markers.refusals.empty() ? manufacturable : not_manufacturable;
+}
+
+}  // namespace
+
+void add_nest(CLI::App& app) {
+    auto given = std::make_shared<Arguments>();
+    CLI::App* command = app.add_subcommand("nest", "Lay the pieces of a cut plan on the roll");
+    command->add_option("plan", given->plan, "A folder that `ripstop flatten` wrote")->required();
+    command->add_option("-o,--output", given->output, "The folder to write; else PLAN/marker");
+    command->add_option("--roll", given->roll, "Width of the cloth, as 1500mm; else the fabric's own");
+    command->add_option("--gap", given->gap, "Between pieces; 5mm");
+    command
+        ->add_option(
+            "--roll-length", given->roll_lengths,
+            "Of cloth without a join, as 100m. Several with commas: one after the other, the last again and again")
+        ->delimiter(',');
+    command->add_option("--grain-tolerance", given->grain_tolerance, "Degrees a piece may be turned off the warp; 0")
+        ->check(CLI::Range(0.0, 28.0));
+    command->add_flag("--one-way", given->one_way, "Never turn a piece by half a turn: cloth with a nap or a print");
+    command->add_flag("--flip", given->flip, "The cloth has no right side: pieces may be laid face down");
+    command->add_option("--effort", given->effort, "Rounds of the search; 40. More is slower and a little shorter")
+        ->check(CLI::Range(0, 100000));
+    std::string known;
+    for (const PieceFormat& format : piece_formats())
+        known += fmt::format("\n{:<6}{}", format.name, format.description);
+    command->add_option("--format", given->formats, "What to write, several with commas:" + known)->delimiter(',');
+    command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core. The result is the same")
+        ->check(CLI::Range(0, 1024));
+    command->add_flag("--force", given->force, "Replace the markers in the folder");
+    command->add_flag("--json", given->json, "Print marker.json on stdout instead of the table");
+    command->add_flag("--quiet", given->quiet, "Say nothing where all is well");
+    command->footer(
+        "Exit codes: 0 all laid, 1 some pieces do not fit the roll (the others are laid), 2 usage, 3 unusable input.\n"
+        "Example: ripstop nest plan --roll 1500mm --roll-length 100m");
+    command->callback([given] {
+        if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
+    });
+}
+
+}  // namespace ripstop::cli

@@ -1,0 +1,125 @@
+#include "ripstop/geometry/join_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace ripstop {
+namespace {
+
+struct End {
+    int line;
+    bool is_last;
+};
+
+class Joiner {
+  public:
+    Joiner(const std::vector<Points2>& lines, double tolerance)
+        : lines_(lines), tolerance_(tolerance), used_(lines.size(), false) {
+        for (int i = 0; i < static_cast<int>(lines.size()); ++i)
+            if (lines[static_cast<std::size_t>(i)].rows() > 1)
+                for (const bool is_last : {false, true}) cells_[cell(at({i, is_last}))].push_back({i, is_last});
+    }
+
+    JoinedLine from(int line) {
+        std::deque<End> chain{{line, false}};  // each enters at this end
+        used_[static_cast<std::size_t>(line)] = true;
+        const bool has_ends = lines_[static_cast<std::size_t>(line)].rows() > 1;
+        const auto leaving = [](const End& entry) { return End{entry.line, !entry.is_last}; };
+        while (has_ends && !closes(chain))
+            if (const auto next = nearest(at(leaving(chain.back()))))
+                take(chain, chain.end(), *next);
+            else
+                break;
+        while (has_ends && !closes(chain))
+            if (const auto next = nearest(at(chain.front())))
+                take(chain, chain.begin(), leaving(*next));
+            else
+                break;
+        return joined(chain, has_ends && closes(chain));
+    }
+
+    bool is_used(int line) const { return used_[static_cast<std::size_t>(line)]; }
+
+  private:
+    using Cell = std::pair<long long, long long>;
+
+    Cell cell(const Vec2& p) const {
+        return {static_cast<long long>(std::floor(p.x() / tolerance_)),
+                static_cast<long long>(std::floor(p.y() / tolerance_))};
+    }
+
+    Vec2 at(const End& end) const {
+        const Points2& points = lines_[static_cast<std::size_t>(end.line)];
+        return points.row(end.is_last ? points.rows() - 1 : 0);
+    }
+
+    /// A line there and back again, such as a single straight one, closes on nothing.
+    bool closes(const std::deque<End>& chain) const {
+        const Points2& first = lines_[static_cast<std::size_t>(chain.front().line)];
+        const Vec2 end = at({chain.back().line, !chain.back().is_last});
+        return (chain.size() > 1 || first.rows() > 2) && (end - at(chain.front())).norm() <= tolerance_;
+    }
+
+    std::optional<End> nearest(const Vec2& place) const {
+        std::optional<End> best;
+        double least = tolerance_;
+        const auto [x, y] = cell(place);
+        for (long long i = x - 1; i <= x + 1; ++i)
+            for (long long j = y - 1; j <= y + 1; ++j) {
+                const auto found = cells_.find({i, j});
+                if (found == cells_.end()) continue;
+                for (const End& end : found->second) {
+                    const double distance = (at(end) - place).norm();
+                    const bool is_nearer = distance < least || (distance == least && (!best || end.line < best->line));
+                    if (is_used(end.line) || !is_nearer) continue;
+                    best = end;
+                    least = distance;
+                }
+            }
+        return best;
+    }
+
+    void take(std::deque<End>& chain, std::deque<End>::iterator where, const End& end) {
+        used_[static_cast<std::size_t>(end.line)] = true;
+        chain.insert(where, end);
+    }
+
+    JoinedLine joined(const std::deque<End>& chain, bool is_closed) const {
+        JoinedLine result{{}, {}, is_closed};
+        Eigen::Index count = 0;
+        for (const End& entry : chain) count += lines_[static_cast<std::size_t>(entry.line)].rows();
+        result.points.resize(count, 2);
+        Eigen::Index next = 0;
+        for (const End& entry : chain) {
+            const Points2& points = lines_[static_cast<std::size_t>(entry.line)];
+            result.lines.push_back(entry.line);
+            // Where one begins as the other ends the place is there once.
+            for (Eigen::Index i = next > 0 ? 1 : 0; i < points.rows(); ++i)
+                result.points.row(next++) = points.row(entry.is_last ? points.rows() - 1 - i : i);
+        }
+        if (is_closed && next > 1) --next;
+        result.points.conservativeResize(next, 2);
+        return result;
+    }
+
+    const std::vector<Points2>& lines_;
+    double tolerance_;
+    std::vector<bool> used_;
+    std::map<Cell, std::vector<End>> cells_;
+};
+
+}  // namespace
+
+std::vector<JoinedLine> join_lines(const std::vector<Points2>& lines, double tolerance) {
+    Joiner joiner(lines, tolerance);
+    std::vector<JoinedLine> joined;
+    for (int i = 0; i < static_cast<int>(lines.size()); ++i)
+        if (!joiner.is_used(i)) joined.push_back(joiner.from(i));
+    return joined;
+}
+
+}  // namespace ripstop

@@ -1,0 +1,256 @@
+#include "ripstop/io/dxf_read.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "ripstop/base/error.h"
+#include "ripstop/base/stated_unit.h"
+#include "ripstop/io/dxf_shapes.h"
+#include "ripstop/io/dxf_tags.h"
+#include "ripstop/io/text.h"
+
+namespace ripstop {
+namespace {
+
+constexpr std::size_t deepest = 16;
+constexpr double farthest = 1e9;
+constexpr int mesh_flags = 16 | 64;  // of a POLYLINE
+
+struct Block {
+    DxfTagSpan tags;  // its entities
+    Vec2 base = Vec2::Zero();
+    std::string layer;
+    long line = 0;
+    bool is_space = false, is_used = false;
+};
+
+/// Where an entity is drawn: inserted how, in which group.
+struct Place {
+    Eigen::Affine2d motion = Eigen::Affine2d::Identity();
+    int group = -1;
+    std::size_t depth = 0;
+};
+
+class Reader {
+  public:
+    Reader(const std::string& text, const std::string& name) : name_(name), tags_(read_dxf_tags(text, name)) {
+        most_ = std::min<std::size_t>(20'000'000, 100'000 + 1'000 * tags_.size());
+    }
+
+    PatternDrawing read() {
+        drawing_.format = "DXF";
+        std::size_t at = 0;
+        for (; at < tags_.size() && tags_[at].code == 999; ++at)
+            if (drawing_.comment.empty()) drawing_.comment = readable_name(tags_[at].value);
+        while (at < tags_.size()) at = read_section(at);
+        if (!has_entities_)
+            refuse(tags_.back().line, "no section ENTITIES, so nothing is drawn; export the drawing again");
+        draw(entities_, {});
+        for (const auto& [block_name, block] : blocks_)
+            if (!block.is_used && !block.is_space) drawing_.groups.push_back({block_name, block.layer, 0, block.line});
+        for (const DrawnText& text : drawing_.texts)
+            if (const auto unit = unit_of_text(text.text))
+                drawing_.units.push_back({"the text \"" + text.text + "\"", *unit});
+        return std::move(drawing_);
+    }
+
+  private:
+    [[noreturn]] void refuse(long line, const std::string& what) const {
+        throw InputError(name_ + ":" + std::to_string(line) + ": " + what);
+    }
+
+    /// From SECTION to behind its ENDSEC; the next one's start.
+    std::size_t read_section(std::size_t at) {
+        if (tags_[at].code == 0 && tags_[at].value == "EOF") return tags_.size();
+        if (tags_[at].code == 999) return at + 1;
+        const bool begins = tags_[at].code == 0 && tags_[at].value == "SECTION";
+        if (!begins || tags_[at + 1].code != 2)
+            refuse(tags_[at].line, shown(tags_[at].value) + " between two sections, expected SECTION; export it again");
+        std::size_t end = at + 2;
+        while (!(tags_[end].code == 0 && (tags_[end].value == "ENDSEC" || tags_[end].value == "EOF"))) ++end;
+        if (tags_[end].value == "EOF") refuse(tags_[end].line, "a section without ENDSEC; export the drawing again");
+        const std::string_view section = tags_[at + 1].value;
+        const DxfTagSpan inside = DxfTagSpan(tags_).subspan(at + 2, end - at - 2);
+        if (section == "HEADER") read_header(inside);
+        if (section == "TABLES") read_tables(inside);
+        if (section == "BLOCKS") read_blocks(inside);
+        if (section == "ENTITIES") {
+            entities_ = inside;
+            has_entities_ = true;
+        }
+        return end + 1;
+    }
+
+    void read_header(DxfTagSpan tags) {
+        for (std::size_t i = 0; i + 1 < tags.size(); ++i) {
+            if (tags[i].code != 9) continue;
+            const std::string_view value = tags[i + 1].value;
+            if (tags[i].value == "$ACADVER") drawing_.format = "DXF " + readable_name(value.substr(0, 12));
+            const auto unit = tags[i].value == "$INSUNITS"      ? unit_of_insunits(value)
+                              : tags[i].value == "$MEASUREMENT" ? unit_of_measurement(value)
+                                                                : std::nullopt;
+            if (unit) drawing_.units.push_back({std::string(tags[i].value), *unit});
+        }
+    }
+
+    void read_tables(DxfTagSpan tags) {
+        for (std::size_t i = 0; i < tags.size(); ++i) {
+            if (tags[i].code != 0 || tags[i].value != "LAYER") continue;
+            const std::string_view layer = first_entity(tags.subspan(i), name_).text(2);
+            if (!layer.empty()) drawing_.declared_layers.push_back(readable_name(layer));
+        }
+    }
+
+    void read_blocks(DxfTagSpan tags) {
+        for (std::size_t i = 0; i < tags.size();) {
+            if (tags[i].code != 0) refuse(tags[i].line, "a group outside of any block; export the drawing again");
+            const DxfEntity head = first_entity(tags.subspan(i), name_);
+            i += head.tags().size();
+            if (head.type() != "BLOCK") continue;
+            const std::size_t begin = i;
+            while (i < tags.size() && !(tags[i].code == 0 && tags[i].value == "ENDBLK")) ++i;
+            if (i == tags.size()) refuse(head.line(), "a BLOCK without ENDBLK; export the drawing again");
+            Block block{tags.subspan(begin, i - begin), head.point(10), head.layer(), head.line()};
+            std::string block_name = readable_name(head.text(2));
+            block.is_space = block_name.starts_with("*") || block_name.starts_with("$");
+            blocks_.insert_or_assign(std::move(block_name), block);
+        }
+    }
+
+    void draw(DxfTagSpan tags, const Place& place) {
+        for (std::size_t i = 0; i < tags.size();) {
+            if (tags[i].code != 0) refuse(tags[i].line, "a group outside of any entity; export the drawing again");
+            const DxfEntity entity = first_entity(tags.subspan(i), name_);
+            i += entity.tags().size();
+            count(1, entity);
+            if (entity.number(67) == 1) continue;  // paper space
+            if (entity.type() == "POLYLINE") {
+                const DxfShape shape = dxf_polyline(entity, tags, i, name_);
+                if ((entity.flags() & mesh_flags) != 0)
+                    drawing_.leave_unread("POLYLINE mesh", entity.layer(), entity.line());
+                else
+                    add_path(entity, shape, place);
+            } else {
+                draw_entity(entity, place);
+            }
+        }
+    }
+
+    void draw_entity(const DxfEntity& entity, const Place& place) {
+        static const std::set<std::string_view> paths{"LINE", "LWPOLYLINE", "ARC", "CIRCLE"};
+        static const std::set<std::string_view> silent{"VIEWPORT", "SEQEND", "ATTDEF"};
+        if (paths.contains(entity.type()))
+            add_path(entity, dxf_shape(entity), place);
+        else if (entity.type() == "POINT")
+            add_point(entity, place);
+        else if (entity.type() == "TEXT" || entity.type() == "MTEXT" || entity.type() == "ATTRIB")
+            add_text(entity, place);
+        else if (entity.type() == "INSERT")
+            insert(entity, place);
+        else if (!silent.contains(entity.type()))
+            drawing_.leave_unread(readable_name(entity.type().substr(0, 40)), entity.layer(), entity.line());
+    }
+
+    void count(std::size_t points, const DxfEntity& entity) {
+        drawn_ += points;
+        if (drawn_ > most_)
+            refuse(entity.line(), "the blocks in one another draw more than " + std::to_string(most_) +
+                                      " points; explode them or export less");
+    }
+
+    Vec2 moved(const DxfEntity& entity, const Place& place, const Vec2& p) const {
+        const Vec2 at = place.motion * p;
+        if (!(at.cwiseAbs().maxCoeff() <= farthest))
+            refuse(entity.line(), "a point further than 1e9 from the origin; scale or move the drawing");
+        return at;
+    }
+
+    /// Lines and points are drawn in space, the others in a plane that may be seen from below.
+    static Place plane_of(const DxfEntity& entity, Place place) {
+        const bool is_in_space =
+            entity.type() == "LINE" || entity.type() == "POINT" || (entity.type() == "POLYLINE" && entity.flags() & 8);
+        if (!is_in_space && entity.is_seen_from_below()) place.motion.linear().col(0) *= -1;
+        return place;
+    }
+
+    void add_path(const DxfEntity& entity, const DxfShape& shape, const Place& at) {
+        if (shape.points.empty()) return;
+        count(shape.points.size(), entity);
+        const Place place = plane_of(entity, at);
+        DrawnPath path{entity.layer(),
+                       place.group,
+                       Points2(static_cast<Eigen::Index>(shape.points.size()), 2),
+                       shape.is_closed,
+                       std::string(entity.type()),
+                       entity.line()};
+        for (std::size_t i = 0; i < shape.points.size(); ++i)
+            path.points.row(static_cast<Eigen::Index>(i)) = moved(entity, place, shape.points[i]);
+        drawing_.paths.push_back(std::move(path));
+    }
+
+    void add_point(const DxfEntity& entity, const Place& place) {
+        drawing_.points.push_back({entity.layer(), place.group, moved(entity, place, entity.point(10)),
+                                   entity.number(30), entity.number(39), entity.number(50)});
+    }
+
+    void add_text(const DxfEntity& entity, const Place& at) {
+        const Place place = plane_of(entity, at);
+        const bool is_aligned = entity.type() != "MTEXT" && (entity.number(72) != 0 || entity.number(73) != 0);
+        std::string text;
+        for (const DxfTag& tag : entity.tags().subspan(1))
+            if (tag.code == 1 || (tag.code == 3 && entity.type() == "MTEXT")) text += tag.value;
+        drawing_.texts.push_back({entity.layer(), place.group, readable_name(text),
+                                  moved(entity, place, entity.point(is_aligned ? 11 : 10)), entity.number(40),
+                                  entity.number(50)});
+    }
+
+    void insert(const DxfEntity& entity, const Place& at) {
+        const auto found = blocks_.find(readable_name(entity.text(2)));
+        if (found == blocks_.end())
+            refuse(entity.line(), "INSERT of " + shown(entity.text(2)) +
+                                      ", expected a block of the file; export the drawing with its blocks");
+        if (at.depth == deepest)
+            refuse(entity.line(),
+                   "blocks in blocks more than " + std::to_string(deepest) + " deep, or one in itself; explode them");
+        Block& block = found->second;
+        block.is_used = true;
+        Place place = plane_of(entity, at);
+        ++place.depth;
+        const int columns = std::max(1, entity.flags(70)), rows = std::max(1, entity.flags(71));
+        for (int row = 0; row < rows; ++row)
+            for (int column = 0; column < columns; ++column) {
+                count(1, entity);
+                if (at.group < 0) {
+                    place.group = static_cast<int>(drawing_.groups.size());
+                    drawing_.groups.push_back({found->first, entity.layer(), 1, entity.line()});
+                }
+                const Vec2 cell(column * entity.number(44), row * entity.number(45));
+                Place inside = place;
+                inside.motion = place.motion * Eigen::Translation2d(entity.point(10)) *
+                                Eigen::Rotation2Dd(entity.number(50) * degree) * Eigen::Translation2d(cell) *
+                                Eigen::Scaling(entity.number(41, 1), entity.number(42, 1)) *
+                                Eigen::Translation2d(-block.base);
+                draw(block.tags, inside);
+            }
+    }
+
+    const std::string& name_;
+    std::vector<DxfTag> tags_;
+    DxfTagSpan entities_;
+    bool has_entities_ = false;
+    std::map<std::string, Block> blocks_;
+    PatternDrawing drawing_;
+    std::size_t drawn_ = 0, most_ = 0;
+};
+
+}  // namespace
+
+PatternDrawing read_dxf(std::istream& in, const std::string& name) {
+    const std::string text = text_of(read_bytes(in, name), name);
+    return Reader(text, name).read();
+}
+
+}  // namespace ripstop

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ripstop/geometry/types.h"
+
+namespace ripstop {
+
+/// A group of a DXF: its code and its value, without blanks at the ends. `text` of `DxfTags` must outlive it.
+struct DxfTag {
+    int code = 0;
+    long line = 0;  ///< of the code
+    std::string_view value;
+};
+
+using DxfTagSpan = std::span<const DxfTag>;
+
+/// All groups of an ASCII DXF, the last being EOF. Throws InputError with `name`, the line, what was found and what to do for
+/// a code that is no whole number, a file that ends before EOF, a binary DXF and a DWG. O(size).
+std::vector<DxfTag> read_dxf_tags(std::string_view text, const std::string& name);
+
+/// One entity, from its code 0 to the next.
+class DxfEntity {
+  public:
+    DxfEntity(DxfTagSpan tags, const std::string& name) : tags_(tags), name_(name) {}
+
+    std::string_view type() const { return tags_.front().value; }
+    long line() const { return tags_.front().line; }
+    DxfTagSpan tags() const { return tags_; }
+    /// The first value of a code; empty where there is none.
+    std::string_view text(int code) const;
+    std::string layer() const;
+    /// Throws InputError where it is no number or larger than a number of a drawing can be (1e9).
+    double number(int code, double otherwise = 0) const;
+    double number(const DxfTag& tag) const;
+    int flags(int code = 70) const;
+    /// `code` and `code` + 10.
+    Vec2 point(int code) const { return {number(code), number(code + 10)}; }
+    /// Entities drawn in a plane seen from below have their x counted backwards (extrusion 0, 0, -1).
+    bool is_seen_from_below() const { return number(230, 1) < 0; }
+
+  private:
+    const DxfTag* find(int code) const;
+
+    DxfTagSpan tags_;
+    const std::string& name_;
+};
+
+/// The entity that begins at `tags`.
+DxfEntity first_entity(DxfTagSpan tags, const std::string& name);
+
+}  // namespace ripstop

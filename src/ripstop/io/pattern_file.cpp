@@ -1,0 +1,20 @@
+#include "ripstop/io/pattern_file.h"
+
+#include "ripstop/base/error.h"
+#include "ripstop/io/dxf_read.h"
+#include "ripstop/io/input_file.h"
+#include "ripstop/io/svg_read.h"
+
+namespace ripstop {
+
+PatternDrawing read_pattern_file(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (extension != ".dxf" && extension != ".svg")
+        throw InputError(path.string() + ": no pattern file by its name, expected .dxf or .svg; export it as one");
+    std::ifstream in = open_input(path);
+    return extension == ".dxf" ? read_dxf(in, path.string()) : read_svg(in, path.string());
+}
+
+}  // namespace ripstop

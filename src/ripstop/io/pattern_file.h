@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "ripstop/model/pattern_drawing.h"
+
+namespace ripstop {
+
+/// Reads a pattern file of anyone's, .dxf or .svg by its extension. Throws InputError as `read_dxf` and `read_svg`, for another
+/// extension, and for a file that cannot be opened.
+PatternDrawing read_pattern_file(const std::filesystem::path& path);
+
+}  // namespace ripstop

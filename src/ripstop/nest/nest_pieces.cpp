@@ -1,0 +1,267 @@
+#include "ripstop/nest/nest_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "ripstop/base/error.h"
+#include "ripstop/base/number_text.h"
+#include "ripstop/base/parallel.h"
+#include "ripstop/base/units.h"
+#include "ripstop/geometry/polygon.h"
+#include "ripstop/nest/contact_table.h"
+#include "ripstop/nest/search_order.h"
+#include "ripstop/nest/slide_together.h"
+#include "ripstop/nest/strip.h"
+
+namespace ripstop {
+namespace {
+
+constexpr int rows_across = 200;
+constexpr int profile_rows = 2;       // to a row
+constexpr int fine_profile_rows = 8;  // to a row, where shapes are few
+constexpr int few_shapes = 80;
+constexpr int fine = 24;          // rows to a row when all slide together at the end
+constexpr int most_shapes = 600;  // laid together: their contact table takes some 300 MB
+constexpr double most_copies = 50000;
+constexpr double rounding = 1e-9;  // [m]
+
+std::string in_millimetres(double length) {
+    return format_fixed(length / millimetre, 0) + " mm";
+}
+
+/// What is laid: a piece or its mirror image, and how often.
+struct Kind {
+    std::size_t piece;
+    bool mirrored;
+    int copies;
+};
+
+class Nester {
+  public:
+    Nester(const PieceSet& set, const NestOptions& options, double width)
+        : set_(set), options_(options), width_(width), row_height_(width / rows_across) {}
+
+    /// Lays one fabric and colour.
+    Marker lay(const std::vector<Kind>& kinds, std::vector<Refusal>& refusals) {
+        Marker marker;
+        marker.roll_width = width_;
+        const std::size_t ways = turns().size() * (options_.may_flip ? 2 : 1);
+        profile_rows_ = kinds.size() * ways <= few_shapes ? fine_profile_rows : profile_rows;
+        strip_ = new_strip(0);
+        for (const Kind& kind : kinds) {
+            const std::size_t before = strip_.shapes.size();
+            add_shapes(kind, refusals);
+            if (strip_.shapes.size() == before) continue;
+            strip_.first_shape.push_back(static_cast<int>(strip_.shapes.size()));
+            kinds_.push_back(kind);
+            if (strip_.shapes.size() >= most_shapes) lay_batch(marker);
+        }
+        lay_batch(marker);
+        number_copies(marker);
+        measure_parts(marker);
+        return marker;
+    }
+
+  private:
+    Strip new_strip(double start) const {
+        Strip strip;
+        strip.start = start;
+        strip.gap = options_.gap;
+        strip.joins.lengths = options_.part_lengths;
+        strip.first_shape = {0};
+        return strip;
+    }
+
+    std::vector<double> turns() const {
+        std::vector<double> turns{0};
+        if (options_.grain_tolerance > 0) turns = {0, options_.grain_tolerance, -options_.grain_tolerance};
+        if (options_.may_turn)
+            for (std::size_t i = 0, count = turns.size(); i < count; ++i) turns.push_back(std::numbers::pi + turns[i]);
+        return turns;
+    }
+
+    /// Where all shapes' rows start, below any point of theirs.
+    double base() const { return -2 * (options_.gap / 2 + millimetre); }
+
+    LaidShape make_shape(const Kind& kind, double turn, bool face_down) const {
+        const Placement placement{kind.piece, 1, kind.mirrored, face_down, turn, Vec2::Zero()};
+        Points2 outline = placement.placed(set_.pieces[kind.piece].outline());
+        LaidShape shape{static_cast<int>(kinds_.size()), turn, face_down};
+        shape.corner = outline.colwise().minCoeff();
+        outline.rowwise() -= shape.corner.transpose();
+        shape.size = outline.colwise().maxCoeff();
+        shape.area = std::abs(signed_area(outline));
+        shape.last_row = static_cast<int>(std::floor((width_ - shape.size.y() + rounding) / row_height_));
+        shape.grown = std::move(outline);  // where it fits, that is to come
+        return shape;
+    }
+
+    void add_shape(LaidShape shape) {
+        shape.grown = grown_outline(shape.grown, options_.gap / 2);
+        shape.profile = make_row_profile(shape.grown, base(), row_height_ / profile_rows_);
+        strip_.shapes.push_back(shape);
+        // The same with its upper end at the cloth's: rows alone would leave up to one of them free there.
+        const double profile_row = row_height_ / profile_rows_;
+        const double rest = width_ - shape.size.y() - shape.last_row * row_height_;
+        shape.lift = std::floor(rest / profile_row) * profile_row;
+        if (profile_rows_ < fine_profile_rows || shape.lift <= 0) return;
+        shape.grown.col(1).array() += shape.lift;
+        shape.profile = make_row_profile(shape.grown, base(), profile_row);
+        strip_.shapes.push_back(std::move(shape));
+    }
+
+    void add_shapes(const Kind& kind, std::vector<Refusal>& refusals) {
+        double narrowest = std::numeric_limits<double>::infinity(), shortest = narrowest;
+        for (const double turn : turns())
+            for (int face_down = 0; face_down <= (options_.may_flip ? 1 : 0); ++face_down) {
+                LaidShape shape = make_shape(kind, turn, face_down == 1);
+                narrowest = std::min(narrowest, shape.size.y());
+                shortest = std::min(shortest, shape.size.x());
+                if (shape.last_row >= 0 && shape.size.x() <= longest()) add_shape(std::move(shape));
+            }
+        const std::string& name = set_.pieces[kind.piece].name;
+        if (narrowest > width_ + rounding)
+            refusals.push_back({name, "is " + in_millimetres(narrowest) + " wide across the warp, the roll " +
+                                          in_millimetres(width_) + "; divide it, turn its grain or take a wider roll"});
+        else if (shortest > longest())
+            refusals.push_back({name, "is " + in_millimetres(shortest) + " long, the cloth without a join " +
+                                          in_millimetres(longest()) + "; divide it or take a longer roll"});
+    }
+
+    /// Only the last part comes again and again; earlier ones may be full when a piece's turn comes.
+    double longest() const {
+        return options_.part_lengths.empty() ? std::numeric_limits<double>::infinity() : options_.part_lengths.back();
+    }
+
+    void lay_batch(Marker& marker) {
+        if (kinds_.empty()) return;
+        std::vector<int> copies;
+        double height = 0;
+        for (std::size_t k = 0; k < kinds_.size(); ++k) {
+            copies.insert(copies.end(), static_cast<std::size_t>(kinds_[k].copies), static_cast<int>(k));
+            height += kinds_[k].copies * strip_.shapes[static_cast<std::size_t>(strip_.first_shape[k])].size.y();
+        }
+        if (!copies.empty()) {
+            const double lanes = width_ * static_cast<double>(copies.size()) / height;
+            strip_.reach = std::clamp(static_cast<int>(std::ceil(4 * lanes)), 12, 60);
+            add_best(copies, marker);
+        }
+        kinds_.clear();
+        strip_ = new_strip(marker.length > 0 ? marker.length + options_.gap : 0);
+    }
+
+    void add_best(const std::vector<int>& copies, Marker& marker) {
+        const ContactTable contacts(strip_.shapes, profile_rows_, options_.threads);
+        std::vector<std::vector<Placement>> found(static_cast<std::size_t>(options_.starts));
+        std::vector<double> lengths(found.size());
+        parallel_for(options_.starts, options_.threads, [&](int start) {
+            const auto s = static_cast<std::size_t>(start);
+            std::vector<PlacedItem> items =
+                search_order(strip_, contacts, copies, {options_.rounds, static_cast<std::uint32_t>(start + 1)});
+            slide_together(strip_, {base(), row_height_ / fine, fine}, items);
+            for (const PlacedItem& item : items) lengths[s] = std::max(lengths[s], strip_.end(item));
+            found[s] = placements_of(items);
+        });
+        const auto best = static_cast<std::size_t>(std::min_element(lengths.begin(), lengths.end()) - lengths.begin());
+        marker.length = lengths[best];
+        const std::vector<Placement>& placements = found[best];
+        marker.placements.insert(marker.placements.end(), placements.begin(), placements.end());
+        for (const int kind : copies)
+            marker.net_area +=
+                strip_.shapes[static_cast<std::size_t>(strip_.first_shape[static_cast<std::size_t>(kind)])].area;
+    }
+
+    std::vector<Placement> placements_of(const std::vector<PlacedItem>& items) const {
+        std::vector<Placement> placements;
+        for (const PlacedItem& item : items) {
+            const LaidShape& shape = strip_.shape(item);
+            const Kind& kind = kinds_[static_cast<std::size_t>(shape.kind)];
+            placements.push_back({kind.piece, 1, kind.mirrored, shape.face_down, shape.turn,
+                                  Vec2(item.x, item.row * row_height_ + shape.lift) - shape.corner});
+        }
+        return placements;
+    }
+
+    /// Copies are counted from the start of the roll on.
+    void number_copies(Marker& marker) const {
+        const auto begins = [this](const Placement& placement) {
+            return placement.placed(set_.pieces[placement.piece].outline()).col(0).minCoeff();
+        };
+        std::vector<std::pair<double, Placement>> in_order;
+        for (const Placement& placement : marker.placements) in_order.emplace_back(begins(placement), placement);
+        std::stable_sort(in_order.begin(), in_order.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::map<std::size_t, int> copies;
+        for (std::size_t i = 0; i < in_order.size(); ++i) {
+            marker.placements[i] = in_order[i].second;
+            marker.placements[i].copy = ++copies[marker.placements[i].piece];
+        }
+    }
+
+    void measure_parts(Marker& marker) const {
+        const Joins joins{options_.part_lengths};
+        for (double start = 0; start < marker.length;) {
+            const double end = joins.after(start);
+            RollPart part{start, std::isfinite(end) ? end - start : marker.length - start, 0};
+            for (const Placement& placement : marker.placements) {
+                const double last = placement.placed(set_.pieces[placement.piece].outline()).col(0).maxCoeff();
+                if (last <= end + rounding) part.used = std::max(part.used, last - start);
+            }
+            marker.parts.push_back(part);
+            start = end;
+        }
+    }
+
+    const PieceSet& set_;
+    const NestOptions& options_;
+    double width_, row_height_;
+    int profile_rows_ = 1;     ///< to a row
+    std::vector<Kind> kinds_;  ///< of the batch
+    Strip strip_;              ///< of the batch
+};
+
+void require_sound(const NestOptions& options) {
+    const auto is_length = [](double value) { return std::isfinite(value) && value > 0 && value < 1e6; };
+    if (options.roll_width && !is_length(*options.roll_width))
+        throw InputError("a roll width of " + format_shortest(*options.roll_width) +
+                         " m; expected a length, as 1500mm");
+    if (!(options.gap >= 0) || options.gap > 1) throw InputError("a gap between pieces beyond 0 to 1 m");
+    if (!(options.grain_tolerance >= 0) || options.grain_tolerance > 0.5)
+        throw InputError("a grain tolerance beyond 0 to 28 degrees; the grain would mean nothing");
+    for (const double length : options.part_lengths)
+        if (!is_length(length)) throw InputError("a roll length that is none; expected one as 100m");
+}
+
+}  // namespace
+
+Markers nest_pieces(const PieceSet& set, const NestOptions& options) {
+    require_sound(options);
+    std::map<std::pair<std::string, std::string>, std::vector<Kind>> cloths;
+    double copies = 0;
+    for (const PatternPiece& piece : set.pieces) copies += double(piece.quantity) + piece.quantity_mirrored;
+    if (copies > most_copies)
+        throw InputError("the quantities of the pieces add up to " + format_fixed(copies, 0) +
+                         ", expected no more than " + format_fixed(most_copies, 0) + "; lay them in several plans");
+    for (std::size_t i = 0; i < set.pieces.size(); ++i) {
+        const PatternPiece& piece = set.pieces[i];
+        if (piece.outline().rows() < 3) continue;
+        std::vector<Kind>& kinds = cloths[{piece.fabric, piece.colour}];
+        if (piece.quantity > 0) kinds.push_back({i, false, piece.quantity});
+        if (piece.quantity_mirrored > 0) kinds.push_back({i, true, piece.quantity_mirrored});
+    }
+    Markers result;
+    for (const auto& [cloth, kinds] : cloths) {
+        const double width = options.roll_width.value_or(set.fabric(cloth.first).roll_width);
+        Marker marker = Nester(set, options, width).lay(kinds, result.refusals);
+        if (marker.placements.empty()) continue;
+        marker.fabric = cloth.first;
+        marker.colour = cloth.second;
+        result.markers.push_back(std::move(marker));
+    }
+    return result;
+}
+
+}  // namespace ripstop

@@ -1,0 +1,126 @@
+#include "ripstop/io/svg_read.h"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+#include <sstream>
+
+#include "ripstop/base/error.h"
+#include "ripstop/geometry/polygon.h"
+#include "ripstop/io/svg.h"
+#include "ripstop/pattern/check_drawing.h"
+#include "support/dxf_pieces.h"
+
+namespace ripstop {
+namespace {
+
+using ::testing::HasSubstr;
+
+PatternDrawing read(const std::string& text) {
+    std::istringstream in(text);
+    return read_svg(in, "a.svg");
+}
+
+PatternDrawing read_body(const std::string& body) {
+    return read("<svg width='100mm' viewBox='0 0 100 50'>" + body + "</svg>");
+}
+
+std::string refusal(const std::string& text) {
+    try {
+        read(text);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(ReadSvg, TakesPathsWithEveryCommandOfStraightLines) {
+    const PatternDrawing found = read_body("<path class='cut' d='M10-5l5,0 0 1.5.5e1 0h-2.5V2zm1 1L2 3'/>");
+    ASSERT_EQ(found.paths.size(), 2U);
+    Points2 expected(6, 2);
+    expected << 10, 5, 15, 5, 15, 3.5, 20, 3.5, 17.5, 3.5, 17.5, -2;
+    EXPECT_EQ(found.paths[0].points, expected) << "y up";
+    EXPECT_TRUE(found.paths[0].is_closed);
+    EXPECT_EQ(found.paths[0].layer, "cut");
+    EXPECT_EQ(found.paths[1].points, (Points2(2, 2) << 11, 4, 2, -3).finished()) << "m after z is from its start";
+}
+
+TEST(ReadSvg, SamplesCurvesThroughTheirEnds) {
+    // A quarter circle by the usual cubic, right within 2.7e-4 of the radius; 16 chords are short by 4e-4 more.
+    const PatternDrawing found = read_body("<path d='M1 0C1 .5522847498 .5522847498 1 0 1'/>");
+    double length = 0;
+    const Points2& points = found.paths.at(0).points;
+    for (Eigen::Index i = 1; i < points.rows(); ++i) length += (points.row(i) - points.row(i - 1)).norm();
+    EXPECT_NEAR(length, std::numbers::pi / 2, 1e-3);
+    EXPECT_EQ(points.row(points.rows() - 1), Eigen::RowVector2d(0, -1));
+}
+
+TEST(ReadSvg, MovesWhatIsTransformedAndKnowsGroupsAndLayers) {
+    const PatternDrawing found = read_body(
+        "<g inkscape:groupmode='layer' inkscape:label='CUT'><g id='P1' transform='translate(10,20) rotate(90)'>"
+        "<rect width='2' height='1' transform='scale(2)'/></g></g>"
+        "<g id='ref' transform='matrix(0 1 -1 0 5 0)'><line x1='1' y1='2' x2='3' y2='2'/></g>");
+    ASSERT_EQ(found.paths.size(), 2U);
+    EXPECT_EQ(found.paths[0].layer, "CUT");
+    ASSERT_EQ(found.groups.size(), 2U);
+    EXPECT_EQ(found.groups[static_cast<std::size_t>(found.paths[0].group)].name, "P1");
+    Points2 expected(4, 2);
+    expected << 10, -20, 10, -24, 8, -24, 8, -20;
+    EXPECT_LT((found.paths[0].points - expected).norm(), 1e-12);
+    EXPECT_LT((found.paths[1].points - (Points2(2, 2) << 3, -1, 3, -3).finished()).norm(), 1e-12);
+}
+
+TEST(ReadSvg, SaysItsUnitOnlyWhereItHasOne) {
+    EXPECT_EQ(read("<svg width='210mm' viewBox='0 0 210 297'/>").units.at(0).unit.name, "mm");
+    EXPECT_EQ(read("<svg width='10in' viewBox='0 0 254 1'/>").units.at(0).unit.name, "mm");
+    EXPECT_DOUBLE_EQ(read("<svg width='10in' viewBox='0 0 960 1'/>").units.at(0).unit.metres, 0.0254 / 96);
+    EXPECT_DOUBLE_EQ(read("<svg width='10mm'/>").units.at(0).unit.metres, 0.0254 / 96);
+    EXPECT_TRUE(read("<svg width='210' viewBox='0 0 210 297'/>").units.empty());
+    EXPECT_TRUE(read("<svg width='100%'/>").units.empty());
+}
+
+TEST(ReadSvg, NamesWhatItDoesNotReadAndLeavesOutWhatIsNotDrawn) {
+    const PatternDrawing found =
+        read_body("<defs><path d='M0 0L1 1'/></defs><use href='#a'/><path class='cut' d='M0 0A1 1 0 0 1 2 0'/>");
+    ASSERT_EQ(found.unread.size(), 2U);
+    EXPECT_EQ(found.unread[0].kind, "use");
+    EXPECT_EQ(found.unread[1].kind, "path");
+    EXPECT_TRUE(found.paths.empty());
+}
+
+TEST(ReadSvg, RefusesWithThePlaceWhatItCannotUse) {
+    EXPECT_THAT(refusal("<svg><path"), HasSubstr("a.svg: byte "));
+    EXPECT_THAT(refusal("<html/>"), HasSubstr("expected svg"));
+    EXPECT_THAT(refusal("<svg width='1e28cm' viewBox='0 0 1 1'/>"), HasSubstr("expected less than 10 m"));
+    EXPECT_THAT(refusal("<svg><path d='L1 1'/></svg>"), HasSubstr("expected M at its start"));
+    EXPECT_THAT(refusal("<svg><path d='M1 x'/></svg>"), HasSubstr("expected a number"));
+    EXPECT_THAT(refusal("<svg><path d='M1 1e99'/></svg>"), HasSubstr("within 1e9"));
+    EXPECT_THAT(refusal("<svg><g transform='turn(3)'/></svg>"), HasSubstr("expected one of SVG"));
+    std::string deep = "<svg>";
+    for (int i = 0; i < 300; ++i) deep += "<g>";
+    for (int i = 0; i < 300; ++i) deep += "</g>";
+    EXPECT_THAT(refusal(deep + "</svg>"), HasSubstr("256 deep"));
+}
+
+TEST(ReadSvg, FindsEveryPieceOfOurOwnWhereItWas) {
+    const std::vector<PatternPiece> pieces = testing::sample_pieces();
+    std::stringstream svg;
+    write_svg(svg, pieces);
+    const DrawingCheck check = check_drawing(read_svg(svg, "a.svg"));
+    EXPECT_TRUE(check.sound()) << check.issues.front().message;
+    ASSERT_TRUE(check.square.has_value());
+    EXPECT_NEAR(*check.square, 0.1, 1e-9);
+    std::size_t cut = 0;
+    for (const DrawingContour& contour : check.contours) {
+        if (!contour.is_cut) continue;
+        const PatternPiece& piece = pieces.at(cut++);
+        EXPECT_EQ(contour.piece, piece.name);
+        // Three decimals: each coordinate is off by up to 0.5 um.
+        EXPECT_NEAR(contour.area, signed_area(piece.cut_line), 1e-6 * contour.perimeter);
+        EXPECT_NEAR(contour.perimeter, perimeter(piece.cut_line), 1e-5);
+    }
+    EXPECT_EQ(cut, pieces.size());
+}
+
+}  // namespace
+}  // namespace ripstop
