@@ -243,6 +243,14 @@ TEST_F(HtmlReport, SaysTheVerdictWithoutScripts) {
     EXPECT_THAT(noscript, HasSubstr("1 of 2"));
 }
 
+TEST_F(HtmlReport, TakesTheRollInAndTheNextInItsPlace) {
+    const std::string text = page(testing::two_tile_plan());
+    const std::string first = with_roll(text, "{\"markers\": []}");
+    EXPECT_EQ(inflated(decoded(between(first, "id=\"ripstop-roll\">", "</script>"))), "{\"markers\": []}");
+    EXPECT_EQ(with_roll(first, "{}"), with_roll(text, "{}"));
+    EXPECT_EQ(with_roll("another page", "{}"), "another page");
+}
+
 TEST_F(HtmlReport, LoadsNothing) {
     const std::string text = page(testing::two_tile_plan());
     EXPECT_THAT(text, HasSubstr("default-src 'none'"));

@@ -1,13 +1,19 @@
 // The reports that are looked at, written by the program once a run.
 import { spawnSync } from 'node:child_process';
 import { existsSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 
 const { RIPSTOP_PROGRAM: program, RIPSTOP_SHARED: shared, RIPSTOP_WORK: work } = process.env;
 
 function ripstop(...args) {
     const run = spawnSync(program, args, { cwd: work, encoding: 'utf8' });
     if (![0, 1].includes(run.status)) throw new Error(`ripstop ${args.join(' ')}: ${run.stderr}`);
+}
+
+// The same with its pieces on the roll.
+export function nested(page) {
+    ripstop('nest', dirname(page), '--effort', '2', '--force', '--quiet');
+    return page;
 }
 
 function flattened(name, input, ...options) {

@@ -1,4 +1,5 @@
-// What the program put into the page, unpacked: report.json as it is, and the shapes (src/ripstop/report/page_shapes.h).
+// What the program put into the page, unpacked: report.json as it is, the shapes (src/ripstop/report/page_shapes.h) and, once `nest` was
+// run, marker.json.
 function bytesOf(id) {
     const text = document.getElementById(id).textContent.trim();
     if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
@@ -112,7 +113,8 @@ export async function readModel() {
     });
     for (const tile of tiles) tile.sides.sort((one, other) => one.first - other.first);
     for (const shape of shapes.pieces) tiles[shape.tile].piece = pieceOf(shape, arrays);
-    return { report, tiles, seams };
+    const roll = document.getElementById('ripstop-roll').textContent ? JSON.parse(new TextDecoder().decode(await inflated('ripstop-roll'))) : null;
+    return { report, tiles, seams, roll };
 }
 
 // The points of a side of a seam along its tile's boundary: `columns` numbers each, out of `positions`.

@@ -11,6 +11,7 @@ import { clothValue, mapOf, mapsOf } from './maps.js';
 import { paletteNames } from './palette.js';
 import { panelContent, spoken } from './panel.js';
 import { pieceView } from './piece_view.js';
+import { rollView } from './roll_view.js';
 import { makeState } from './state.js';
 import { basis, seamTable, tileTable } from './tables.js';
 import { failingSeams, failingTiles, verdictView } from './verdict.js';
@@ -84,7 +85,7 @@ function start(model) {
         html('main', {},
             html('div', { class: 'work' }, list.element,
                 html('section', { class: 'space', 'aria-label': 'The envelope' }, tools, holder, legendPlace, hint), panel),
-            printed, tiles.element, model.seams.length > 0 && seams.element, basis(model)), tip, live);
+            printed, rollView(model, onTile), tiles.element, model.seams.length > 0 && seams.element, basis(model)), tip, live);
     const view = envelopeView(shape, holder);
     const { canvas } = view;
     if (view.isPlain) hint.prepend('This browser has no WebGL: the envelope is drawn more plainly. ');

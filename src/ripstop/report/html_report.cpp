@@ -67,4 +67,12 @@ std::string html_report(const CutPlan& plan, const std::vector<PatternPiece>& pi
     return result.append(page.substr(from));
 }
 
+std::string with_roll(const std::string& page, const std::string& marker_json) {
+    constexpr std::string_view before = "id=\"ripstop-roll\">", after = "</script>";
+    const std::size_t at = page.find(before);
+    if (at == std::string::npos) return page;
+    const std::size_t start = at + before.size();
+    return page.substr(0, start) + base64(deflated(marker_json)) + page.substr(page.find(after, start));
+}
+
 }  // namespace ripstop

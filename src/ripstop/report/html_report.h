@@ -19,6 +19,10 @@ namespace ripstop {
 std::string html_report(const CutPlan& plan, const std::vector<PatternPiece>& pieces,
                         const std::vector<StrainMap>& strains);
 
+/// The page with the roll shown in it: `marker_json` in the place of the one before, if any. A page without that place is
+/// returned as it is.
+std::string with_roll(const std::string& page, const std::string& marker_json);
+
 /// Bytes in base64 [RFC 4648], padded, in one line.
 std::string base64(std::string_view bytes);
 
