@@ -21,7 +21,8 @@ const dress = join(shared, 'dress', 'dress_knife_drape_3d.obj');
 export const reports = {
     // The designed balloon: 24 gores of 15 panels, all of them good.
     designed() {
-        if (!existsSync(join(work, 'balloon.obj'))) ripstop('design', 'natural', '-o', 'balloon.obj', '--gores', '24', '--panels', '15');
+        if (!existsSync(join(work, 'balloon.obj')))
+            ripstop('design', 'natural', '-o', 'balloon.obj', '--gores', '24', '--panels', '15');
         return flattened('designed', 'balloon.obj', '--fabric', 'nylon');
     },
     // A draped dress: panels that cannot be made, with seams proposed.

@@ -16,12 +16,25 @@ function skip(reason) {
 }
 
 if (!existsSync(chromium)) skip(`no browser at ${chromium} (Debian: chromium); RIPSTOP_CHROMIUM names another`);
-if (!existsSync(join(here, '../../apps/report/node_modules/playwright-core'))) skip('no playwright-core; make setup installs it');
+if (!existsSync(join(here, '../../apps/report/node_modules/playwright-core')))
+    skip('no playwright-core; make setup installs it');
 
 const work = mkdtempSync(join(tmpdir(), 'ripstop-report-'));
-const env = { ...process.env, RIPSTOP_PROGRAM: resolve(program), RIPSTOP_SHARED: resolve(shared), RIPSTOP_WORK: work, RIPSTOP_CHROMIUM: chromium };
+const env = {
+    ...process.env,
+    RIPSTOP_PROGRAM: resolve(program),
+    RIPSTOP_SHARED: resolve(shared),
+    RIPSTOP_WORK: work,
+    RIPSTOP_CHROMIUM: chromium,
+};
 delete env.NODE_TEST_CONTEXT;
-const files = readdirSync(here).filter((name) => name.endsWith('.test.mjs')).sort().map((name) => join(here, name));
-const run = spawnSync(process.execPath, ['--test', '--test-reporter=spec', '--test-concurrency=1', ...files], { env, stdio: 'inherit' });
+const files = readdirSync(here)
+    .filter((name) => name.endsWith('.test.mjs'))
+    .sort()
+    .map((name) => join(here, name));
+const run = spawnSync(process.execPath, ['--test', '--test-reporter=spec', '--test-concurrency=1', ...files], {
+    env,
+    stdio: 'inherit',
+});
 rmSync(work, { recursive: true, force: true });
 process.exit(run.status ?? 1);

@@ -51,7 +51,7 @@ class Arrays {
 
     line(number) {
         const places = this.summed(Int32Array, number, 2);
-        return Float64Array.from(places, (place) => place / 100);  // mm
+        return Float64Array.from(places, (place) => place / 100); // mm
     }
 }
 
@@ -75,7 +75,7 @@ function tileOf(index, said, shape, arrays, fabrics) {
         edgeError: arrays.map(shape.edge_error),
         tension: arrays.map(shape.tension),
         limits: { strain: shape.strain_limit, shear: shape.shear_limit },
-        sides: [],  // the seams along it: { seam, side }
+        sides: [], // the seams along it: { seam, side }
         piece: null,
     };
 }
@@ -119,8 +119,12 @@ export async function readModel() {
 export function sidePoints(tile, side, positions, columns) {
     const { loop } = tile;
     const at = (edge, share) => {
-        const a = loop[edge % loop.length] * columns, b = loop[(edge + 1) % loop.length] * columns;
-        return Array.from({ length: columns }, (_, k) => positions[a + k] + share * (positions[b + k] - positions[a + k]));
+        const a = loop[edge % loop.length] * columns,
+            b = loop[(edge + 1) % loop.length] * columns;
+        return Array.from(
+            { length: columns },
+            (_, k) => positions[a + k] + share * (positions[b + k] - positions[a + k]),
+        );
     };
     const last = side.first + side.count - 1;
     const points = [at(side.first, side.from)];

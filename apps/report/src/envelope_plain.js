@@ -6,8 +6,15 @@ import { fillTriangle, makeImage } from './raster.js';
 export function makeEnvelopePlain(shape, canvas) {
     const { model } = shape;
     const context = canvas.getContext('2d');
-    let azimuth = 0.5, height = 0.25, magnified = 1, waiting = false;
-    let shades = null, table = null, chosen = [], marked = [], proposed = [];
+    let azimuth = 0.5,
+        height = 0.25,
+        magnified = 1,
+        waiting = false;
+    let shades = null,
+        table = null,
+        chosen = [],
+        marked = [],
+        proposed = [];
     let focus = shape.centre;
 
     // What every point is projected by: asked of the page once a picture, for asking takes longer than drawing.
@@ -15,13 +22,21 @@ export function makeEnvelopePlain(shape, canvas) {
     const takeLook = () => {
         const { clientWidth: width, clientHeight: high } = canvas;
         look = {
-            sin: Math.sin(azimuth), cos: Math.cos(azimuth), sinHeight: Math.sin(height), cosHeight: Math.cos(height),
-            x: width / 2, y: high / 2, scale: (magnified * 0.47 * Math.min(width, high)) / shape.radius,
+            sin: Math.sin(azimuth),
+            cos: Math.cos(azimuth),
+            sinHeight: Math.sin(height),
+            cosHeight: Math.cos(height),
+            x: width / 2,
+            y: high / 2,
+            scale: (magnified * 0.47 * Math.min(width, high)) / shape.radius,
         };
     };
     const project = (point) => {
-        const x = point[0] - focus[0], y = point[1] - focus[1], z = point[2] - focus[2];
-        const across = x * look.cos - z * look.sin, towards = x * look.sin + z * look.cos;
+        const x = point[0] - focus[0],
+            y = point[1] - focus[1],
+            z = point[2] - focus[2];
+        const across = x * look.cos - z * look.sin,
+            towards = x * look.sin + z * look.cos;
         const up = y * look.cosHeight - towards * look.sinHeight;
         return [look.x + look.scale * across, look.y - look.scale * up, towards * look.cosHeight + y * look.sinHeight];
     };
@@ -29,7 +44,8 @@ export function makeEnvelopePlain(shape, canvas) {
     // Triangles of three corners each, in the colours of their places; `ahead`: drawn as if nearer by so much.
     function fill(image, positions, triangleShades, ratio, ahead) {
         const colours = new Uint32Array(table.buffer);
-        const x = [0, 0, 0], y = [0, 0, 0];
+        const x = [0, 0, 0],
+            y = [0, 0, 0];
         for (let t = 0; t < triangleShades.length; ++t) {
             let depth = ahead;
             for (let k = 0; k < 3; ++k) {
@@ -71,7 +87,9 @@ export function makeEnvelopePlain(shape, canvas) {
         if (shades.rim) fill(image, shape.rim.positions, shades.rim, ratio, 0.004 * shape.radius);
         context.putImageData(image.data, 0, 0);
         context.setTransform(ratio, 0, 0, ratio, 0, 0);
-        const seen = model.tiles.filter(({ frame: { normal } }) => project(focus.map((value, k) => value + normal[k]))[2] > 0);
+        const seen = model.tiles.filter(
+            ({ frame: { normal } }) => project(focus.map((value, k) => value + normal[k]))[2] > 0,
+        );
         stroke(seen.flatMap(outlineOf), 'rgb(31 41 51 / 0.4)', 1);
         stroke(marked, '#a50f2d', 2.5);
         stroke(proposed, '#111', 3, [8, 5]);
@@ -124,9 +142,14 @@ export function makeEnvelopePlain(shape, canvas) {
             // The ray through the pointer: where it meets the plane of the screen, from far before it.
             takeLook();
             const { sin, cos, sinHeight, cosHeight } = look;
-            const across = (x - look.x) / look.scale, up = (look.y - y) / look.scale;
-            const right = [cos, 0, -sin], towards = [sin * cosHeight, sinHeight, cos * cosHeight], upward = [-sin * sinHeight, cosHeight, -cos * sinHeight];
-            const origin = focus.map((value, k) => value + across * right[k] + up * upward[k] + 10 * shape.radius * towards[k]);
+            const across = (x - look.x) / look.scale,
+                up = (look.y - y) / look.scale;
+            const right = [cos, 0, -sin],
+                towards = [sin * cosHeight, sinHeight, cos * cosHeight],
+                upward = [-sin * sinHeight, cosHeight, -cos * sinHeight];
+            const origin = focus.map(
+                (value, k) => value + across * right[k] + up * upward[k] + 10 * shape.radius * towards[k],
+            );
             return pointedAt(shape, { origin, direction: towards.map((value) => -value) }, [x, y], project);
         },
         resize(width, height) {

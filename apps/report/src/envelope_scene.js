@@ -1,7 +1,22 @@
 // The envelope in 3D, by WebGL: drawn when something changes and not otherwise.
 import {
-    BufferAttribute, BufferGeometry, DataTexture, DoubleSide, GLSL3, Group, LineBasicMaterial, LineSegments, Mesh, PerspectiveCamera,
-    RawShaderMaterial, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer,
+    BufferAttribute,
+    BufferGeometry,
+    DataTexture,
+    DoubleSide,
+    GLSL3,
+    Group,
+    LineBasicMaterial,
+    LineSegments,
+    Mesh,
+    PerspectiveCamera,
+    RawShaderMaterial,
+    Raycaster,
+    Scene,
+    Sphere,
+    Vector2,
+    Vector3,
+    WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
@@ -47,7 +62,8 @@ function paletteTexture(id) {
 function facingOf(positions, index, t, into) {
     const corner = (k) => 3 * index[3 * t + k];
     const [a, b, c] = [corner(0), corner(1), corner(2)];
-    const e = [0, 1, 2].map((k) => positions[b + k] - positions[a + k]), f = [0, 1, 2].map((k) => positions[c + k] - positions[a + k]);
+    const e = [0, 1, 2].map((k) => positions[b + k] - positions[a + k]),
+        f = [0, 1, 2].map((k) => positions[c + k] - positions[a + k]);
     const normal = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
     const size = Math.hypot(...normal) || 1;
     for (let k = 0; k < 3; ++k) into[c + k] = Math.round((127 * normal[k]) / size);
@@ -68,8 +84,14 @@ function clothMesh({ positions, index, ids }, uniforms, sphere, offset) {
     });
     geometry.boundingSphere = sphere;
     const material = new RawShaderMaterial({
-        glslVersion: GLSL3, vertexShader, fragmentShader, uniforms, side: DoubleSide,
-        polygonOffset: true, polygonOffsetFactor: offset, polygonOffsetUnits: offset,
+        glslVersion: GLSL3,
+        vertexShader,
+        fragmentShader,
+        uniforms,
+        side: DoubleSide,
+        polygonOffset: true,
+        polygonOffsetFactor: offset,
+        polygonOffsetUnits: offset,
     });
     return new Mesh(geometry, material);
 }
@@ -82,14 +104,22 @@ function clothArrays(shape) {
     let first = 0;
     parts.forEach((part, i) => {
         const { space, firstTriangle } = tiles[i];
-        part.copies.forEach((vertex, v) => { for (let k = 0; k < 3; ++k) positions[3 * (first + v) + k] = space[3 * vertex + k]; });
-        part.index.forEach((vertex, k) => { index[3 * firstTriangle + k] = first + vertex; });
+        part.copies.forEach((vertex, v) => {
+            for (let k = 0; k < 3; ++k) positions[3 * (first + v) + k] = space[3 * vertex + k];
+        });
+        part.index.forEach((vertex, k) => {
+            index[3 * firstTriangle + k] = first + vertex;
+        });
         first += part.copies.length;
     });
     return { positions, index, ids: shape.ids };
 }
 
-const rimArrays = ({ positions, ids }) => ({ positions, ids, index: Uint32Array.from({ length: positions.length / 3 }, (_, i) => i) });
+const rimArrays = ({ positions, ids }) => ({
+    positions,
+    ids,
+    index: Uint32Array.from({ length: positions.length / 3 }, (_, i) => i),
+});
 
 function setShades(mesh, shades) {
     mesh.visible = shades !== null;
@@ -135,7 +165,8 @@ export function makeEnvelopeScene(shape, canvas) {
     const { model } = shape;
     const renderer = new WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: true });
     renderer.setClearColor(0xffffff);
-    const scene = new Scene(), group = new Group();
+    const scene = new Scene(),
+        group = new Group();
     scene.add(group);
     const uniforms = { palette: { value: null }, focus: { value: new Vector2(-1, -1) } };
     const sphere = new Sphere(new Vector3(...shape.centre), shape.radius);
@@ -143,8 +174,13 @@ export function makeEnvelopeScene(shape, canvas) {
     const rim = clothMesh(rimArrays(shape.rim), uniforms, sphere, 1);
     group.add(cloth, rim, thinLines(model));
     const failing = new WideLines(group, 0xa50f2d, 2.5, 1);
-    const proposed = new WideLines(group, 0x111111, 3, 2, { dashed: true, dashSize: shape.radius / 60, gapSize: shape.radius / 110 });
-    const casing = new WideLines(group, 0xffffff, 8, 3, { depthWrite: false }), chosen = new WideLines(group, 0x00734f, 4.5, 4);
+    const proposed = new WideLines(group, 0x111111, 3, 2, {
+        dashed: true,
+        dashSize: shape.radius / 60,
+        gapSize: shape.radius / 110,
+    });
+    const casing = new WideLines(group, 0xffffff, 8, 3, { depthWrite: false }),
+        chosen = new WideLines(group, 0x00734f, 4.5, 4);
     const camera = new PerspectiveCamera(32, 1, shape.radius / 100, shape.radius * 20);
     const controls = new OrbitControls(camera, canvas);
     controls.enableDamping = false;
@@ -153,7 +189,11 @@ export function makeEnvelopeScene(shape, canvas) {
 
     // Coarse while it moves, at four times the pixels once it rests: smooth edges at no price in speed.
     // Where even that is slow, as without a graphics card, coarser.
-    let waiting = false, tween = null, resting = 0, last = 0, coarse = 1;
+    let waiting = false,
+        tween = null,
+        resting = 0,
+        last = 0,
+        coarse = 1;
     const render = (share) => {
         const ratio = Math.min(3, window.devicePixelRatio * share);
         if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
@@ -176,10 +216,14 @@ export function makeEnvelopeScene(shape, canvas) {
 
     // Turns to look at a place from a direction; at once where motion is not wanted.
     const flyTo = (target, direction, distance, isInstant) => {
-        const end = { target: new Vector3(...target), place: new Vector3(...target).addScaledVector(new Vector3(...direction).normalize(), distance) };
+        const end = {
+            target: new Vector3(...target),
+            place: new Vector3(...target).addScaledVector(new Vector3(...direction).normalize(), distance),
+        };
         const start = { target: controls.target.clone(), offset: camera.position.clone().sub(controls.target) };
         const endOffset = end.place.clone().sub(end.target);
-        const began = performance.now(), lasting = isInstant || matchMedia('(prefers-reduced-motion: reduce)').matches ? 0 : 350;
+        const began = performance.now(),
+            lasting = isInstant || matchMedia('(prefers-reduced-motion: reduce)').matches ? 0 : 350;
         tween = () => {
             const share = lasting ? Math.min(1, (performance.now() - began) / lasting) : 1;
             const eased = share * share * (3 - 2 * share);
@@ -193,7 +237,8 @@ export function makeEnvelopeScene(shape, canvas) {
         };
         request();
     };
-    const wholeDistance = () => (shape.radius * 1.08) / Math.sin(((camera.fov / 2) * Math.PI) / 180) / Math.min(1, camera.aspect);
+    const wholeDistance = () =>
+        (shape.radius * 1.08) / Math.sin(((camera.fov / 2) * Math.PI) / 180) / Math.min(1, camera.aspect);
     const flyHome = (isInstant) => flyTo(shape.centre, [0.55, 0.28, 1], wholeDistance(), isInstant);
 
     const ray = new Raycaster();
@@ -222,12 +267,20 @@ export function makeEnvelopeScene(shape, canvas) {
             request();
         },
         mark(failingTiles, failingSeams) {
-            failing.show([...failingTiles.flatMap(outlineOf), ...failingSeams.flatMap((seam) => seamLine(model, seam))]);
+            failing.show([
+                ...failingTiles.flatMap(outlineOf),
+                ...failingSeams.flatMap((seam) => seamLine(model, seam)),
+            ]);
             proposed.show(failingTiles.flatMap((tile) => proposalLine(shape, tile)));
             request();
         },
         lookAt({ middle, normal, radius }) {
-            flyTo(middle, [normal[0], normal[1] * 0.8 + 0.05, normal[2]], Math.min(wholeDistance(), Math.max(6 * radius, 1.6 * shape.radius)), false);
+            flyTo(
+                middle,
+                [normal[0], normal[1] * 0.8 + 0.05, normal[2]],
+                Math.min(wholeDistance(), Math.max(6 * radius, 1.6 * shape.radius)),
+                false,
+            );
         },
         home: () => flyHome(false),
         turn(right, up) {
@@ -235,7 +288,10 @@ export function makeEnvelopeScene(shape, canvas) {
             const reach = offset.length();
             const azimuth = Math.atan2(offset.x, offset.z) + right;
             const height = Math.min(1.5, Math.max(-1.5, Math.asin(offset.y / reach) + up));
-            camera.position.set(Math.sin(azimuth) * Math.cos(height), Math.sin(height), Math.cos(azimuth) * Math.cos(height)).multiplyScalar(reach).add(controls.target);
+            camera.position
+                .set(Math.sin(azimuth) * Math.cos(height), Math.sin(height), Math.cos(azimuth) * Math.cos(height))
+                .multiplyScalar(reach)
+                .add(controls.target);
             controls.update();
             request();
         },
@@ -246,7 +302,12 @@ export function makeEnvelopeScene(shape, canvas) {
         },
         pointed(x, y) {
             ray.setFromCamera(new Vector2((x / canvas.clientWidth) * 2 - 1, 1 - (y / canvas.clientHeight) * 2), camera);
-            return pointedAt(shape, { origin: ray.ray.origin.toArray(), direction: ray.ray.direction.toArray() }, [x, y], project);
+            return pointedAt(
+                shape,
+                { origin: ray.ray.origin.toArray(), direction: ray.ray.direction.toArray() },
+                [x, y],
+                project,
+            );
         },
         resize(width, height) {
             const isFirst = camera.position.lengthSq() === 0;

@@ -19,7 +19,8 @@ function tileFrame(tile) {
     const normal = [0, 0, 0];
     for (let t = 0; t < triangles.length; t += 3) {
         const [a, b, c] = [triangles[t] * 3, triangles[t + 1] * 3, triangles[t + 2] * 3];
-        const e = [0, 1, 2].map((k) => space[b + k] - space[a + k]), f = [0, 1, 2].map((k) => space[c + k] - space[a + k]);
+        const e = [0, 1, 2].map((k) => space[b + k] - space[a + k]),
+            f = [0, 1, 2].map((k) => space[c + k] - space[a + k]);
         normal[0] += e[1] * f[2] - e[2] * f[1];
         normal[1] += e[2] * f[0] - e[0] * f[2];
         normal[2] += e[0] * f[1] - e[1] * f[0];
@@ -54,7 +55,8 @@ function inwardOf(tile) {
 
 // A band along the inside of every boundary edge, for what is said of edges: two triangles each.
 function rimOf(tiles, edgeCount) {
-    const positions = new Float32Array(18 * edgeCount), ids = new Uint16Array(2 * edgeCount);
+    const positions = new Float32Array(18 * edgeCount),
+        ids = new Uint16Array(2 * edgeCount);
     let at = 0;
     for (const tile of tiles) {
         const { loop, space, frame } = tile;
@@ -68,7 +70,8 @@ function rimOf(tiles, edgeCount) {
         });
         for (let i = 0; i < loop.length; ++i) {
             const j = (i + 1) % loop.length;
-            const a = space.subarray(3 * loop[i], 3 * loop[i] + 3), b = space.subarray(3 * loop[j], 3 * loop[j] + 3);
+            const a = space.subarray(3 * loop[i], 3 * loop[i] + 3),
+                b = space.subarray(3 * loop[j], 3 * loop[j] + 3);
             for (const point of [a, b, inner[j], a, inner[j], inner[i]]) {
                 positions.set(point, 3 * at);
                 ids[Math.floor(at++ / 3)] = tile.index;
@@ -96,7 +99,8 @@ export function placeOfChosen(model, tiles, seam) {
 function farthest(tiles, from) {
     let radius = 0;
     for (const { space } of tiles)
-        for (let i = 0; i < space.length; i += 3) radius = Math.max(radius, Math.hypot(space[i] - from[0], space[i + 1] - from[1], space[i + 2] - from[2]));
+        for (let i = 0; i < space.length; i += 3)
+            radius = Math.max(radius, Math.hypot(space[i] - from[0], space[i + 1] - from[1], space[i + 2] - from[2]));
     return radius;
 }
 
@@ -104,7 +108,8 @@ export function makeEnvelopeShape(model) {
     const { tiles } = model;
     const triangleCount = tiles.reduce((sum, tile) => sum + tile.triangles.length / 3, 0);
     const edgeCount = tiles.reduce((sum, tile) => sum + tile.loop.length, 0);
-    const lower = [Infinity, Infinity, Infinity], upper = [-Infinity, -Infinity, -Infinity];
+    const lower = [Infinity, Infinity, Infinity],
+        upper = [-Infinity, -Infinity, -Infinity];
     for (const tile of tiles)
         for (let i = 0; i < tile.space.length; ++i) {
             lower[i % 3] = Math.min(lower[i % 3], tile.space[i]);
@@ -115,7 +120,8 @@ export function makeEnvelopeShape(model) {
         for (let i = 0; i < tile.space.length; i += 3)
             tile.space.set(turn([tile.space[i], tile.space[i + 1], tile.space[i + 2]]), i);
 
-    const positions = new Float32Array(9 * triangleCount), ids = new Uint16Array(triangleCount);
+    const positions = new Float32Array(9 * triangleCount),
+        ids = new Uint16Array(triangleCount);
     const box = [turn(lower), turn(upper)];
     let corner = 0;
     for (const tile of tiles) {
@@ -130,8 +136,8 @@ export function makeEnvelopeShape(model) {
     return {
         model,
         triangleCount,
-        positions,  // three corners a triangle
-        ids,        // the tile of each triangle
+        positions, // three corners a triangle
+        ids, // the tile of each triangle
         rim: rimOf(tiles, edgeCount),
         centre,
         radius: farthest(tiles, centre) || 1,
@@ -156,26 +162,42 @@ export function shadesOf(shape, map) {
 // Lines as pairs of points, one after the other: the boundary of a tile, a side of a seam, a proposed seam.
 function pairs(points, isClosed) {
     const result = [];
-    for (let i = 0; i + 1 < points.length + (isClosed ? 1 : 0); ++i) result.push(...points[i], ...points[(i + 1) % points.length]);
+    for (let i = 0; i + 1 < points.length + (isClosed ? 1 : 0); ++i)
+        result.push(...points[i], ...points[(i + 1) % points.length]);
     return result;
 }
 
-export const outlineOf = (tile) => pairs(Array.from(tile.loop, (vertex) => tile.space.subarray(3 * vertex, 3 * vertex + 3)), true);
+export const outlineOf = (tile) =>
+    pairs(
+        Array.from(tile.loop, (vertex) => tile.space.subarray(3 * vertex, 3 * vertex + 3)),
+        true,
+    );
 
 // Of the boundary what no other tile draws: of the two sides of a seam the first.
 export function edgesDrawnOnce(tile) {
     const isElsewhere = new Uint8Array(tile.loop.length);
     for (const side of tile.sides)
-        if (side.name === 'b') for (let i = 0; i < side.count; ++i) isElsewhere[(side.first + i) % isElsewhere.length] = 1;
+        if (side.name === 'b')
+            for (let i = 0; i < side.count; ++i) isElsewhere[(side.first + i) % isElsewhere.length] = 1;
     const at = (i) => 3 * tile.loop[i % tile.loop.length];
-    return Array.from(tile.loop).flatMap((_, i) => (isElsewhere[i] ? [] : [...tile.space.subarray(at(i), at(i) + 3), ...tile.space.subarray(at(i + 1), at(i + 1) + 3)]));
+    return Array.from(tile.loop).flatMap((_, i) =>
+        isElsewhere[i]
+            ? []
+            : [...tile.space.subarray(at(i), at(i) + 3), ...tile.space.subarray(at(i + 1), at(i + 1) + 3)],
+    );
 }
 
-export const seamLine = (model, seam) => seam.sides.slice(0, 1).flatMap((side) => pairs(sidePoints(model.tiles[side.tile], side, model.tiles[side.tile].space, 3), false));
+export const seamLine = (model, seam) =>
+    seam.sides
+        .slice(0, 1)
+        .flatMap((side) => pairs(sidePoints(model.tiles[side.tile], side, model.tiles[side.tile].space, 3), false));
 
 export function proposalLine(shape, tile) {
     const line = tile.said.proposal?.line_mm ?? [];
-    return pairs(line.map((point) => shape.turn(point.map((value) => value / 1000))), false);
+    return pairs(
+        line.map((point) => shape.turn(point.map((value) => value / 1000))),
+        false,
+    );
 }
 
 // What is under the pointer: a tile's triangle, and the seam within `reach` pixels. `project` takes a point to the screen.
@@ -183,7 +205,8 @@ export function pointedAt(shape, ray, pointer, project, reach = 7) {
     const hit = shape.pick(ray.origin, ray.direction);
     if (!hit) return null;
     const tile = shape.model.tiles[shape.ids[hit.triangle]];
-    let nearest = reach, seam = null;
+    let nearest = reach,
+        seam = null;
     for (const side of tile.sides) {
         const points = sidePoints(tile, side, tile.space, 3).map(project);
         for (let i = 0; i + 1 < points.length; ++i) {

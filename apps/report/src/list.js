@@ -4,24 +4,54 @@ import { html } from './dom.js';
 export function makeList(model, state, { onTile, onSeam, onSearch }) {
     const kinds = {
         tile: { name: 'Tiles', items: model.tiles, label: (tile) => tile.name, open: onTile },
-        seam: { name: 'Seams', items: model.seams, label: (seam) => `${seam.id}  ${seam.said.tile_a} – ${seam.said.tile_b}`, open: onSeam },
+        seam: {
+            name: 'Seams',
+            items: model.seams,
+            label: (seam) => `${seam.id}  ${seam.said.tile_a} – ${seam.said.tile_b}`,
+            open: onSeam,
+        },
     };
     const failing = { tile: model.tiles.some((tile) => !tile.ok), seam: model.seams.some((seam) => !seam.ok) };
-    let kind = failing.seam && !failing.tile ? 'seam' : 'tile', onlyFailing = failing[kind], wanted = '';
+    let kind = failing.seam && !failing.tile ? 'seam' : 'tile',
+        onlyFailing = failing[kind],
+        wanted = '';
     const box = html('ul', { role: 'listbox', tabindex: '0', 'aria-label': 'Tiles', class: 'list' });
-    const search = html('input', { type: 'search', placeholder: 'Search by name', 'aria-label': 'Search by name', autocomplete: 'off', spellcheck: 'false' });
+    const search = html('input', {
+        type: 'search',
+        placeholder: 'Search by name',
+        'aria-label': 'Search by name',
+        autocomplete: 'off',
+        spellcheck: 'false',
+    });
     const failingBox = html('input', { type: 'checkbox', id: 'only-failing' });
     const tabs = Object.entries(kinds).map(([id, { name, items }]) =>
-        html('button', { class: 'tab', 'data-kind': id, onclick: () => show(id) }, `${name} ${items.length}`));
+        html('button', { class: 'tab', 'data-kind': id, onclick: () => show(id) }, `${name} ${items.length}`),
+    );
     let shown = [];
 
     function fill() {
         const { items, label, name } = kinds[kind];
         shown = items.filter((item) => (!onlyFailing || !item.ok) && label(item).toLowerCase().includes(wanted));
         box.setAttribute('aria-label', name);
-        box.replaceChildren(...shown.map((item) => html('li', { role: 'option', id: `${kind}-${item.index}`, 'aria-selected': 'false' },
-            html('span', { class: `mark ${item.ok ? 'ok' : 'bad'}`, 'aria-hidden': 'true' }), label(item), html('span', { class: 'unseen' }, item.ok ? '' : ', fails'))));
-        if (shown.length === 0) box.append(html('li', { class: 'nothing', role: 'option', 'aria-disabled': 'true' }, onlyFailing && !wanted ? 'None fails' : 'None is called so'));
+        box.replaceChildren(
+            ...shown.map((item) =>
+                html(
+                    'li',
+                    { role: 'option', id: `${kind}-${item.index}`, 'aria-selected': 'false' },
+                    html('span', { class: `mark ${item.ok ? 'ok' : 'bad'}`, 'aria-hidden': 'true' }),
+                    label(item),
+                    html('span', { class: 'unseen' }, item.ok ? '' : ', fails'),
+                ),
+            ),
+        );
+        if (shown.length === 0)
+            box.append(
+                html(
+                    'li',
+                    { class: 'nothing', role: 'option', 'aria-disabled': 'true' },
+                    onlyFailing && !wanted ? 'None fails' : 'None is called so',
+                ),
+            );
         for (const tab of tabs) tab.setAttribute('aria-pressed', String(tab.dataset.kind === kind));
         failingBox.checked = onlyFailing;
         markChosen();
@@ -32,15 +62,18 @@ export function makeList(model, state, { onTile, onSeam, onSearch }) {
         fill();
     }
     function markChosen() {
-        for (const option of box.querySelectorAll('[aria-selected=true]')) option.setAttribute('aria-selected', 'false');
+        for (const option of box.querySelectorAll('[aria-selected=true]'))
+            option.setAttribute('aria-selected', 'false');
         box.removeAttribute('aria-activedescendant');
         const { chosen } = state.now;
         const option = chosen?.kind === kind ? box.querySelector(`#${kind}-${chosen.index}`) : null;
         if (!option) return;
         option.setAttribute('aria-selected', 'true');
         box.setAttribute('aria-activedescendant', option.id);
-        const above = option.offsetTop, { scrollTop, clientHeight } = box;
-        if (above < scrollTop || above + option.offsetHeight > scrollTop + clientHeight) box.scrollTop = above - clientHeight / 2;
+        const above = option.offsetTop,
+            { scrollTop, clientHeight } = box;
+        if (above < scrollTop || above + option.offsetHeight > scrollTop + clientHeight)
+            box.scrollTop = above - clientHeight / 2;
     }
     const open = (item) => item && kinds[kind].open(item);
     const step = (by) => {
@@ -83,7 +116,14 @@ export function makeList(model, state, { onTile, onSeam, onSearch }) {
     fill();
     return {
         step,
-        element: html('nav', { class: 'finder', 'aria-label': 'Tiles and seams' }, search, html('div', { class: 'tabs', role: 'group', 'aria-label': 'List of' }, tabs),
-            (failing.tile || failing.seam) && html('label', { for: 'only-failing', class: 'only' }, failingBox, ' only those that fail'), box),
+        element: html(
+            'nav',
+            { class: 'finder', 'aria-label': 'Tiles and seams' },
+            search,
+            html('div', { class: 'tabs', role: 'group', 'aria-label': 'List of' }, tabs),
+            (failing.tile || failing.seam) &&
+                html('label', { for: 'only-failing', class: 'only' }, failingBox, ' only those that fail'),
+            box,
+        ),
     };
 }

@@ -18,7 +18,13 @@ import { failingSeams, failingTiles, verdictView } from './verdict.js';
 // WebGL where there is some, else pixel by pixel. A canvas that was asked for one cannot give the other.
 function envelopeView(shape, holder) {
     const make = (maker) => {
-        const canvas = html('canvas', { class: 'envelope', tabindex: '0', role: 'application', 'aria-label': 'The envelope in space. Arrow keys go from tile to tile, with shift they turn it, plus and minus zoom, Home shows all, Escape lets go.' });
+        const canvas = html('canvas', {
+            class: 'envelope',
+            tabindex: '0',
+            role: 'application',
+            'aria-label':
+                'The envelope in space. Arrow keys go from tile to tile, with shift they turn it, plus and minus zoom, Home shows all, Escape lets go.',
+        });
         holder.replaceChildren(canvas);
         return { canvas, ...maker(shape, canvas), isPlain: maker === makeEnvelopePlain };
     };
@@ -31,7 +37,11 @@ function envelopeView(shape, holder) {
 }
 
 function selectBox(label, options, onchange) {
-    const box = html('select', { onchange: () => onchange(box.value) }, options.map(({ id, name }) => html('option', { value: id }, name)));
+    const box = html(
+        'select',
+        { onchange: () => onchange(box.value) },
+        options.map(({ id, name }) => html('option', { value: id }, name)),
+    );
     return html('label', { class: 'choice' }, html('span', {}, label), box);
 }
 
@@ -41,8 +51,14 @@ function hoverWords({ tile, triangle, seam }) {
     if (seam) words.push(html('div', {}, `Seam ${seam.id}: ${seam.said.tile_a} – ${seam.said.tile_b}`));
     if (Number.isNaN(value('warp'))) words.push(html('div', {}, 'turned over on the cloth'));
     else if (value('warp') !== undefined)
-        words.push(html('div', {}, `warp ${percent(value('warp') * 100)}, weft ${percent(value('weft') * 100)}`),
-            html('div', {}, `shear ${degrees((value('shear') * 180) / Math.PI, 2)}, area ${percent(value('area') * 100)}`));
+        words.push(
+            html('div', {}, `warp ${percent(value('warp') * 100)}, weft ${percent(value('weft') * 100)}`),
+            html(
+                'div',
+                {},
+                `shear ${degrees((value('shear') * 180) / Math.PI, 2)}, area ${percent(value('area') * 100)}`,
+            ),
+        );
     return words;
 }
 
@@ -57,12 +73,20 @@ function start(model) {
         state.change({ chosen: { kind, index: item.index } });
         if (isSeen) return;
         if (kind === 'tile') view.lookAt(placeOfChosen(model, [item], null));
-        else view.lookAt(placeOfChosen(model, item.sides.map((side) => model.tiles[side.tile]), item));
+        else
+            view.lookAt(
+                placeOfChosen(
+                    model,
+                    item.sides.map((side) => model.tiles[side.tile]),
+                    item,
+                ),
+            );
     };
     const onTile = (tile) => choose('tile', tile);
     const onSeam = (seam) => choose('seam', seam);
 
-    const tiles = tileTable(model, onTile), seams = seamTable(model, onSeam);
+    const tiles = tileTable(model, onTile),
+        seams = seamTable(model, onSeam);
     const onSearch = (text) => [tiles, seams].forEach((table) => table.search(text));
     const list = makeList(model, state, { onTile, onSeam, onSearch });
     const holder = html('div', { class: 'holder' });
@@ -71,33 +95,65 @@ function start(model) {
     const tip = html('div', { class: 'tip', hidden: true, 'aria-hidden': 'true' });
     const live = html('p', { class: 'unseen', role: 'status' });
     const printed = html('section', { class: 'print-only' });
-    const hint = html('p', { class: 'hint' }, 'Click a tile or a seam. Drag turns, the wheel zooms. Keys: arrows go from tile to tile, with shift they turn; + and − zoom; Home shows all.');
+    const hint = html(
+        'p',
+        { class: 'hint' },
+        'Click a tile or a seam. Drag turns, the wheel zooms. Keys: arrows go from tile to tile, with shift they turn; + and − zoom; Home shows all.',
+    );
     const mapChoice = selectBox('Colours show', available, (map) => state.change({ map }));
     mapChoice.querySelector('select').value = state.now.map;
-    const tools = html('div', { class: 'tools' }, mapChoice,
+    const tools = html(
+        'div',
+        { class: 'tools' },
+        mapChoice,
         selectBox('Palette', paletteNames, (palette) => state.change({ palette })),
         html('button', { onclick: () => view.home() }, 'Whole envelope'),
         html('button', { onclick: () => state.change({ chosen: null }) }, 'Let go'),
-        failingTiles(model).length + failingSeams(model).length > 0 && html('button', { class: 'next', onclick: nextFailing }, 'Next that fails'));
+        failingTiles(model).length + failingSeams(model).length > 0 &&
+            html('button', { class: 'next', onclick: nextFailing }, 'Next that fails'),
+    );
 
-    document.getElementById('page').replaceChildren(verdictView(model, { onTile, onSeam }),
-        html('main', {},
-            html('div', { class: 'work' }, list.element,
-                html('section', { class: 'space', 'aria-label': 'The envelope' }, tools, holder, legendPlace, hint), panel),
-            printed, tiles.element, model.seams.length > 0 && seams.element, basis(model)), tip, live);
+    document
+        .getElementById('page')
+        .replaceChildren(
+            verdictView(model, { onTile, onSeam }),
+            html(
+                'main',
+                {},
+                html(
+                    'div',
+                    { class: 'work' },
+                    list.element,
+                    html('section', { class: 'space', 'aria-label': 'The envelope' }, tools, holder, legendPlace, hint),
+                    panel,
+                ),
+                printed,
+                tiles.element,
+                model.seams.length > 0 && seams.element,
+                basis(model),
+            ),
+            tip,
+            live,
+        );
     const view = envelopeView(shape, holder);
     const { canvas } = view;
     if (view.isPlain) hint.prepend('This browser has no WebGL: the envelope is drawn more plainly. ');
 
     function nextFailing() {
-        const failing = [...failingTiles(model).map((item) => ['tile', item]), ...failingSeams(model).map((item) => ['seam', item])];
+        const failing = [
+            ...failingTiles(model).map((item) => ['tile', item]),
+            ...failingSeams(model).map((item) => ['seam', item]),
+        ];
         const { chosen } = state.now;
         const at = failing.findIndex(([kind, item]) => chosen?.kind === kind && chosen.index === item.index);
         choose(...failing[(at + 1) % failing.length]);
     }
 
     const context = () => ({
-        map: mapOf(state.now.map), palette: state.now.palette, onTile, onSeam,
+        map: mapOf(state.now.map),
+        palette: state.now.palette,
+        onTile,
+        onSeam,
         hover: null,
     });
     function showTip(words, event) {
@@ -110,14 +166,20 @@ function start(model) {
     const showPanel = () => {
         const { chosen } = state.now;
         const tile = chosen?.kind === 'tile' ? model.tiles[chosen.index] : null;
-        const hover = tile && ((triangle, event) => showTip(triangle < 0 ? null : hoverWords({ tile, triangle }), event));
-        panel.replaceChildren(...[panelContent(shape, state.now, { ...context(), hover })].flat(Infinity).filter(Boolean));
+        const hover =
+            tile && ((triangle, event) => showTip(triangle < 0 ? null : hoverWords({ tile, triangle }), event));
+        panel.replaceChildren(
+            ...[panelContent(shape, state.now, { ...context(), hover })].flat(Infinity).filter(Boolean),
+        );
     };
     const showChosen = () => {
         const { chosen } = state.now;
         if (chosen?.kind === 'seam') {
             const seam = model.seams[chosen.index];
-            view.choose(seam.sides.map((side) => model.tiles[side.tile]), seam);
+            view.choose(
+                seam.sides.map((side) => model.tiles[side.tile]),
+                seam,
+            );
         } else view.choose(chosen ? [model.tiles[chosen.index]] : [], null);
         live.textContent = spoken(model, chosen);
     };
@@ -131,12 +193,15 @@ function start(model) {
         showPanel();
     });
 
-    let pressed = null, hovered = null;
+    let pressed = null,
+        hovered = null;
     const place = (event) => {
         const box = canvas.getBoundingClientRect();
         return [event.clientX - box.left, event.clientY - box.top];
     };
-    canvas.addEventListener('pointerdown', (event) => { pressed = [event.clientX, event.clientY]; });
+    canvas.addEventListener('pointerdown', (event) => {
+        pressed = [event.clientX, event.clientY];
+    });
     canvas.addEventListener('pointerup', (event) => {
         const wasDrag = !pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4;
         pressed = null;
@@ -148,21 +213,33 @@ function start(model) {
     });
     canvas.addEventListener('pointermove', (event) => {
         if (event.buttons) return showTip(null);
-        if (!hovered) requestAnimationFrame(() => {
-            const found = view.pointed(...place(hovered));
-            canvas.style.cursor = found ? 'pointer' : 'grab';
-            showTip(found && hoverWords(found), hovered);
-            hovered = null;
-        });
+        if (!hovered)
+            requestAnimationFrame(() => {
+                const found = view.pointed(...place(hovered));
+                canvas.style.cursor = found ? 'pointer' : 'grab';
+                showTip(found && hoverWords(found), hovered);
+                hovered = null;
+            });
         hovered = event;
     });
-    canvas.addEventListener('pointerleave', () => { tip.hidden = true; });
-    panel.addEventListener('pointerleave', () => { tip.hidden = true; });
+    canvas.addEventListener('pointerleave', () => {
+        tip.hidden = true;
+    });
+    panel.addEventListener('pointerleave', () => {
+        tip.hidden = true;
+    });
     canvas.addEventListener('keydown', (event) => {
         const turns = { ArrowLeft: [-0.15, 0], ArrowRight: [0.15, 0], ArrowUp: [0, 0.15], ArrowDown: [0, -0.15] };
         const keys = {
-            ArrowRight: () => list.step(1), ArrowDown: () => list.step(1), ArrowLeft: () => list.step(-1), ArrowUp: () => list.step(-1),
-            '+': () => view.zoom(0.85), '=': () => view.zoom(0.85), '-': () => view.zoom(1 / 0.85), Home: () => view.home(), Escape: () => state.change({ chosen: null }),
+            ArrowRight: () => list.step(1),
+            ArrowDown: () => list.step(1),
+            ArrowLeft: () => list.step(-1),
+            ArrowUp: () => list.step(-1),
+            '+': () => view.zoom(0.85),
+            '=': () => view.zoom(0.85),
+            '-': () => view.zoom(1 / 0.85),
+            Home: () => view.home(),
+            Escape: () => state.change({ chosen: null }),
         };
         if (event.ctrlKey || event.metaKey || event.altKey) return;
         if (event.shiftKey && event.key in turns) view.turn(...turns[event.key]);
@@ -175,9 +252,23 @@ function start(model) {
     window.addEventListener('beforeprint', () => {
         for (const table of [tiles, seams]) table.showWhole(true);
         for (const details of document.querySelectorAll('details')) details.open = true;
-        const failing = failingTiles(model).filter((tile) => tile.flat).slice(0, 24);
-        printed.replaceChildren(...(failing.length > 0 ? [html('h2', {}, 'The pieces that fail'),
-            html('div', { class: 'pieces' }, failing.map((tile) => html('figure', {}, pieceView(shape, tile, context()), html('figcaption', {}, tile.name))))] : []));
+        const failing = failingTiles(model)
+            .filter((tile) => tile.flat)
+            .slice(0, 24);
+        printed.replaceChildren(
+            ...(failing.length > 0
+                ? [
+                      html('h2', {}, 'The pieces that fail'),
+                      html(
+                          'div',
+                          { class: 'pieces' },
+                          failing.map((tile) =>
+                              html('figure', {}, pieceView(shape, tile, context()), html('figcaption', {}, tile.name)),
+                          ),
+                      ),
+                  ]
+                : []),
+        );
         view.drawNow();
     });
     window.addEventListener('afterprint', () => {
@@ -189,13 +280,23 @@ function start(model) {
     recolour();
     showPanel();
     new ResizeObserver(() => {
-        if (holder.clientWidth > 0 && !matchMedia('print').matches) view.resize(holder.clientWidth, holder.clientHeight);
+        if (holder.clientWidth > 0 && !matchMedia('print').matches)
+            view.resize(holder.clientWidth, holder.clientHeight);
     }).observe(holder);
     requestAnimationFrame(() => requestAnimationFrame(() => performance.mark('first-picture')));
 }
 
-readModel().then(start).catch((error) => {
-    document.getElementById('page').replaceChildren(html('p', { role: 'alert', class: 'starting' },
-        `The report cannot be shown by this browser (${error.message}). The figures are in report.json, tiles.csv and seams.csv beside this page.`));
-    throw error;
-});
+readModel()
+    .then(start)
+    .catch((error) => {
+        document
+            .getElementById('page')
+            .replaceChildren(
+                html(
+                    'p',
+                    { role: 'alert', class: 'starting' },
+                    `The report cannot be shown by this browser (${error.message}). The figures are in report.json, tiles.csv and seams.csv beside this page.`,
+                ),
+            );
+        throw error;
+    });

@@ -10,19 +10,66 @@ const inPercent = (value) => `${figure(value * 100, 2, true)}\u00a0%`;
 
 function legendPercent(limits) {
     const [least, most] = [Math.min(...limits), Math.max(...limits)].map((limit) => +(limit * 100).toPrecision(6));
-    return least === most ? { low: `−${most} %`, high: `+${most} %` } : { low: '− limit', high: `+ limit (${least} to ${most} %)` };
+    return least === most
+        ? { low: `−${most} %`, high: `+${most} %` }
+        : { low: '− limit', high: `+ limit (${least} to ${most} %)` };
 }
 
 export const maps = [
-    { id: 'warp', name: 'Strain along the warp', cloth: 'warp', limit: strainLimit, words: inPercent, negative: 'cloth shrinks', positive: 'cloth stretches' },
-    { id: 'weft', name: 'Strain along the weft', cloth: 'weft', limit: strainLimit, words: inPercent, negative: 'cloth shrinks', positive: 'cloth stretches' },
     {
-        id: 'shear', name: 'Shear between the threads', cloth: 'shear', limit: (tile) => tile.limits.shear,
-        words: (value) => `${figure(value / degree, 2, true)}°`, negative: 'threads open', positive: 'threads close',
+        id: 'warp',
+        name: 'Strain along the warp',
+        cloth: 'warp',
+        limit: strainLimit,
+        words: inPercent,
+        negative: 'cloth shrinks',
+        positive: 'cloth stretches',
     },
-    { id: 'area', name: 'Area', cloth: 'area', limit: (_, model) => model.report.tolerances.area_pct / 100, words: inPercent, negative: 'piece too small', positive: 'piece too large' },
-    { id: 'edges', name: 'Edge error', cloth: 'edges', limit: strainLimit, words: inPercent, rim: 'edgeError', negative: '', positive: 'mean of the edges of each triangle', unsigned: true },
-    { id: 'mismatch', name: 'Seam mismatch', rim: 'mismatch', negative: 'this edge is shorter', positive: 'this edge is longer' },
+    {
+        id: 'weft',
+        name: 'Strain along the weft',
+        cloth: 'weft',
+        limit: strainLimit,
+        words: inPercent,
+        negative: 'cloth shrinks',
+        positive: 'cloth stretches',
+    },
+    {
+        id: 'shear',
+        name: 'Shear between the threads',
+        cloth: 'shear',
+        limit: (tile) => tile.limits.shear,
+        words: (value) => `${figure(value / degree, 2, true)}°`,
+        negative: 'threads open',
+        positive: 'threads close',
+    },
+    {
+        id: 'area',
+        name: 'Area',
+        cloth: 'area',
+        limit: (_, model) => model.report.tolerances.area_pct / 100,
+        words: inPercent,
+        negative: 'piece too small',
+        positive: 'piece too large',
+    },
+    {
+        id: 'edges',
+        name: 'Edge error',
+        cloth: 'edges',
+        limit: strainLimit,
+        words: inPercent,
+        rim: 'edgeError',
+        negative: '',
+        positive: 'mean of the edges of each triangle',
+        unsigned: true,
+    },
+    {
+        id: 'mismatch',
+        name: 'Seam mismatch',
+        rim: 'mismatch',
+        negative: 'this edge is shorter',
+        positive: 'this edge is longer',
+    },
     { id: 'tension', name: 'Tension along the seams', rim: 'tension', negative: 'pushed', positive: 'pulled' },
 ];
 
@@ -62,7 +109,9 @@ export function driftAt(seam, at) {
     for (const notch of [...seam.said.notches, { at_mm: seam.said.length_mm, drift_mm: seam.said.mismatch_mm }]) {
         if (at <= notch.at_mm) {
             const step = notch.at_mm - before.at_mm;
-            return step > 0 ? before.drift_mm + ((at - before.at_mm) / step) * (notch.drift_mm - before.drift_mm) : notch.drift_mm;
+            return step > 0
+                ? before.drift_mm + ((at - before.at_mm) / step) * (notch.drift_mm - before.drift_mm)
+                : notch.drift_mm;
         }
         before = notch;
     }
@@ -93,7 +142,8 @@ export function tensionLimit(model) {
     model.tensionLimit ??= (() => {
         let largest = 1e-9;
         for (const tile of model.tiles)
-            for (const value of tile.tension?.values ?? []) largest = Math.max(largest, Math.abs(value) * tile.tension.step);
+            for (const value of tile.tension?.values ?? [])
+                largest = Math.max(largest, Math.abs(value) * tile.tension.step);
         const decade = 10 ** Math.floor(Math.log10(largest));
         return [1, 2, 5, 10].map((factor) => factor * decade).find((limit) => limit >= largest * (1 - 1e-9)) ?? largest;
     })();
@@ -112,18 +162,36 @@ export function rimPlaces(model, tile, map) {
 export function legend(model, map) {
     if (map.id === 'mismatch') {
         const most = +(model.report.tolerances.length_pct * 10).toPrecision(4);
-        return { low: `−${most} mm`, high: `+${most} mm`, note: 'how far the two sides are apart, for each metre of seam', pinned: true };
+        return {
+            low: `−${most} mm`,
+            high: `+${most} mm`,
+            note: 'how far the two sides are apart, for each metre of seam',
+            pinned: true,
+        };
     }
     if (map.id === 'tension') {
         const most = +tensionLimit(model).toPrecision(4);
-        return { low: `−${most} N`, high: `+${most} N`, note: 'the force that holds each edge at its length; scale: the largest there is', pinned: false };
+        return {
+            low: `−${most} N`,
+            high: `+${most} N`,
+            note: 'the force that holds each edge at its length; scale: the largest there is',
+            pinned: false,
+        };
     }
     if (map.id === 'shear') {
         const limits = model.tiles.map((tile) => tile.limits.shear / degree);
         const [least, most] = [Math.min(...limits), Math.max(...limits)].map((limit) => +limit.toPrecision(4));
-        return { low: `−${most}°`, high: `+${most}°`, note: least === most ? '' : `limits of the fabrics: ${least} to ${most}°`, pinned: true };
+        return {
+            low: `−${most}°`,
+            high: `+${most}°`,
+            note: least === most ? '' : `limits of the fabrics: ${least} to ${most}°`,
+            pinned: true,
+        };
     }
     const ends = legendPercent(model.tiles.map((tile) => map.limit(tile, model)));
-    const note = map.id === 'edges' ? `band along the seams: pinned to ±${+model.report.tolerances.length_pct.toPrecision(4)} % of length` : '';
+    const note =
+        map.id === 'edges'
+            ? `band along the seams: pinned to ±${+model.report.tolerances.length_pct.toPrecision(4)} % of length`
+            : '';
     return { ...ends, note, pinned: true };
 }

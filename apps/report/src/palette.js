@@ -26,7 +26,8 @@ const channels = (colour) => [1, 3, 5].map((at) => parseInt(colour.slice(at, at 
 function between(stops, share) {
     const at = Math.min(Math.max(share, 0), 1) * (stops.length - 1);
     const i = Math.min(Math.floor(at), stops.length - 2);
-    const low = channels(stops[i]), high = channels(stops[i + 1]);
+    const low = channels(stops[i]),
+        high = channels(stops[i + 1]);
     return low.map((value, k) => Math.round(value + (at - i) * (high[k] - value)));
 }
 

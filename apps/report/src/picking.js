@@ -17,9 +17,11 @@ export function makePicking(positions) {
     }
 
     const meetsBox = (b, origin, inverse, nearest) => {
-        let from = 0, to = nearest;
+        let from = 0,
+            to = nearest;
         for (let k = 0; k < 3; ++k) {
-            const one = (boxes[6 * b + k] - origin[k]) * inverse[k], other = (boxes[6 * b + k + 3] - origin[k]) * inverse[k];
+            const one = (boxes[6 * b + k] - origin[k]) * inverse[k],
+                other = (boxes[6 * b + k + 3] - origin[k]) * inverse[k];
             from = Math.max(from, Math.min(one, other));
             to = Math.min(to, Math.max(one, other));
         }
@@ -29,16 +31,28 @@ export function makePicking(positions) {
     // Moeller and Trumbore: the distance along the ray, or Infinity.
     const meetsTriangle = (t, o, d) => {
         const i = 9 * t;
-        const ax = positions[i], ay = positions[i + 1], az = positions[i + 2];
-        const ex = positions[i + 3] - ax, ey = positions[i + 4] - ay, ez = positions[i + 5] - az;
-        const fx = positions[i + 6] - ax, fy = positions[i + 7] - ay, fz = positions[i + 8] - az;
-        const px = d[1] * fz - d[2] * fy, py = d[2] * fx - d[0] * fz, pz = d[0] * fy - d[1] * fx;
+        const ax = positions[i],
+            ay = positions[i + 1],
+            az = positions[i + 2];
+        const ex = positions[i + 3] - ax,
+            ey = positions[i + 4] - ay,
+            ez = positions[i + 5] - az;
+        const fx = positions[i + 6] - ax,
+            fy = positions[i + 7] - ay,
+            fz = positions[i + 8] - az;
+        const px = d[1] * fz - d[2] * fy,
+            py = d[2] * fx - d[0] * fz,
+            pz = d[0] * fy - d[1] * fx;
         const det = ex * px + ey * py + ez * pz;
         if (det === 0) return Infinity;
-        const tx = o[0] - ax, ty = o[1] - ay, tz = o[2] - az;
+        const tx = o[0] - ax,
+            ty = o[1] - ay,
+            tz = o[2] - az;
         const u = (tx * px + ty * py + tz * pz) / det;
         if (u < 0 || u > 1) return Infinity;
-        const qx = ty * ez - tz * ey, qy = tz * ex - tx * ez, qz = tx * ey - ty * ex;
+        const qx = ty * ez - tz * ey,
+            qy = tz * ex - tx * ez,
+            qz = tx * ey - ty * ex;
         const v = (d[0] * qx + d[1] * qy + d[2] * qz) / det;
         if (v < 0 || u + v > 1) return Infinity;
         const distance = (fx * qx + fy * qy + fz * qz) / det;
@@ -48,7 +62,8 @@ export function makePicking(positions) {
     // `origin`, `direction`: three numbers each. Gives { triangle, distance } or null.
     return function pick(origin, direction) {
         const inverse = direction.map((value) => 1 / (value || 1e-30));
-        let nearest = Infinity, found = -1;
+        let nearest = Infinity,
+            found = -1;
         for (let b = 0; b < blockCount; ++b) {
             if (!meetsBox(b, origin, inverse, nearest)) continue;
             for (let t = b * blockSize; t < Math.min((b + 1) * blockSize, triangleCount); ++t) {

@@ -14,7 +14,8 @@ export function fillTriangle(image, colour, x, y, depth) {
     const bottom = Math.min(image.height - 1, Math.floor(Math.max(y[0], y[1], y[2]) - 0.5));
     for (let row = top; row <= bottom; ++row) {
         const middle = row + 0.5;
-        let from = Infinity, to = -Infinity;
+        let from = Infinity,
+            to = -Infinity;
         for (let k = 0; k < 3; ++k) {
             const next = (k + 1) % 3;
             if (y[k] <= middle === y[next] <= middle) continue;
@@ -22,7 +23,8 @@ export function fillTriangle(image, colour, x, y, depth) {
             from = Math.min(from, at);
             to = Math.max(to, at);
         }
-        const first = Math.max(0, Math.ceil(from - 0.5)), last = Math.min(image.width - 1, Math.floor(to - 0.5));
+        const first = Math.max(0, Math.ceil(from - 0.5)),
+            last = Math.min(image.width - 1, Math.floor(to - 0.5));
         for (let i = row * image.width + first; i <= row * image.width + last; ++i) {
             if (image.depths) {
                 if (image.depths[i] > depth) continue;

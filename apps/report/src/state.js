@@ -3,8 +3,12 @@ export function makeState(initial) {
     const listeners = [];
     let now = initial;
     return {
-        get now() { return now; },
-        listen(listener) { listeners.push(listener); },
+        get now() {
+            return now;
+        },
+        listen(listener) {
+            listeners.push(listener);
+        },
         change(changes) {
             const before = now;
             now = { ...now, ...changes };
