@@ -14,8 +14,8 @@ namespace ripstop {
 /// holds report.json (without `seconds`) and `page_shapes`, each deflated [RFC 1950] in base64, so no name of a tile can be
 /// taken for markup. `strains`: one a tile (`measure_strain_maps`), or none. The same bytes for the same plan.
 ///
-/// Empty where the program was built without the page (`page_template`). About 0.6 MB, 3 kB a tile and 15 bytes a triangle;
-/// equal tiles take less. Throws std::runtime_error where memory does not suffice to deflate.
+/// Empty where the program was built without the page (`page_template`). About 0.6 MB, 2 kB a tile and 15 to 30 bytes a
+/// triangle; equal tiles take less. Throws std::runtime_error where memory does not suffice to deflate.
 std::string html_report(const CutPlan& plan, const std::vector<PatternPiece>& pieces,
                         const std::vector<StrainMap>& strains);
 

@@ -15,7 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double drawing_step = 0.01 * millimetre;
-constexpr double finest_strain = 1e-6;
+constexpr double finest_strain = 1e-5;
+constexpr double finest_edge_error = 1e-6;
 constexpr double finest_tension = 1e-4;  // [N]
 
 Json grid_json(const Eigen::MatrixXd& points, PackedArrays& arrays) {
@@ -60,7 +61,7 @@ void add_maps(Json& json, const FlatTile& tile, const StrainMap& strain, PackedA
     }
     const Eigen::VectorXd flat = edge_lengths(tile.flattening.positions, closed(tile.tile.boundary));
     json["edge_error"] =
-        map_json((flat.array() / target_lengths(tile.tile).array() - 1).matrix(), finest_strain, arrays);
+        map_json((flat.array() / target_lengths(tile.tile).array() - 1).matrix(), finest_edge_error, arrays);
     const Eigen::VectorXd& tension = tile.flattening.seam_tension;
     if (tension.size() == flat.size()) json["tension"] = map_json(tension, finest_tension, arrays);
 }

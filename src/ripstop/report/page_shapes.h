@@ -22,7 +22,7 @@ namespace ripstop {
 ///     seams[]  a, b          {tile, first, count, from, to}: a run of boundary edges; shares of the first and the last one
 ///     pieces[] tile, cut, sew, slits, grain, lines, labels: points in steps of 32 bits, 0.01 mm
 ///
-/// Positions are right to 1/65536 of the tile's size, strains to 1e-6 or 1/32767 of the largest. Equal arrays are stored
+/// Positions are right to 1/65536 of the tile's size, strains to 1e-5 or 1/32767 of the largest. Equal arrays are stored
 /// once. Tiles without flat positions have no `flat` and no maps. `strains`: one a tile, or none at all.
 std::string page_shapes(const CutPlan& plan, const std::vector<PatternPiece>& pieces,
                         const std::vector<StrainMap>& strains);
