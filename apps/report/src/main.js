@@ -4,16 +4,17 @@ import { html } from './dom.js';
 import { makeEnvelopeScene } from './envelope_scene.js';
 import { makeEnvelopeShape, placeOfChosen } from './envelope_shape.js';
 import { makeEnvelopePlain } from './envelope_plain.js';
-import { degrees, percent } from './format.js';
 import { legendView } from './legend.js';
 import { makeList } from './list.js';
-import { clothValue, mapOf, mapsOf } from './maps.js';
+import { mapOf, mapsOf } from './maps.js';
 import { paletteNames } from './palette.js';
 import { panelContent, spoken } from './panel.js';
-import { pieceView } from './piece_view.js';
+import { printWhole } from './paper.js';
 import { rollView } from './roll_view.js';
 import { makeState } from './state.js';
+import { steer } from './steering.js';
 import { basis, seamTable, tileTable } from './tables.js';
+import { hoverWords, makeTip } from './tip.js';
 import { failingSeams, failingTiles, verdictView } from './verdict.js';
 
 // WebGL where there is some, else pixel by pixel. A canvas that was asked for one cannot give the other.
@@ -46,23 +47,6 @@ function selectBox(label, options, onchange) {
     return html('label', { class: 'choice' }, html('span', {}, label), box);
 }
 
-function hoverWords({ tile, triangle, seam }) {
-    const value = (key) => clothValue(tile, key, triangle);
-    const words = [html('b', {}, tile.name)];
-    if (seam) words.push(html('div', {}, `Seam ${seam.id}: ${seam.said.tile_a} – ${seam.said.tile_b}`));
-    if (Number.isNaN(value('warp'))) words.push(html('div', {}, 'turned over on the cloth'));
-    else if (value('warp') !== undefined)
-        words.push(
-            html('div', {}, `warp ${percent(value('warp') * 100)}, weft ${percent(value('weft') * 100)}`),
-            html(
-                'div',
-                {},
-                `shear ${degrees((value('shear') * 180) / Math.PI, 2)}, area ${percent(value('area') * 100)}`,
-            ),
-        );
-    return words;
-}
-
 function start(model) {
     const shape = makeEnvelopeShape(model);
     const available = mapsOf(model);
@@ -93,7 +77,7 @@ function start(model) {
     const holder = html('div', { class: 'holder' });
     const legendPlace = html('div', { class: 'legend-place' });
     const panel = html('section', { class: 'panel', 'aria-label': 'The piece', tabindex: '0' });
-    const tip = html('div', { class: 'tip', hidden: true, 'aria-hidden': 'true' });
+    const tip = makeTip();
     const live = html('p', { class: 'unseen', role: 'status' });
     const printed = html('section', { class: 'print-only' });
     const hint = html(
@@ -134,11 +118,10 @@ function start(model) {
                 model.seams.length > 0 && seams.element,
                 basis(model),
             ),
-            tip,
+            tip.element,
             live,
         );
     const view = envelopeView(shape, holder);
-    const { canvas } = view;
     if (view.isPlain) hint.prepend('This browser has no WebGL: the envelope is drawn more plainly. ');
 
     function nextFailing() {
@@ -158,18 +141,11 @@ function start(model) {
         onSeam,
         hover: null,
     });
-    function showTip(words, event) {
-        tip.hidden = !words;
-        if (!words) return;
-        tip.replaceChildren(...words);
-        tip.style.left = `${Math.min(event.clientX + 14, window.innerWidth - tip.offsetWidth - 8)}px`;
-        tip.style.top = `${Math.min(event.clientY + 14, window.innerHeight - tip.offsetHeight - 8)}px`;
-    }
     const showPanel = () => {
         const { chosen } = state.now;
         const tile = chosen?.kind === 'tile' ? model.tiles[chosen.index] : null;
         const hover =
-            tile && ((triangle, event) => showTip(triangle < 0 ? null : hoverWords({ tile, triangle }), event));
+            tile && ((triangle, event) => tip.show(triangle < 0 ? null : hoverWords({ tile, triangle }), event));
         panel.replaceChildren(
             ...[panelContent(shape, state.now, { ...context(), hover })].flat(Infinity).filter(Boolean),
         );
@@ -195,88 +171,17 @@ function start(model) {
         showPanel();
     });
 
-    let pressed = null,
-        hovered = null;
-    const place = (event) => {
-        const box = canvas.getBoundingClientRect();
-        return [event.clientX - box.left, event.clientY - box.top];
-    };
-    canvas.addEventListener('pointerdown', (event) => {
-        pressed = [event.clientX, event.clientY];
+    steer(view, {
+        step: list.step,
+        showTip: tip.show,
+        onFound: (found) => {
+            if (found?.seam) choose('seam', found.seam, true);
+            else if (found) choose('tile', found.tile, true);
+            else state.change({ chosen: null });
+        },
     });
-    canvas.addEventListener('pointerup', (event) => {
-        const wasDrag = !pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4;
-        pressed = null;
-        if (wasDrag) return;
-        const found = view.pointed(...place(event));
-        if (found?.seam) choose('seam', found.seam, true);
-        else if (found) choose('tile', found.tile, true);
-        else state.change({ chosen: null });
-    });
-    canvas.addEventListener('pointermove', (event) => {
-        if (event.buttons) return showTip(null);
-        if (!hovered)
-            requestAnimationFrame(() => {
-                const found = view.pointed(...place(hovered));
-                canvas.style.cursor = found ? 'pointer' : 'grab';
-                showTip(found && hoverWords(found), hovered);
-                hovered = null;
-            });
-        hovered = event;
-    });
-    canvas.addEventListener('pointerleave', () => {
-        tip.hidden = true;
-    });
-    panel.addEventListener('pointerleave', () => {
-        tip.hidden = true;
-    });
-    canvas.addEventListener('keydown', (event) => {
-        const turns = { ArrowLeft: [-0.15, 0], ArrowRight: [0.15, 0], ArrowUp: [0, 0.15], ArrowDown: [0, -0.15] };
-        const keys = {
-            ArrowRight: () => list.step(1),
-            ArrowDown: () => list.step(1),
-            ArrowLeft: () => list.step(-1),
-            ArrowUp: () => list.step(-1),
-            '+': () => view.zoom(0.85),
-            '=': () => view.zoom(0.85),
-            '-': () => view.zoom(1 / 0.85),
-            Home: () => view.home(),
-            Escape: () => state.change({ chosen: null }),
-        };
-        if (event.ctrlKey || event.metaKey || event.altKey) return;
-        if (event.shiftKey && event.key in turns) view.turn(...turns[event.key]);
-        else if (event.key in keys) keys[event.key]();
-        else return;
-        event.preventDefault();
-    });
-
-    // On paper: every row, and the pieces of the tiles that fail.
-    window.addEventListener('beforeprint', () => {
-        for (const table of [tiles, seams]) table.showWhole(true);
-        for (const details of document.querySelectorAll('details')) details.open = true;
-        const failing = failingTiles(model)
-            .filter((tile) => tile.flat)
-            .slice(0, 24);
-        printed.replaceChildren(
-            ...(failing.length > 0
-                ? [
-                      html('h2', {}, 'The pieces that fail'),
-                      html(
-                          'div',
-                          { class: 'pieces' },
-                          failing.map((tile) =>
-                              html('figure', {}, pieceView(shape, tile, context()), html('figcaption', {}, tile.name)),
-                          ),
-                      ),
-                  ]
-                : []),
-        );
-        view.drawNow();
-    });
-    window.addEventListener('afterprint', () => {
-        for (const table of [tiles, seams]) table.showWhole(false);
-        printed.replaceChildren();
-    });
+    panel.addEventListener('pointerleave', () => tip.show(null));
+    printWhole(shape, view, [tiles, seams], printed, context);
 
     view.mark(failingTiles(model), failingSeams(model));
     recolour();
