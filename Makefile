@@ -47,7 +47,7 @@ setup:
 	scripts/setup.sh
 	mkdir -p build && touch build/.setup
 
-build/.setup: scripts/setup.sh scripts/packages.txt apps/rhino/package-lock.json tests/dxf/package-lock.json
+build/.setup: scripts/setup.sh scripts/packages.txt apps/rhino/package-lock.json apps/report/package-lock.json tests/dxf/package-lock.json
 	$(MAKE) setup
 
 sanitize: build/.setup

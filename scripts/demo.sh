@@ -11,6 +11,7 @@ $ripstop flatten demo/envelope.obj --fabric nylon -o demo/cut-plan --force || co
 cat <<END
 
 Open these:
+  demo/cut-plan/report.html                 the verdict, the envelope and its pieces (any browser, by double click)
   demo/envelope.obj                         the envelope in space (any 3D viewer, Rhino, Blender)
   demo/cut-plan/cut/envelope.svg            every piece, true size
   demo/cut-plan/cut/envelope.dxf            the same for the cutter (R12, millimetres)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs the Debian packages of packages.txt that are missing, and what apps/rhino and tests/dxf have from npm. Needs root or sudo only if a
-# package is missing.
+# Installs the Debian packages of packages.txt that are missing, and what apps/rhino, apps/report and tests/dxf have from npm. Needs root
+# or sudo only if a package is missing.
 set -eu
 cd "$(dirname "$0")"
 
@@ -20,6 +20,7 @@ install_npm() {
 
 install_all_npm() {
     install_npm apps/rhino
+    install_npm apps/report
     install_npm tests/dxf
 }
 

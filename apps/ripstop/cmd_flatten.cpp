@@ -16,6 +16,7 @@
 #include "ripstop/pipeline/envelope_faults.h"
 #include "ripstop/pipeline/flatten_envelope.h"
 #include "ripstop/pipeline/propose_redesign.h"
+#include "ripstop/pipeline/strain_maps.h"
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/directory.h"
 #include "ripstop/report/proposals.h"
@@ -91,7 +92,7 @@ ExitCode run(Arguments given) {
 
     if (pattern.revision.empty()) pattern.revision = plan.input_sha256.substr(0, 8);
     const PieceSet pieces = make_piece_set(plan, make_pieces(plan, pattern, given.jobs), pattern.revision);
-    write_directory(given.directory, plan, pieces, writing);
+    write_directory(given.directory, plan, pieces, writing, measure_strain_maps(plan, given.jobs));
     if (given.json)
         fmt::print("{}", report_json(plan, given.reproducible));
     else if (!given.quiet)

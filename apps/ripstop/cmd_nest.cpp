@@ -1,6 +1,9 @@
 /// ripstop nest: the pieces of a cut plan on the roll.
 #include <fmt/format.h>
 
+#include <fstream>
+#include <sstream>
+
 #include "commands.h"
 #include "format_options.h"
 #include "ripstop/base/error.h"
@@ -8,7 +11,9 @@
 #include "ripstop/io/piece_format.h"
 #include "ripstop/nest/nest_pieces.h"
 #include "ripstop/report/cut_files.h"
+#include "ripstop/report/html_report.h"
 #include "ripstop/report/marker_files.h"
+#include "ripstop/report/output_file.h"
 #include "ripstop/report/whole_directory.h"
 #include "tell.h"
 
@@ -46,6 +51,17 @@ void require_no_plan(const std::filesystem::path& folder) {
                                          folder.string(), file));
 }
 
+/// The page of the plan shows the roll too, once there is one.
+void show_in_report(const std::filesystem::path& page, const std::string& markers) {
+    std::ifstream in(page, std::ios::binary);
+    if (!in) return;
+    std::ostringstream text;
+    text << in.rdbuf();
+    const std::filesystem::path fresh = page.string() + ".partial";
+    write_file(fresh, with_roll(text.str(), markers));
+    std::filesystem::rename(fresh, page);
+}
+
 ExitCode run(Arguments given) {
     const NestOptions options = options_of(given);
     if (given.output.empty()) given.output = given.plan / "marker";
@@ -56,6 +72,7 @@ ExitCode run(Arguments given) {
     write_whole_directory(
         given.output, given.force, {"marker*.*", "bom.csv"},
         [&](const std::filesystem::path& folder) { write_marker_files(folder, set, markers, given.formats); });
+    show_in_report(given.plan / "report.html", marker_json(set, markers, given.formats));
     if (given.json)
         fmt::print("{}", marker_json(set, markers, given.formats));
     else if (!given.quiet || !markers.refusals.empty())

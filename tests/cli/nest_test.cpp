@@ -34,10 +34,12 @@ TEST(NestCommand, LaysAPlanOnTheRoll) {
     for (const auto& [name, bytes] : workshop.files("plan/marker")) names.push_back(name);
     EXPECT_THAT(names, ElementsAre("bom.csv", "marker.dxf", "marker.json", "marker.pdf", "marker.svg"));
     EXPECT_THAT(workshop.read("plan/bom.csv"), HasSubstr("cloth,,isotropic,,24,,"));
+    const std::string page = workshop.read("plan/report.html");
     EXPECT_EQ(workshop.ripstop("nest plan").code, 3) << "what is there is kept without --force";
     const ProgramRun json = workshop.ripstop("nest plan --effort 3 --json --force");
     EXPECT_EQ(json.code, 0);
     EXPECT_EQ(json.out, workshop.read("plan/marker/marker.json"));
+    EXPECT_EQ(workshop.read("plan/report.html"), page) << "the roll is shown in the page, once";
     std::set<std::string> laid;
     const Json marker = Json::parse(json.out)["markers"][0];
     for (const Json& placement : marker["placements"]) laid.insert(placement["piece"].get<std::string>());

@@ -8,22 +8,18 @@
 #include "ripstop/report/colour_scale.h"
 
 namespace ripstop {
-namespace {
 
-/// Mean |L'/L - 1| over the edges of triangle t.
-double edge_error(const FlatTile& tile, int t) {
+double mean_edge_error(const FlatTile& tile, int triangle) {
     const TriangleMesh& mesh = tile.tile.mesh;
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
-        const int a = mesh.triangles(t, k), b = mesh.triangles(t, (k + 1) % 3);
+        const int a = mesh.triangles(triangle, k), b = mesh.triangles(triangle, (k + 1) % 3);
         const Points2& flat = tile.flattening.positions;
         sum +=
             std::abs((flat.row(b) - flat.row(a)).norm() / (mesh.positions.row(b) - mesh.positions.row(a)).norm() - 1);
     }
     return sum / 3;
 }
-
-}  // namespace
 
 std::string cloth_map(const FlatTile& tile, const PageView& view, double limit) {
     std::array<std::string, colour_classes> paths;
@@ -39,7 +35,8 @@ std::string cloth_map(const FlatTile& tile, const PageView& view, double limit) 
         for (int k = 0; k < 3; ++k)
             corner[static_cast<std::size_t>(k)] = tile.flattening.positions.row(tile.tile.mesh.triangles(t, k));
         const bool up = signed_area(corner[0], corner[1], corner[2]) > 0;
-        std::string& path = up ? paths[static_cast<std::size_t>(colour_class(edge_error(tile, t), limit))] : flipped;
+        std::string& path =
+            up ? paths[static_cast<std::size_t>(colour_class(mean_edge_error(tile, t), limit))] : flipped;
         path += "M" + at(corner[0]) + "L" + at(corner[1]) + " " + at(corner[2]) + "z";
     }
     // A hairline of its own colour closes the gaps that renderers leave between neighbours.

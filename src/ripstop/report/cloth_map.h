@@ -19,4 +19,7 @@ struct PageView {
 /// Requires a tile that is drawable (`is_drawable`).
 std::string cloth_map(const FlatTile& tile, const PageView& view, double limit);
 
+/// Mean |edge length on the cloth / in space - 1| of the edges of a triangle.
+double mean_edge_error(const FlatTile& tile, int triangle);
+
 }  // namespace ripstop

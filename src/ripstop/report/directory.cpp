@@ -3,6 +3,7 @@
 #include "ripstop/io/flat_obj.h"
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/figures.h"
+#include "ripstop/report/html_report.h"
 #include "ripstop/report/order.h"
 #include "ripstop/report/output_file.h"
 #include "ripstop/report/picture.h"
@@ -20,7 +21,8 @@ namespace fs = std::filesystem;
 const std::vector<std::string_view> ours{"report.json", "report.html",      "tiles.csv", "seams.csv", "bom.csv", "flat",
                                          "cut",         "cut-*/envelope.*", "marker",    "pictures",  "inflated"};
 
-void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces, const DirectoryOptions& options) {
+void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces, const DirectoryOptions& options,
+               const std::vector<StrainMap>& strains) {
     fs::create_directory(dir / "flat");
     const std::vector<std::string> stems = file_stems(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
@@ -36,16 +38,18 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
     }
     write_file(dir / "tiles.csv", tiles_csv(plan));
     write_file(dir / "seams.csv", seams_csv(plan));
+    const std::string page = html_report(plan, pieces.pieces, strains);
+    if (!page.empty()) write_file(dir / "report.html", page);
     write_file(dir / "bom.csv", bom_csv(pieces, nullptr));
     write_file(dir / "report.json", report_json(plan, options.reproducible));
 }
 
 }  // namespace
 
-void write_directory(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
-                     const DirectoryOptions& options) {
+void write_directory(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces, const DirectoryOptions& options,
+                     const std::vector<StrainMap>& strains) {
     write_whole_directory(dir, options.force, ours,
-                          [&](const fs::path& partial) { write_all(partial, plan, pieces, options); });
+                          [&](const fs::path& partial) { write_all(partial, plan, pieces, options, strains); });
 }
 
 }  // namespace ripstop

@@ -7,6 +7,7 @@
 #include "ripstop/io/piece_format.h"
 #include "ripstop/model/cut_plan.h"
 #include "ripstop/model/pattern_piece.h"
+#include "ripstop/model/strain_map.h"
 #include "ripstop/report/whole_directory.h"
 
 namespace ripstop {
@@ -19,11 +20,11 @@ struct DirectoryOptions {
     PieceFileOptions files = {};                               ///< how they are written
 };
 
-/// Writes the whole cut plan as `dir`: report.json, tiles.csv, seams.csv, bom.csv, flat/NAME.obj, cut/ (`write_cut_files`) with
-/// pieces.json, pictures/NAME.svg. NAME is the tile's `file` in report.json. Tiles without flat positions have no OBJ and,
-/// made by nobody, no piece. All or nothing, as `write_whole_directory` does and throws; under `force` the old plan is
-/// replaced, and files in it that no plan has are kept.
+/// Writes the whole cut plan as `dir`: report.json, report.html (`html_report`, with the maps of `strains`), tiles.csv,
+/// seams.csv, bom.csv, flat/NAME.obj, cut/ (`write_cut_files`) with pieces.json, pictures/NAME.svg. NAME is the tile's `file` in
+/// report.json. Tiles without flat positions have no OBJ and, made by nobody, no piece. All or nothing, as
+/// `write_whole_directory` does and throws; under `force` the old plan is replaced, and files in it that no plan has are kept.
 void write_directory(const std::filesystem::path& dir, const CutPlan& plan, const PieceSet& pieces,
-                     const DirectoryOptions& options = {});
+                     const DirectoryOptions& options = {}, const std::vector<StrainMap>& strains = {});
 
 }  // namespace ripstop

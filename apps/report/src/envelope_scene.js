@@ -1,0 +1,322 @@
+// The envelope in 3D, by WebGL: drawn when something changes and not otherwise.
+import {
+    BufferAttribute,
+    BufferGeometry,
+    DataTexture,
+    DoubleSide,
+    GLSL3,
+    Group,
+    LineBasicMaterial,
+    LineSegments,
+    Mesh,
+    PerspectiveCamera,
+    RawShaderMaterial,
+    Raycaster,
+    Scene,
+    Sphere,
+    Vector2,
+    Vector3,
+    WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { edgesDrawnOnce, outlineOf, pointedAt, proposalLine, seamLine, shadesOf } from './envelope_shape.js';
+import { paletteTable, places } from './palette.js';
+import { withOwnCorners } from './shared_corners.js';
+
+const vertexShader = `
+precision highp float;
+uniform mat4 modelViewMatrix, projectionMatrix;
+uniform sampler2D palette;
+uniform vec2 focus;
+in vec3 position, facing;
+in float shade, tile;
+flat out vec3 vColour;
+void main() {
+    vec4 view = modelViewMatrix * vec4(position, 1.0);
+    vec3 normal = mat3(modelViewMatrix) * facing;
+    vec3 cloth = texelFetch(palette, ivec2(int(shade + 0.5), 0), 0).rgb;
+    if (focus.x >= 0.0 && tile != focus.x && tile != focus.y) cloth = mix(cloth, vec3(0.93), 0.5);
+    // A little light from the viewer, so that shape can be seen and colours can still be read.
+    vColour = cloth * (0.76 + 0.24 * abs(dot(normal, normalize(view.xyz))));
+    gl_Position = projectionMatrix * view;
+}`;
+
+const fragmentShader = `
+precision mediump float;
+flat in vec3 vColour;
+out vec4 colour;
+void main() {
+    colour = vec4(vColour, 1.0);
+}`;
+
+function paletteTexture(id) {
+    const texture = new DataTexture(paletteTable(id), places.count, 1);
+    texture.needsUpdate = true;
+    return texture;
+}
+
+// The outward normals of triangles, in steps of 1/127.
+function facingOf(positions, index, t, into) {
+    const corner = (k) => 3 * index[3 * t + k];
+    const [a, b, c] = [corner(0), corner(1), corner(2)];
+    const e = [0, 1, 2].map((k) => positions[b + k] - positions[a + k]),
+        f = [0, 1, 2].map((k) => positions[c + k] - positions[a + k]);
+    const normal = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
+    const size = Math.hypot(...normal) || 1;
+    for (let k = 0; k < 3; ++k) into[c + k] = Math.round((127 * normal[k]) / size);
+}
+
+// Colour, tile and normal of a triangle stand at its last corner.
+function clothMesh({ positions, index, ids }, uniforms, sphere, offset) {
+    const geometry = new BufferGeometry();
+    const count = positions.length / 3;
+    geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    geometry.setAttribute('tile', new BufferAttribute(new Uint16Array(count), 1));
+    geometry.setAttribute('shade', new BufferAttribute(new Uint16Array(count), 1));
+    geometry.setIndex(new BufferAttribute(index, 1));
+    geometry.setAttribute('facing', new BufferAttribute(new Int8Array(3 * count), 3, true));
+    ids.forEach((id, t) => {
+        geometry.attributes.tile.array[index[3 * t + 2]] = id;
+        facingOf(positions, index, t, geometry.attributes.facing.array);
+    });
+    geometry.boundingSphere = sphere;
+    const material = new RawShaderMaterial({
+        glslVersion: GLSL3,
+        vertexShader,
+        fragmentShader,
+        uniforms,
+        side: DoubleSide,
+        polygonOffset: true,
+        polygonOffsetFactor: offset,
+        polygonOffsetUnits: offset,
+    });
+    return new Mesh(geometry, material);
+}
+
+function clothArrays(shape) {
+    const { tiles } = shape.model;
+    const parts = tiles.map((tile) => withOwnCorners(tile.triangles, tile.space.length / 3));
+    const positions = new Float32Array(3 * parts.reduce((sum, part) => sum + part.copies.length, 0));
+    const index = new Uint32Array(3 * shape.triangleCount);
+    let first = 0;
+    parts.forEach((part, i) => {
+        const { space, firstTriangle } = tiles[i];
+        part.copies.forEach((vertex, v) => {
+            for (let k = 0; k < 3; ++k) positions[3 * (first + v) + k] = space[3 * vertex + k];
+        });
+        part.index.forEach((vertex, k) => {
+            index[3 * firstTriangle + k] = first + vertex;
+        });
+        first += part.copies.length;
+    });
+    return { positions, index, ids: shape.ids };
+}
+
+const rimArrays = ({ positions, ids }) => ({
+    positions,
+    ids,
+    index: Uint32Array.from({ length: positions.length / 3 }, (_, i) => i),
+});
+
+function setShades(mesh, shades) {
+    mesh.visible = shades !== null;
+    if (!shades) return;
+    const { index, attributes } = mesh.geometry;
+    for (let t = 0; t < shades.length; ++t) attributes.shade.array[index.array[3 * t + 2]] = shades[t];
+    attributes.shade.needsUpdate = true;
+}
+
+class WideLines {
+    constructor(parent, colour, width, order, options = {}) {
+        this.material = new LineMaterial({ color: colour, linewidth: width, ...options });
+        this.parent = parent;
+        this.order = order;
+        this.lines = null;
+    }
+
+    show(points) {
+        if (this.lines) {
+            this.parent.remove(this.lines);
+            this.lines.geometry.dispose();
+            this.lines = null;
+        }
+        if (points.length === 0) return;
+        const geometry = new LineSegmentsGeometry();
+        geometry.setPositions(points);
+        this.lines = new LineSegments2(geometry, this.material);
+        this.lines.renderOrder = this.order;
+        if (this.material.dashed) this.lines.computeLineDistances();
+        this.parent.add(this.lines);
+    }
+}
+
+function thinLines(model) {
+    const points = new Float32Array(model.tiles.flatMap(edgesDrawnOnce));
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(points, 3));
+    return new LineSegments(geometry, new LineBasicMaterial({ color: 0x6f7a85 }));
+}
+
+// Throws where the browser has no WebGL 2.
+export function makeEnvelopeScene(shape, canvas) {
+    const { model } = shape;
+    const renderer = new WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: true });
+    renderer.setClearColor(0xffffff);
+    const scene = new Scene(),
+        group = new Group();
+    scene.add(group);
+    const uniforms = { palette: { value: null }, focus: { value: new Vector2(-1, -1) } };
+    const sphere = new Sphere(new Vector3(...shape.centre), shape.radius);
+    const cloth = clothMesh(clothArrays(shape), uniforms, sphere, 4);
+    const rim = clothMesh(rimArrays(shape.rim), uniforms, sphere, 1);
+    group.add(cloth, rim, thinLines(model));
+    const failing = new WideLines(group, 0xa50f2d, 2.5, 1);
+    const proposed = new WideLines(group, 0x111111, 3, 2, {
+        dashed: true,
+        dashSize: shape.radius / 60,
+        gapSize: shape.radius / 110,
+    });
+    const casing = new WideLines(group, 0xffffff, 8, 3, { depthWrite: false }),
+        chosen = new WideLines(group, 0x00734f, 4.5, 4);
+    const camera = new PerspectiveCamera(32, 1, shape.radius / 100, shape.radius * 20);
+    const controls = new OrbitControls(camera, canvas);
+    controls.enableDamping = false;
+    controls.minDistance = shape.radius / 20;
+    controls.maxDistance = shape.radius * 10;
+
+    // Coarse while it moves, at four times the pixels once it rests: smooth edges at no price in speed.
+    // Where even that is slow, as without a graphics card, coarser.
+    let waiting = false,
+        tween = null,
+        resting = 0,
+        last = 0,
+        coarse = 1;
+    const render = (share) => {
+        const ratio = Math.min(3, window.devicePixelRatio * share);
+        if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
+        renderer.render(scene, camera);
+    };
+    const draw = (now) => {
+        waiting = false;
+        if (now - last > 45 && now - last < 300) coarse = Math.max(0.5, coarse - 0.125);
+        last = now;
+        if (tween) tween();
+        render(coarse);
+        clearTimeout(resting);
+        resting = setTimeout(() => render(2), 200);
+    };
+    const request = () => {
+        if (!waiting) requestAnimationFrame(draw);
+        waiting = true;
+    };
+    controls.addEventListener('change', request);
+
+    // Turns to look at a place from a direction; at once where motion is not wanted.
+    const flyTo = (target, direction, distance, isInstant) => {
+        const end = {
+            target: new Vector3(...target),
+            place: new Vector3(...target).addScaledVector(new Vector3(...direction).normalize(), distance),
+        };
+        const start = { target: controls.target.clone(), offset: camera.position.clone().sub(controls.target) };
+        const endOffset = end.place.clone().sub(end.target);
+        const began = performance.now(),
+            lasting = isInstant || matchMedia('(prefers-reduced-motion: reduce)').matches ? 0 : 350;
+        tween = () => {
+            const share = lasting ? Math.min(1, (performance.now() - began) / lasting) : 1;
+            const eased = share * share * (3 - 2 * share);
+            controls.target.lerpVectors(start.target, end.target, eased);
+            const offset = start.offset.clone().lerp(endOffset, eased);
+            offset.setLength(start.offset.length() + eased * (endOffset.length() - start.offset.length()));
+            camera.position.copy(controls.target).add(offset);
+            if (share >= 1) tween = null;
+            controls.update();
+            if (tween) setTimeout(request);
+        };
+        request();
+    };
+    const wholeDistance = () =>
+        (shape.radius * 1.08) / Math.sin(((camera.fov / 2) * Math.PI) / 180) / Math.min(1, camera.aspect);
+    const flyHome = (isInstant) => flyTo(shape.centre, [0.55, 0.28, 1], wholeDistance(), isInstant);
+
+    const ray = new Raycaster();
+    const projected = new Vector3();
+    const project = (point) => {
+        projected.set(...point).project(camera);
+        return [((projected.x + 1) / 2) * canvas.clientWidth, ((1 - projected.y) / 2) * canvas.clientHeight];
+    };
+
+    return {
+        recolour(map, palette) {
+            uniforms.palette.value?.dispose();
+            uniforms.palette.value = paletteTexture(palette);
+            const shades = shadesOf(shape, map);
+            setShades(cloth, shades.cloth);
+            setShades(rim, shades.rim);
+            request();
+        },
+        choose(tiles, seam) {
+            uniforms.focus.value.set(tiles[0]?.index ?? -1, tiles[1]?.index ?? tiles[0]?.index ?? -1);
+            const line = seam ? seamLine(model, seam) : tiles.flatMap(outlineOf);
+            // Seams are short: they are seen through the cloth too.
+            casing.material.depthTest = chosen.material.depthTest = !seam;
+            casing.show(line);
+            chosen.show(line);
+            request();
+        },
+        mark(failingTiles, failingSeams) {
+            failing.show([
+                ...failingTiles.flatMap(outlineOf),
+                ...failingSeams.flatMap((seam) => seamLine(model, seam)),
+            ]);
+            proposed.show(failingTiles.flatMap((tile) => proposalLine(shape, tile)));
+            request();
+        },
+        lookAt({ middle, normal, radius }) {
+            flyTo(
+                middle,
+                [normal[0], normal[1] * 0.8 + 0.05, normal[2]],
+                Math.min(wholeDistance(), Math.max(6 * radius, 1.6 * shape.radius)),
+                false,
+            );
+        },
+        home: () => flyHome(false),
+        turn(right, up) {
+            const offset = camera.position.clone().sub(controls.target);
+            const reach = offset.length();
+            const azimuth = Math.atan2(offset.x, offset.z) + right;
+            const height = Math.min(1.5, Math.max(-1.5, Math.asin(offset.y / reach) + up));
+            camera.position
+                .set(Math.sin(azimuth) * Math.cos(height), Math.sin(height), Math.cos(azimuth) * Math.cos(height))
+                .multiplyScalar(reach)
+                .add(controls.target);
+            controls.update();
+            request();
+        },
+        zoom(factor) {
+            camera.position.sub(controls.target).multiplyScalar(factor).add(controls.target);
+            controls.update();
+            request();
+        },
+        pointed(x, y) {
+            ray.setFromCamera(new Vector2((x / canvas.clientWidth) * 2 - 1, 1 - (y / canvas.clientHeight) * 2), camera);
+            return pointedAt(
+                shape,
+                { origin: ray.ray.origin.toArray(), direction: ray.ray.direction.toArray() },
+                [x, y],
+                project,
+            );
+        },
+        resize(width, height) {
+            const isFirst = camera.position.lengthSq() === 0;
+            renderer.setSize(width, height, false);
+            camera.aspect = width / height;
+            camera.updateProjectionMatrix();
+            if (isFirst) flyHome(true);
+            request();
+        },
+        drawNow: () => render(2),
+    };
+}

@@ -1,0 +1,225 @@
+// The tiles in space as one shape: what both views draw and pick from.
+import { sidePoints } from './data.js';
+import { clothPlaces, rimPlaces } from './maps.js';
+import { makePicking } from './picking.js';
+
+// Which way is up: z, unless the shape is much taller along y and so was drawn the other way.
+function upAxis(lower, upper) {
+    const size = upper.map((value, k) => value - lower[k]);
+    return size[1] > 1.3 * size[2] && size[1] > 1.3 * size[0] ? 'y' : 'z';
+}
+
+// From the input's axes to those of the screen: y up, seen from the front.
+const turned = { y: (p) => p, z: ([x, y, z]) => [x, z, -y] };
+
+function tileFrame(tile) {
+    const middle = [0, 0, 0];
+    const { space, triangles } = tile;
+    for (let i = 0; i < space.length; ++i) middle[i % 3] += space[i] / (space.length / 3);
+    const normal = [0, 0, 0];
+    for (let t = 0; t < triangles.length; t += 3) {
+        const [a, b, c] = [triangles[t] * 3, triangles[t + 1] * 3, triangles[t + 2] * 3];
+        const e = [0, 1, 2].map((k) => space[b + k] - space[a + k]),
+            f = [0, 1, 2].map((k) => space[c + k] - space[a + k]);
+        normal[0] += e[1] * f[2] - e[2] * f[1];
+        normal[1] += e[2] * f[0] - e[0] * f[2];
+        normal[2] += e[0] * f[1] - e[1] * f[0];
+    }
+    const size = Math.hypot(...normal) || 1;
+    let radius = 0;
+    for (let i = 0; i < space.length; i += 3)
+        radius = Math.max(radius, Math.hypot(space[i] - middle[0], space[i + 1] - middle[1], space[i + 2] - middle[2]));
+    return { middle, normal: normal.map((value) => value / size), radius };
+}
+
+// Of each boundary edge the direction into the cloth, in the plane of its triangle.
+function inwardOf(tile) {
+    const { loop, space, triangles } = tile;
+    const place = new Map(Array.from(loop, (vertex, i) => [vertex, i]));
+    const inward = Array.from(loop, () => [0, 0, 0]);
+    for (let t = 0; t < triangles.length; t += 3)
+        for (let k = 0; k < 3; ++k) {
+            const [a, b, c] = [triangles[t + k], triangles[t + ((k + 1) % 3)], triangles[t + ((k + 2) % 3)]];
+            const i = place.get(a);
+            if (i === undefined || loop[(i + 1) % loop.length] !== b) continue;
+            const along = [0, 1, 2].map((j) => space[3 * b + j] - space[3 * a + j]);
+            const across = [0, 1, 2].map((j) => space[3 * c + j] - space[3 * a + j]);
+            const length = along.reduce((sum, value) => sum + value * value, 0) || 1e-12;
+            const share = along.reduce((sum, value, j) => sum + value * across[j], 0) / length;
+            const height = across.map((value, j) => value - share * along[j]);
+            const size = Math.hypot(...height) || 1;
+            inward[i] = height.map((value) => value / size);
+        }
+    return inward;
+}
+
+// A band along the inside of every boundary edge, for what is said of edges: two triangles each.
+function rimOf(tiles, edgeCount) {
+    const positions = new Float32Array(18 * edgeCount),
+        ids = new Uint16Array(2 * edgeCount);
+    let at = 0;
+    for (const tile of tiles) {
+        const { loop, space, frame } = tile;
+        const width = 0.07 * frame.radius;
+        const inward = inwardOf(tile);
+        const inner = Array.from(loop, (vertex, i) => {
+            const before = inward[(i + loop.length - 1) % loop.length];
+            const both = inward[i].map((value, k) => value + before[k]);
+            const length = Math.hypot(...both) || 1;
+            return both.map((value, k) => space[3 * vertex + k] + (width / length) * value);
+        });
+        for (let i = 0; i < loop.length; ++i) {
+            const j = (i + 1) % loop.length;
+            const a = space.subarray(3 * loop[i], 3 * loop[i] + 3),
+                b = space.subarray(3 * loop[j], 3 * loop[j] + 3);
+            for (const point of [a, b, inner[j], a, inner[j], inner[i]]) {
+                positions.set(point, 3 * at);
+                ids[Math.floor(at++ / 3)] = tile.index;
+            }
+        }
+    }
+    return { positions, ids };
+}
+
+// Where a tile or a seam lies, which way it faces and how large it is.
+export function placeOfChosen(model, tiles, seam) {
+    if (!seam) return tiles[0].frame;
+    const line = seamLine(model, seam);
+    const ends = [line.slice(0, 3), line.slice(-3)];
+    const normal = [0, 1, 2].map((k) => tiles.reduce((sum, tile) => sum + tile.frame.normal[k], 0));
+    const size = Math.hypot(...normal);
+    const half = 6 * Math.floor(line.length / 12);
+    return {
+        middle: line.slice(half, half + 3),
+        normal: size > 0.2 ? normal.map((value) => value / size) : tiles[0].frame.normal,
+        radius: Math.max(0.4 * tiles[0].frame.radius, Math.hypot(...ends[0].map((value, k) => value - ends[1][k])) / 2),
+    };
+}
+
+function farthest(tiles, from) {
+    let radius = 0;
+    for (const { space } of tiles)
+        for (let i = 0; i < space.length; i += 3)
+            radius = Math.max(radius, Math.hypot(space[i] - from[0], space[i + 1] - from[1], space[i + 2] - from[2]));
+    return radius;
+}
+
+export function makeEnvelopeShape(model) {
+    const { tiles } = model;
+    const triangleCount = tiles.reduce((sum, tile) => sum + tile.triangles.length / 3, 0);
+    const edgeCount = tiles.reduce((sum, tile) => sum + tile.loop.length, 0);
+    const lower = [Infinity, Infinity, Infinity],
+        upper = [-Infinity, -Infinity, -Infinity];
+    for (const tile of tiles)
+        for (let i = 0; i < tile.space.length; ++i) {
+            lower[i % 3] = Math.min(lower[i % 3], tile.space[i]);
+            upper[i % 3] = Math.max(upper[i % 3], tile.space[i]);
+        }
+    const turn = turned[upAxis(lower, upper)];
+    for (const tile of tiles)
+        for (let i = 0; i < tile.space.length; i += 3)
+            tile.space.set(turn([tile.space[i], tile.space[i + 1], tile.space[i + 2]]), i);
+
+    const positions = new Float32Array(9 * triangleCount),
+        ids = new Uint16Array(triangleCount);
+    const box = [turn(lower), turn(upper)];
+    let corner = 0;
+    for (const tile of tiles) {
+        tile.firstTriangle = corner / 3;
+        tile.frame = tileFrame(tile);
+        for (const vertex of tile.triangles) {
+            positions.set(tile.space.subarray(3 * vertex, 3 * vertex + 3), 3 * corner);
+            ids[Math.floor(corner++ / 3)] = tile.index;
+        }
+    }
+    const centre = box[0].map((value, k) => (value + box[1][k]) / 2);
+    return {
+        model,
+        triangleCount,
+        positions, // three corners a triangle
+        ids, // the tile of each triangle
+        rim: rimOf(tiles, edgeCount),
+        centre,
+        radius: farthest(tiles, centre) || 1,
+        pick: makePicking(positions),
+        turn,
+    };
+}
+
+// The place in the palette of each of the shape's triangles, and of the band's.
+export function shadesOf(shape, map) {
+    const { model } = shape;
+    const cloth = new Uint16Array(shape.ids.length);
+    const rim = map.rim ? new Uint16Array(shape.rim.ids.length) : null;
+    let edge = 0;
+    for (const tile of model.tiles) {
+        cloth.set(clothPlaces(model, tile, map), tile.firstTriangle);
+        if (rim) for (const place of rimPlaces(model, tile, map)) rim.fill(place, 2 * edge, 2 * ++edge);
+    }
+    return { cloth, rim };
+}
+
+// Lines as pairs of points, one after the other: the boundary of a tile, a side of a seam, a proposed seam.
+function pairs(points, isClosed) {
+    const result = [];
+    for (let i = 0; i + 1 < points.length + (isClosed ? 1 : 0); ++i)
+        result.push(...points[i], ...points[(i + 1) % points.length]);
+    return result;
+}
+
+export const outlineOf = (tile) =>
+    pairs(
+        Array.from(tile.loop, (vertex) => tile.space.subarray(3 * vertex, 3 * vertex + 3)),
+        true,
+    );
+
+// Of the boundary what no other tile draws: of the two sides of a seam the first.
+export function edgesDrawnOnce(tile) {
+    const isElsewhere = new Uint8Array(tile.loop.length);
+    for (const side of tile.sides)
+        if (side.name === 'b')
+            for (let i = 0; i < side.count; ++i) isElsewhere[(side.first + i) % isElsewhere.length] = 1;
+    const at = (i) => 3 * tile.loop[i % tile.loop.length];
+    return Array.from(tile.loop).flatMap((_, i) =>
+        isElsewhere[i]
+            ? []
+            : [...tile.space.subarray(at(i), at(i) + 3), ...tile.space.subarray(at(i + 1), at(i + 1) + 3)],
+    );
+}
+
+export const seamLine = (model, seam) =>
+    seam.sides
+        .slice(0, 1)
+        .flatMap((side) => pairs(sidePoints(model.tiles[side.tile], side, model.tiles[side.tile].space, 3), false));
+
+export function proposalLine(shape, tile) {
+    const line = tile.said.proposal?.line_mm ?? [];
+    return pairs(
+        line.map((point) => shape.turn(point.map((value) => value / 1000))),
+        false,
+    );
+}
+
+// What is under the pointer: a tile's triangle, and the seam within `reach` pixels. `project` takes a point to the screen.
+export function pointedAt(shape, ray, pointer, project, reach = 7) {
+    const hit = shape.pick(ray.origin, ray.direction);
+    if (!hit) return null;
+    const tile = shape.model.tiles[shape.ids[hit.triangle]];
+    let nearest = reach,
+        seam = null;
+    for (const side of tile.sides) {
+        const points = sidePoints(tile, side, tile.space, 3).map(project);
+        for (let i = 0; i + 1 < points.length; ++i) {
+            const away = distanceToSegment(pointer, points[i], points[i + 1]);
+            if (away < nearest) [nearest, seam] = [away, side.seam];
+        }
+    }
+    return { tile, triangle: hit.triangle - tile.firstTriangle, seam };
+}
+
+export function distanceToSegment(p, a, b) {
+    const along = [b[0] - a[0], b[1] - a[1]];
+    const length = along[0] ** 2 + along[1] ** 2 || 1e-12;
+    const share = Math.min(1, Math.max(0, ((p[0] - a[0]) * along[0] + (p[1] - a[1]) * along[1]) / length));
+    return Math.hypot(p[0] - a[0] - share * along[0], p[1] - a[1] - share * along[1]);
+}

@@ -1,0 +1,25 @@
+// Figures for people: a true minus, fixed decimals, a dash for what is unknown.
+export function figure(value, decimals = 2, signed = false) {
+    if (value === null || value === undefined || !Number.isFinite(value)) return '–';
+    const text = Math.abs(value).toFixed(decimals);
+    const isZero = !/[1-9]/.test(text);
+    const [whole, fraction] = text.split('.');
+    const grouped = whole.length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, '\u202f') : whole;
+    const sign = isZero ? '' : value < 0 ? '−' : signed ? '+' : '';
+    return sign + grouped + (fraction ? '.' + fraction : '');
+}
+
+export const percent = (value, decimals = 2) => figure(value, decimals, true) + '\u00a0%';
+export const plainPercent = (value, decimals = 2) => figure(value, decimals) + '\u00a0%';
+export const millimetres = (value, decimals = 1) => figure(value, decimals) + '\u00a0mm';
+export const signedMillimetres = (value, decimals = 2) => figure(value, decimals, true) + '\u00a0mm';
+export const degrees = (value, decimals = 1) => figure(value, decimals) + '°';
+export const squareMetres = (value, decimals = 2) => figure(value, decimals) + '\u00a0m²';
+
+// About three digits, none of them idle: 2 and not 2.000.
+export function short(value) {
+    const text = figure(value, Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : Math.abs(value) >= 1 ? 2 : 3);
+    return text.includes('.') ? text.replace(/\.?0+$/, '') : text;
+}
+
+export const count = (number, one, many = one + 's') => `${figure(number, 0)} ${number === 1 ? one : many}`;

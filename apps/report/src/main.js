@@ -1,0 +1,209 @@
+import './style.css';
+import { readModel } from './data.js';
+import { html } from './dom.js';
+import { makeEnvelopeScene } from './envelope_scene.js';
+import { makeEnvelopeShape, placeOfChosen } from './envelope_shape.js';
+import { makeEnvelopePlain } from './envelope_plain.js';
+import { legendView } from './legend.js';
+import { makeList } from './list.js';
+import { mapOf, mapsOf } from './maps.js';
+import { paletteNames } from './palette.js';
+import { panelContent, spoken } from './panel.js';
+import { printWhole } from './paper.js';
+import { rollView } from './roll_view.js';
+import { makeState } from './state.js';
+import { steer } from './steering.js';
+import { basis, seamTable, tileTable } from './tables.js';
+import { hoverWords, makeTip } from './tip.js';
+import { failingSeams, failingTiles, verdictView } from './verdict.js';
+
+// WebGL where there is some, else pixel by pixel. A canvas that was asked for one cannot give the other.
+function envelopeView(shape, holder) {
+    const make = (maker) => {
+        const canvas = html('canvas', {
+            class: 'envelope',
+            tabindex: '0',
+            role: 'application',
+            'aria-label':
+                'The envelope in space. Arrow keys go from tile to tile, with shift they turn it, plus and minus zoom, Home shows all, Escape lets go.',
+        });
+        holder.replaceChildren(canvas);
+        return { canvas, ...maker(shape, canvas), isPlain: maker === makeEnvelopePlain };
+    };
+    if (!document.createElement('canvas').getContext('webgl2')) return make(makeEnvelopePlain);
+    try {
+        return make(makeEnvelopeScene);
+    } catch {
+        return make(makeEnvelopePlain);
+    }
+}
+
+function selectBox(label, options, onchange) {
+    const box = html(
+        'select',
+        { onchange: () => onchange(box.value) },
+        options.map(({ id, name }) => html('option', { value: id }, name)),
+    );
+    return html('label', { class: 'choice' }, html('span', {}, label), box);
+}
+
+function start(model) {
+    const shape = makeEnvelopeShape(model);
+    const available = mapsOf(model);
+    const preferred = failingTiles(model).length === 0 && failingSeams(model).length > 0 ? 'mismatch' : 'warp';
+    const first = available.find((map) => map.id === preferred) ?? available[0] ?? mapOf('edges');
+    const state = makeState({ map: first.id, palette: 'safe', chosen: null });
+
+    const choose = (kind, item, isSeen) => {
+        state.change({ chosen: { kind, index: item.index } });
+        if (isSeen) return;
+        if (kind === 'tile') view.lookAt(placeOfChosen(model, [item], null));
+        else
+            view.lookAt(
+                placeOfChosen(
+                    model,
+                    item.sides.map((side) => model.tiles[side.tile]),
+                    item,
+                ),
+            );
+    };
+    const onTile = (tile) => choose('tile', tile);
+    const onSeam = (seam) => choose('seam', seam);
+
+    const tiles = tileTable(model, onTile),
+        seams = seamTable(model, onSeam);
+    const onSearch = (text) => [tiles, seams].forEach((table) => table.search(text));
+    const list = makeList(model, state, { onTile, onSeam, onSearch });
+    const holder = html('div', { class: 'holder' });
+    const legendPlace = html('div', { class: 'legend-place' });
+    const panel = html('section', { class: 'panel', 'aria-label': 'The piece', tabindex: '0' });
+    const tip = makeTip();
+    const live = html('p', { class: 'unseen', role: 'status' });
+    const printed = html('section', { class: 'print-only' });
+    const hint = html(
+        'p',
+        { class: 'hint' },
+        'Click a tile or a seam. Drag turns, the wheel zooms. Keys: arrows go from tile to tile, with shift they turn; + and − zoom; Home shows all.',
+    );
+    const mapChoice = selectBox('Colours show', available, (map) => state.change({ map }));
+    mapChoice.querySelector('select').value = state.now.map;
+    const tools = html(
+        'div',
+        { class: 'tools' },
+        mapChoice,
+        selectBox('Palette', paletteNames, (palette) => state.change({ palette })),
+        html('button', { onclick: () => view.home() }, 'Whole envelope'),
+        html('button', { onclick: () => state.change({ chosen: null }) }, 'Let go'),
+        failingTiles(model).length + failingSeams(model).length > 0 &&
+            html('button', { class: 'next', onclick: nextFailing }, 'Next that fails'),
+    );
+
+    document
+        .getElementById('page')
+        .replaceChildren(
+            verdictView(model, { onTile, onSeam }),
+            html(
+                'main',
+                {},
+                html(
+                    'div',
+                    { class: 'work' },
+                    list.element,
+                    html('section', { class: 'space', 'aria-label': 'The envelope' }, tools, holder, legendPlace, hint),
+                    panel,
+                ),
+                printed,
+                rollView(model, onTile),
+                tiles.element,
+                model.seams.length > 0 && seams.element,
+                basis(model),
+            ),
+            tip.element,
+            live,
+        );
+    const view = envelopeView(shape, holder);
+    if (view.isPlain) hint.prepend('This browser has no WebGL: the envelope is drawn more plainly. ');
+
+    function nextFailing() {
+        const failing = [
+            ...failingTiles(model).map((item) => ['tile', item]),
+            ...failingSeams(model).map((item) => ['seam', item]),
+        ];
+        const { chosen } = state.now;
+        const at = failing.findIndex(([kind, item]) => chosen?.kind === kind && chosen.index === item.index);
+        choose(...failing[(at + 1) % failing.length]);
+    }
+
+    const context = () => ({
+        map: mapOf(state.now.map),
+        palette: state.now.palette,
+        onTile,
+        onSeam,
+        hover: null,
+    });
+    const showPanel = () => {
+        const { chosen } = state.now;
+        const tile = chosen?.kind === 'tile' ? model.tiles[chosen.index] : null;
+        const hover =
+            tile && ((triangle, event) => tip.show(triangle < 0 ? null : hoverWords({ tile, triangle }), event));
+        panel.replaceChildren(
+            ...[panelContent(shape, state.now, { ...context(), hover })].flat(Infinity).filter(Boolean),
+        );
+    };
+    const showChosen = () => {
+        const { chosen } = state.now;
+        if (chosen?.kind === 'seam') {
+            const seam = model.seams[chosen.index];
+            view.choose(
+                seam.sides.map((side) => model.tiles[side.tile]),
+                seam,
+            );
+        } else view.choose(chosen ? [model.tiles[chosen.index]] : [], null);
+        live.textContent = spoken(model, chosen);
+    };
+    const recolour = () => {
+        view.recolour(mapOf(state.now.map), state.now.palette);
+        legendPlace.replaceChildren(legendView(model, state.now));
+    };
+    state.listen((now, before) => {
+        if (now.map !== before.map || now.palette !== before.palette) recolour();
+        if (now.chosen !== before.chosen) showChosen();
+        showPanel();
+    });
+
+    steer(view, {
+        step: list.step,
+        showTip: tip.show,
+        onFound: (found) => {
+            if (found?.seam) choose('seam', found.seam, true);
+            else if (found) choose('tile', found.tile, true);
+            else state.change({ chosen: null });
+        },
+    });
+    panel.addEventListener('pointerleave', () => tip.show(null));
+    printWhole(shape, view, [tiles, seams], printed, context);
+
+    view.mark(failingTiles(model), failingSeams(model));
+    recolour();
+    showPanel();
+    new ResizeObserver(() => {
+        if (holder.clientWidth > 0 && !matchMedia('print').matches)
+            view.resize(holder.clientWidth, holder.clientHeight);
+    }).observe(holder);
+    requestAnimationFrame(() => requestAnimationFrame(() => performance.mark('first-picture')));
+}
+
+readModel()
+    .then(start)
+    .catch((error) => {
+        document
+            .getElementById('page')
+            .replaceChildren(
+                html(
+                    'p',
+                    { role: 'alert', class: 'starting' },
+                    `The report cannot be shown by this browser (${error.message}). The figures are in report.json, tiles.csv and seams.csv beside this page.`,
+                ),
+            );
+        throw error;
+    });

@@ -1,0 +1,35 @@
+// On paper: every row of the tables, and the pieces of the tiles that fail.
+import { html } from './dom.js';
+import { pieceView } from './piece_view.js';
+import { failingTiles } from './verdict.js';
+
+const mostPieces = 24;
+
+export function printWhole(shape, view, tables, printed, context) {
+    window.addEventListener('beforeprint', () => {
+        for (const table of tables) table.showWhole(true);
+        for (const details of document.querySelectorAll('details')) details.open = true;
+        const failing = failingTiles(shape.model)
+            .filter((tile) => tile.flat)
+            .slice(0, mostPieces);
+        printed.replaceChildren(
+            ...(failing.length > 0
+                ? [
+                      html('h2', {}, 'The pieces that fail'),
+                      html(
+                          'div',
+                          { class: 'pieces' },
+                          failing.map((tile) =>
+                              html('figure', {}, pieceView(shape, tile, context()), html('figcaption', {}, tile.name)),
+                          ),
+                      ),
+                  ]
+                : []),
+        );
+        view.drawNow();
+    });
+    window.addEventListener('afterprint', () => {
+        for (const table of tables) table.showWhole(false);
+        printed.replaceChildren();
+    });
+}

@@ -1,0 +1,298 @@
+// The piece of a tile as it is cut: strain in colours, cut and sew line, notches, grain, labels, seams, a proposed seam.
+import { sidePoints } from './data.js';
+import { html, svg } from './dom.js';
+import { figure, millimetres } from './format.js';
+import { clothPlaces, rimPlaces } from './maps.js';
+import { cssColour, paletteTable, places } from './palette.js';
+import { fillTriangle, makeImage } from './raster.js';
+
+const pixels = 1600; // of the picture of the triangles, along its longer side
+
+// Where things lie: x as on the cloth, y downwards, millimetres.
+function frameOf(tile) {
+    const box = [Infinity, Infinity, -Infinity, -Infinity];
+    const points = [...(tile.piece?.cut ?? []), ...(tile.flat ?? []).map((value) => value * 1000)];
+    for (let i = 0; i < points.length; i += 2) {
+        box[0] = Math.min(box[0], points[i]);
+        box[1] = Math.min(box[1], -points[i + 1]);
+        box[2] = Math.max(box[2], points[i]);
+        box[3] = Math.max(box[3], -points[i + 1]);
+    }
+    return { x: box[0], y: box[1], width: box[2] - box[0] || 1, height: box[3] - box[1] || 1 };
+}
+
+function clothPicture(model, tile, map, palette, frame) {
+    const scale = pixels / Math.max(frame.width, frame.height);
+    const canvas = html('canvas', { width: Math.ceil(frame.width * scale), height: Math.ceil(frame.height * scale) });
+    const context = canvas.getContext('2d');
+    const image = makeImage(context);
+    const colours = new Uint32Array(paletteTable(palette).buffer);
+    const { flat, triangles } = tile;
+    const x = [0, 0, 0],
+        y = [0, 0, 0];
+    clothPlaces(model, tile, map).forEach((place, t) => {
+        for (let k = 0; k < 3; ++k) {
+            const vertex = 2 * triangles[3 * t + k];
+            x[k] = (flat[vertex] * 1000 - frame.x) * scale;
+            y[k] = (-flat[vertex + 1] * 1000 - frame.y) * scale;
+        }
+        fillTriangle(image, colours[place], x, y);
+    });
+    context.putImageData(image.data, 0, 0);
+    return svg('image', {
+        x: frame.x,
+        y: frame.y,
+        width: canvas.width / scale,
+        height: canvas.height / scale,
+        preserveAspectRatio: 'none',
+        href: canvas.toDataURL(),
+    });
+}
+
+function pathOf(points, isClosed) {
+    let path = '';
+    for (let i = 0; i < points.length; i += 2)
+        path += `${i ? 'L' : 'M'}${points[i].toFixed(2)} ${(-points[i + 1]).toFixed(2)}`;
+    return path + (isClosed ? 'Z' : '');
+}
+
+const inMillimetres = (points) => points.flatMap(([x, y]) => [x * 1000, y * 1000]);
+
+function rimPicture(model, tile, map, palette) {
+    const shades = rimPlaces(model, tile, map);
+    if (!shades) return [];
+    const table = paletteTable(palette);
+    const paths = new Map();
+    shades.forEach((place, i) => {
+        const ends = [tile.loop[i], tile.loop[(i + 1) % tile.loop.length]];
+        const path = pathOf(
+            ends.flatMap((v) => [tile.flat[2 * v] * 1000, tile.flat[2 * v + 1] * 1000]),
+            false,
+        );
+        paths.set(place, (paths.get(place) ?? '') + path);
+    });
+    return [
+        svg('path', { class: 'rim-casing', d: pathOf(outlinePoints(tile), true) }),
+        ...[...paths].map(([place, d]) =>
+            svg('path', {
+                class: `rim${place === places.above || place === places.below ? ' beyond' : ''}`,
+                d,
+                stroke: cssColour(table, place),
+            }),
+        ),
+    ];
+}
+
+const outlinePoints = (tile) =>
+    Array.from(tile.loop).flatMap((v) => [tile.flat[2 * v] * 1000, tile.flat[2 * v + 1] * 1000]);
+
+function grainArrow(grain) {
+    if (grain.length < 4) return null;
+    const [x0, y0, x1, y1] = grain;
+    const length = Math.hypot(x1 - x0, y1 - y0),
+        head = Math.min(40, 0.2 * length);
+    const along = [(x1 - x0) / length, (y1 - y0) / length];
+    const wing = (side) => [
+        x1 - head * along[0] - side * 0.35 * head * along[1],
+        y1 - head * along[1] + side * 0.35 * head * along[0],
+    ];
+    return svg(
+        'path',
+        { class: 'grain', d: pathOf([x0, y0, x1, y1], false) + pathOf([...wing(1), x1, y1, ...wing(-1)], false) },
+        svg('title', {}, 'Grain: the warp'),
+    );
+}
+
+function labels(piece) {
+    return piece.labels.map(({ text, at_mm: [x, y], height_mm: height, turn_deg: turn }) =>
+        svg(
+            'text',
+            {
+                x,
+                y: -y,
+                'font-size': height * 1.35,
+                'text-anchor': 'middle',
+                'dominant-baseline': 'central',
+                transform: `rotate(${-turn} ${x} ${-y})`,
+            },
+            text,
+        ),
+    );
+}
+
+// The ends of a proposed seam on the cloth: the places of the outline that lie nearest to them in space.
+function proposedSeam(shape, tile) {
+    const line = tile.said.proposal?.line_mm;
+    if (!line) return null;
+    const ends = [line[0], line.at(-1)].map((end) => {
+        const place = shape.turn(end.map((value) => value / 1000));
+        let nearest = Infinity,
+            found = [0, 0];
+        tile.loop.forEach((vertex, i) => {
+            const next = tile.loop[(i + 1) % tile.loop.length];
+            const a = tile.space.subarray(3 * vertex, 3 * vertex + 3),
+                b = tile.space.subarray(3 * next, 3 * next + 3);
+            const along = [0, 1, 2].map((k) => b[k] - a[k]),
+                from = [0, 1, 2].map((k) => place[k] - a[k]);
+            const dot = (one, other) => one.reduce((sum, value, k) => sum + value * other[k], 0);
+            const share = Math.min(1, Math.max(0, dot(along, from) / (dot(along, along) || 1e-12)));
+            const away = Math.hypot(...from.map((value, k) => value - share * along[k]));
+            if (away < nearest) {
+                nearest = away;
+                found = [0, 1].map(
+                    (k) =>
+                        1000 *
+                        (tile.flat[2 * vertex + k] + share * (tile.flat[2 * next + k] - tile.flat[2 * vertex + k])),
+                );
+            }
+        });
+        return found;
+    });
+    return svg(
+        'path',
+        { class: 'proposed', d: pathOf(ends.flat(), false) },
+        svg('title', {}, 'A seam that would help here'),
+    );
+}
+
+// A ring where something is wrong: at the vertex nearest to the place.
+function rings(shape, tile, frame) {
+    const radius = 0.018 * Math.max(frame.width, frame.height);
+    const seen = new Set();
+    return tile.findings.map((finding) => {
+        const place = shape.turn(finding.at_mm.map((value) => value / 1000));
+        let nearest = Infinity,
+            vertex = 0;
+        for (let v = 0; 3 * v < tile.space.length; ++v) {
+            const away = Math.hypot(
+                tile.space[3 * v] - place[0],
+                tile.space[3 * v + 1] - place[1],
+                tile.space[3 * v + 2] - place[2],
+            );
+            if (away < nearest) [nearest, vertex] = [away, v];
+        }
+        if (!Number.isFinite(nearest) || seen.has(vertex)) return null;
+        seen.add(vertex);
+        return svg(
+            'circle',
+            { class: 'ring', cx: tile.flat[2 * vertex] * 1000, cy: -tile.flat[2 * vertex + 1] * 1000, r: radius },
+            svg('title', {}, finding.message),
+        );
+    });
+}
+
+function seamPaths(model, tile, chosenSeam, onSeam) {
+    return tile.sides.map((side) => {
+        const d = pathOf(inMillimetres(sidePoints(tile, side, tile.flat, 2)), false);
+        const isChosen = side.seam === chosenSeam;
+        return [
+            isChosen && svg('path', { class: 'seam-casing', d }),
+            isChosen && svg('path', { class: 'seam-chosen', d }),
+            svg(
+                'path',
+                { class: 'seam-reach', d, 'data-seam': side.seam.id, onclick: () => onSeam(side.seam) },
+                svg('title', {}, `Seam ${side.seam.id}: sewn to ${mateName(model, side)}`),
+            ),
+        ];
+    });
+}
+
+export function mateOf(side) {
+    return side.seam.sides.find((other) => other.name !== side.name);
+}
+
+export const mateName = (model, side) => (mateOf(side) ? model.tiles[mateOf(side).tile].name : 'nothing');
+
+// Which triangle of the flat tile holds a place [mm, y up].
+export function triangleAt(tile, x, y) {
+    const { flat, triangles } = tile;
+    const [px, py] = [x / 1000, y / 1000];
+    for (let t = 0; t < triangles.length; t += 3) {
+        const [a, b, c] = [2 * triangles[t], 2 * triangles[t + 1], 2 * triangles[t + 2]];
+        const turns = (i, j) => (flat[j] - flat[i]) * (py - flat[i + 1]) - (flat[j + 1] - flat[i + 1]) * (px - flat[i]);
+        const [u, v, w] = [turns(a, b), turns(b, c), turns(c, a)];
+        if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) return t / 3;
+    }
+    return -1;
+}
+
+// `hover(triangle, event)`: -1 where there is no cloth.
+export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover }) {
+    const { model } = shape;
+    if (!tile.flat) return html('p', { class: 'nothing' }, 'This tile could not be laid flat, so there is no piece.');
+    const frame = frameOf(tile);
+    const margin = 0.035 * Math.max(frame.width, frame.height);
+    const home = [frame.x - margin, frame.y - margin, frame.width + 2 * margin, frame.height + 2 * margin];
+    const { piece } = tile;
+    const clip = `cloth-${tile.index}`;
+    const drawing = svg(
+        'svg',
+        {
+            class: 'piece',
+            viewBox: home.join(' '),
+            role: 'img',
+            'aria-label': `The flat piece of ${tile.name}, ${size(frame)}`,
+        },
+        svg('clipPath', { id: clip }, svg('path', { d: pathOf(outlinePoints(tile), true) })),
+        piece && svg('path', { class: 'allowance', d: pathOf(piece.cut, true) }),
+        clothPicture(model, tile, map, palette, frame),
+        rimPicture(model, tile, map, palette),
+        piece && [
+            svg('path', { class: 'cut', d: pathOf(piece.cut, true) }),
+            svg('path', { class: 'sew', d: pathOf(piece.sew, true) }),
+            svg('path', { class: 'notches', d: slitPath(piece.slits) }),
+            piece.lines.map((line) =>
+                svg('path', { class: 'drawn', d: pathOf(line.points, false) }, svg('title', {}, line.name)),
+            ),
+            grainArrow(piece.grain),
+            labels(piece),
+        ],
+        proposedSeam(shape, tile),
+        !chosenSeam && rings(shape, tile, frame),
+        seamPaths(model, tile, chosenSeam, onSeam),
+    );
+    if (hover)
+        drawing.addEventListener('pointermove', (event) => {
+            const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(drawing.getScreenCTM().inverse());
+            hover(triangleAt(tile, at.x, -at.y), event);
+        });
+    addZoom(drawing, home);
+    return drawing;
+}
+
+function slitPath(slits) {
+    let path = '';
+    for (let i = 0; i < slits.length; i += 4) path += pathOf(slits.slice(i, i + 4), false);
+    return path;
+}
+
+export const size = (frame) => `${figure(frame.width, 0)} × ${millimetres(frame.height, 0)}`;
+export const sizeOf = (tile) => size(frameOf(tile));
+
+// The wheel zooms about the pointer, dragging moves, a double click shows all again.
+function addZoom(drawing, home) {
+    let box = [...home],
+        from = null;
+    const set = (next) => drawing.setAttribute('viewBox', (box = next).join(' '));
+    const at = (event) => new DOMPoint(event.clientX, event.clientY).matrixTransform(drawing.getScreenCTM().inverse());
+    drawing.addEventListener(
+        'wheel',
+        (event) => {
+            event.preventDefault();
+            const factor = Math.min(1.4, Math.max(0.7, Math.exp(event.deltaY / 500)));
+            if (box[2] * factor > 1.5 * home[2] || box[2] * factor < home[2] / 200) return;
+            const p = at(event);
+            set([p.x - (p.x - box[0]) * factor, p.y - (p.y - box[1]) * factor, box[2] * factor, box[3] * factor]);
+        },
+        { passive: false },
+    );
+    drawing.addEventListener('pointerdown', (event) => {
+        from = at(event);
+    });
+    drawing.addEventListener('pointermove', (event) => {
+        if (!from || !(event.buttons & 1)) return;
+        const p = at(event);
+        set([box[0] + from.x - p.x, box[1] + from.y - p.y, box[2], box[3]]);
+    });
+    drawing.addEventListener('dblclick', () => set([...home]));
+}

@@ -1,0 +1,36 @@
+// Triangles into pixels, a hundred times faster than a path each and without gaps between them.
+
+// The pixels of a canvas; with `farthest`, a depth of each beside it.
+export function makeImage(context, farthest) {
+    const { width, height } = context.canvas;
+    const data = context.createImageData(width, height);
+    const depths = farthest === undefined ? null : new Float32Array(width * height).fill(farthest);
+    return { width, height, data, pixels: new Uint32Array(data.data.buffer), depths };
+}
+
+// Fills the pixels whose middles lie in the triangle; where there are depths, those where nothing is nearer (more) than `depth`.
+export function fillTriangle(image, colour, x, y, depth) {
+    const top = Math.max(0, Math.ceil(Math.min(y[0], y[1], y[2]) - 0.5));
+    const bottom = Math.min(image.height - 1, Math.floor(Math.max(y[0], y[1], y[2]) - 0.5));
+    for (let row = top; row <= bottom; ++row) {
+        const middle = row + 0.5;
+        let from = Infinity,
+            to = -Infinity;
+        for (let k = 0; k < 3; ++k) {
+            const next = (k + 1) % 3;
+            if (y[k] <= middle === y[next] <= middle) continue;
+            const at = x[k] + ((middle - y[k]) / (y[next] - y[k])) * (x[next] - x[k]);
+            from = Math.min(from, at);
+            to = Math.max(to, at);
+        }
+        const first = Math.max(0, Math.ceil(from - 0.5)),
+            last = Math.min(image.width - 1, Math.floor(to - 0.5));
+        for (let i = row * image.width + first; i <= row * image.width + last; ++i) {
+            if (image.depths) {
+                if (image.depths[i] > depth) continue;
+                image.depths[i] = depth;
+            }
+            image.pixels[i] = colour;
+        }
+    }
+}

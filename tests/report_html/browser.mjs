@@ -1,0 +1,124 @@
+// A page of Chromium with a report in it, and what it complained of.
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import assert from 'node:assert/strict';
+
+const require = createRequire(new URL('../../apps/report/package.json', import.meta.url));
+const { chromium } = require('playwright-core');
+const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+const golden = join(dirname(fileURLToPath(import.meta.url)), 'golden');
+
+const quiet = [
+    '--no-sandbox',
+    '--disable-quic',
+    '--no-first-run',
+    '--disable-background-networking',
+    '--disable-component-update',
+    '--disable-sync',
+];
+export const withWebGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+export const withoutWebGL = ['--disable-3d-apis'];
+
+// Opens a report, hands it to `use`, and holds that it said nothing on the console and asked for nothing.
+export async function opened(file, use, { flags = withWebGL, viewport = { width: 1400, height: 900 } } = {}) {
+    const browser = await chromium.launch({
+        executablePath: process.env.RIPSTOP_CHROMIUM,
+        headless: true,
+        args: [...quiet, ...flags],
+    });
+    try {
+        const page = await browser.newPage({ viewport, reducedMotion: 'reduce' });
+        const complaints = [],
+            requests = [];
+        page.on('console', (message) => {
+            if (['error', 'warning'].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()))
+                complaints.push(message.text());
+        });
+        page.on('pageerror', (error) => complaints.push(error.message));
+        page.on('request', (request) => {
+            if (!/^(data|blob):/.test(request.url())) requests.push(request.url());
+        });
+        const address = pathToFileURL(file).href;
+        await page.goto(address);
+        await page.waitForFunction(() => performance.getEntriesByName('first-picture').length > 0);
+        await use(page);
+        assert.deepEqual(complaints, []);
+        assert.deepEqual(requests, [address]);
+    } finally {
+        await browser.close();
+    }
+}
+
+export const rested = (page) => page.waitForTimeout(500);
+
+// Where the canvas lies on the page.
+export async function canvasBox(page) {
+    const box = await page.locator('canvas.envelope').boundingBox();
+    return { ...box, centre: [box.x + box.width / 2, box.y + box.height / 2] };
+}
+
+// The canvas as `columns` x `rows` mean colours, three numbers each.
+export async function thumbnail(page, columns = 24, rows = 18) {
+    await rested(page);
+    return page.evaluate(
+        ([width, height]) => {
+            const source = document.querySelector('canvas.envelope');
+            const canvas = Object.assign(document.createElement('canvas'), { width: 8 * width, height: 8 * height });
+            const context = canvas.getContext('2d', { willReadFrequently: true });
+            context.fillStyle = '#fff';
+            context.fillRect(0, 0, canvas.width, canvas.height);
+            // As high as the canvas and in the middle: its width depends on the fonts.
+            const share = (canvas.width / canvas.height) * source.height;
+            context.drawImage(
+                source,
+                (source.width - share) / 2,
+                0,
+                share,
+                source.height,
+                0,
+                0,
+                canvas.width,
+                canvas.height,
+            );
+            const colours = [];
+            for (let y = 0; y < height; ++y)
+                for (let x = 0; x < width; ++x) {
+                    const { data } = context.getImageData(8 * x, 8 * y, 8, 8);
+                    for (let k = 0; k < 3; ++k) {
+                        let sum = 0;
+                        for (let i = k; i < data.length; i += 4) sum += data[i];
+                        colours.push(Math.round(sum / 64));
+                    }
+                }
+            return colours;
+        },
+        [columns, rows],
+    );
+}
+
+export const meanDifference = (one, other) =>
+    one.reduce((sum, value, i) => sum + Math.abs(value - other[i]), 0) / one.length;
+
+// Is the picture the one kept? A mean of 6 of 255 allows for fonts that move it by some pixels, and no more: another map or a
+// missing tile is 15 and up.
+export async function assertLooksAs(page, name) {
+    const now = await thumbnail(page);
+    const file = join(golden, `${name}.json`);
+    if (process.env.RENEW) writeFileSync(file, JSON.stringify(now) + '\n');
+    assert.ok(existsSync(file), `no golden picture ${name}; RENEW=1 writes it`);
+    const difference = meanDifference(now, JSON.parse(readFileSync(file, 'utf8')));
+    assert.ok(difference < 6, `the picture ${name} differs by ${difference.toFixed(1)} of 255 in the mean`);
+}
+
+// No violation of axe-core's rules in all of the page.
+export async function assertAccessible(page) {
+    await page.evaluate(axe);
+    const violations = await page.evaluate(async () =>
+        (await window.axe.run()).violations.map(
+            (violation) => `${violation.id}: ${violation.nodes.map((node) => node.html.slice(0, 120)).join(' | ')}`,
+        ),
+    );
+    assert.deepEqual(violations, []);
+}

@@ -1,0 +1,44 @@
+// The reports that are looked at, written by the program once a run.
+import { spawnSync } from 'node:child_process';
+import { existsSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+
+const { RIPSTOP_PROGRAM: program, RIPSTOP_SHARED: shared, RIPSTOP_WORK: work } = process.env;
+
+function ripstop(...args) {
+    const run = spawnSync(program, args, { cwd: work, encoding: 'utf8' });
+    if (![0, 1].includes(run.status)) throw new Error(`ripstop ${args.join(' ')}: ${run.stderr}`);
+}
+
+// The same with its pieces on the roll.
+export function nested(page) {
+    ripstop('nest', dirname(page), '--effort', '2', '--force', '--quiet');
+    return page;
+}
+
+function flattened(name, input, ...options) {
+    const page = join(work, name, 'report.html');
+    if (!existsSync(join(work, name))) ripstop('flatten', input, '-o', name, '--quiet', ...options);
+    return existsSync(page) ? page : null;
+}
+
+const dress = join(shared, 'dress', 'dress_knife_drape_3d.obj');
+
+export const reports = {
+    // The designed balloon: 24 gores of 15 panels, all of them good.
+    designed() {
+        if (!existsSync(join(work, 'balloon.obj')))
+            ripstop('design', 'natural', '-o', 'balloon.obj', '--gores', '24', '--panels', '15');
+        return flattened('designed', 'balloon.obj', '--fabric', 'nylon');
+    },
+    // A draped dress: panels that cannot be made, with seams proposed.
+    dress: () => (existsSync(dress) ? flattened('dress', dress, '--unit', 'm') : null),
+    // The same by a method that leaves seams unequal.
+    unequal: () => (existsSync(dress) ? flattened('unequal', dress, '--unit', 'm', '--method', 'lscm') : null),
+    // Two squares sewn together whose names are markup.
+    hostile(names) {
+        const text = `o ${names[0]}\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\no ${names[1]}\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 5 6 7 8\n`;
+        writeFileSync(join(work, 'hostile.obj'), text);
+        return flattened('hostile', 'hostile.obj', '--unit', 'm');
+    },
+};
