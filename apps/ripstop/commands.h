@@ -15,6 +15,8 @@ void add_methods(CLI::App& app);
 void add_design(CLI::App& app);
 void add_export(CLI::App& app);
 void add_lift(CLI::App& app);
+void add_completion(CLI::App& app);
+void add_manual(CLI::App& app);
 void add_validate(CLI::App& app);
 
 }  // namespace ripstop::cli
