@@ -18,5 +18,7 @@ void add_validate(CLI::App& app);
 void add_nest(CLI::App& app);
 void add_diff(CLI::App& app);
 void add_lift(CLI::App& app);
+void add_completion(CLI::App& app);
+void add_manual(CLI::App& app);
 
 }  // namespace ripstop::cli

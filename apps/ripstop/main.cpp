@@ -59,6 +59,12 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.failure_message(cli::usage_message);
     app.footer(
+        "Examples:\n"
+        "  ripstop design natural -o envelope.obj       an envelope to try things on\n"
+        "  ripstop check envelope.3dm                   what was understood of a model, and what is wrong with it\n"
+        "  ripstop flatten envelope.3dm -o cut-plan     the patterns and the report\n"
+        "  ripstop export cut-plan --dialect gerber     the same patterns for another cutter\n"
+        "`ripstop COMMAND --help` tells the options of each.\n\n"
         "Exit codes: 0 all manufacturable, 1 some not (all files written), 2 usage, 3 unusable input, 4 our fault.");
     cli::add_flatten(app);
     cli::add_check(app);
@@ -71,6 +77,8 @@ int main(int argc, char** argv) {
     cli::add_nest(app);
     cli::add_diff(app);
     cli::add_lift(app);
+    cli::add_completion(app);
+    cli::add_manual(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::RuntimeError& result) {

@@ -1,0 +1,74 @@
+/// ripstop manual: the manual page, from the same declarations as --help.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "command_tree.h"
+#include "commands.h"
+#include "ripstop/version.h"
+
+namespace ripstop::cli {
+namespace {
+
+/// As roff takes it: dashes that stay dashes, no line that begins with a dot.
+std::string roff(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '-')
+            result += "\\-";
+        else if (c == '\\')
+            result += "\\e";
+        else if ((c == '.' || c == '\'') && (result.empty() || result.back() == '\n'))
+            result += std::string("\\&") + c;
+        else
+            result += c;
+    }
+    return result;
+}
+
+std::string option_page(const OptionText& option) {
+    std::vector<std::string> names;
+    for (const std::string& name : option.names)
+        names.push_back(option.is_positional ? "\\fI" + roff(name) + "\\fR" : "\\fB" + roff(name) + "\\fR");
+    const std::string value = option.choices.empty() ? option.value : fmt::format("{}", fmt::join(option.choices, "|"));
+    std::string page = fmt::format(".TP\n{}", fmt::join(names, ", "));
+    if (!option.is_positional && !value.empty()) page += " \\fI" + roff(value) + "\\fR";
+    return page + "\n" + roff(option.description) + (option.is_required ? " (required)" : "") + "\n";
+}
+
+std::string verbatim(const std::string& text) {
+    return text.empty() ? "" : ".PP\n.nf\n" + roff(text) + "\n.fi\n";
+}
+
+std::string command_page(const CommandText& command) {
+    std::string page = fmt::format(".SS {}\n{}\n", roff(command.path), roff(command.description));
+    for (const OptionText& option : command.options) page += option_page(option);
+    page += verbatim(command.footer);
+    for (const CommandText& each : command.commands) page += command_page(each);
+    return page;
+}
+
+std::string manual(const CommandText& program) {
+    std::string page = fmt::format(
+        ".TH RIPSTOP 1 \"\" \"ripstop {}\" \"User commands\"\n.SH NAME\nripstop \\- flat cut patterns of curved "
+        "envelopes\n"
+        ".SH SYNOPSIS\n.B ripstop\n.I COMMAND\n[\\fIOPTION\\fR]... [\\fIFILE\\fR]...\n.SH DESCRIPTION\n{}\n.SH "
+        "COMMANDS\n",
+        version, roff(program.description));
+    for (const CommandText& command : program.commands) page += command_page(command);
+    return page +
+           ".SH EXIT STATUS\n.TP\n0\nEvery tile and seam can be made.\n.TP\n1\nSome cannot; all files are written all "
+           "the same.\n.TP\n2\nThe command line is wrong.\n.TP\n3\nThe input cannot be used; the message says which "
+           "file and object, what was expected and what to do.\n.TP\n4\nA fault of the program.\n"
+           ".SH ENVIRONMENT\n.TP\nNO_COLOR\nNo colours, on a terminal either.\n.TP\nSOURCE_DATE_EPOCH\nThe date "
+           "that is written in DXF files of garment CAD.\n";
+}
+
+}  // namespace
+
+void add_manual(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("manual", "Prints the manual page");
+    command->footer("Example: ripstop manual | man -l -\n`make install` puts it where `man ripstop` finds it.");
+    command->callback([&app] { fmt::print("{}", manual(command_text(app))); });
+}
+
+}  // namespace ripstop::cli

@@ -1,0 +1,73 @@
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "support/program.h"
+
+namespace ripstop {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using testing::ProgramRun;
+using testing::Workshop;
+
+/// What bash offers for the last of `words`.
+std::string offered(const Workshop& workshop, const std::string& words) {
+    const ProgramRun script = workshop.ripstop("completion bash");
+    EXPECT_EQ(script.code, 0) << script.err;
+    std::ofstream(workshop.path("complete.bash")) << script.out << "COMP_WORDS=(ripstop " << words << ")\n"
+                                                  << "COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"
+                                                  << "_ripstop\necho \" ${COMPREPLY[*]} \" > offered.txt\n";
+    EXPECT_EQ(std::system(("cd '" + workshop.path("") + "' && bash complete.bash").c_str()), 0);
+    return workshop.read("offered.txt");
+}
+
+TEST(Completion, OffersCommandsOptionsAndTheirWords) {
+    const Workshop workshop;
+    EXPECT_THAT(offered(workshop, "fl"), HasSubstr(" flatten "));
+    EXPECT_THAT(offered(workshop, "fl"), Not(HasSubstr("check")));
+    EXPECT_THAT(offered(workshop, "flatten --no"), HasSubstr(" --notch-spacing --notch-depth "));
+    EXPECT_THAT(offered(workshop, "flatten --corners s"), HasSubstr(" square "));
+    EXPECT_THAT(offered(workshop, "design n"), HasSubstr(" natural "));
+    EXPECT_THAT(offered(workshop, "design natural --go"), HasSubstr(" --gores "));
+    EXPECT_THAT(offered(workshop, "completion z"), HasSubstr(" zsh "));
+}
+
+TEST(Completion, OffersFilesWhereTheyBelong) {
+    const Workshop workshop;
+    std::ofstream(workshop.path("envelope.obj")) << "x";
+    EXPECT_THAT(offered(workshop, "flatten env"), HasSubstr(" envelope.obj "));
+}
+
+TEST(Completion, IsMadeForZshAndFishAndNoOtherShell) {
+    const Workshop workshop;
+    EXPECT_THAT(workshop.ripstop("completion zsh").out, HasSubstr("#compdef ripstop"));
+    EXPECT_THAT(
+        workshop.ripstop("completion fish").out,
+        HasSubstr("complete -c ripstop -n '__fish_seen_subcommand_from flatten' -l corners -x -a 'mitre square fold'"));
+    EXPECT_EQ(workshop.ripstop("completion tcsh").code, 2);
+}
+
+TEST(Manual, HasEveryCommandAndReadsWithoutWarning) {
+    const Workshop workshop;
+    const ProgramRun page = workshop.ripstop("manual");
+    EXPECT_EQ(page.code, 0);
+    for (const char* command : {"flatten", "check", "export", "validate", "lift", "design natural"})
+        EXPECT_THAT(page.out, HasSubstr(std::string(".SS ripstop ") + command + "\n"));
+    EXPECT_THAT(page.out, HasSubstr("\\fB\\-\\-corners\\fR \\fImitre|square|fold\\fR"));
+    if (std::system("command -v groff > /dev/null") != 0) GTEST_SKIP() << "no groff to read the page with";
+    std::ofstream(workshop.path("ripstop.1")) << page.out;
+    EXPECT_EQ(
+        std::system(
+            ("cd '" + workshop.path("") + "' && groff -man -Tutf8 -ww ripstop.1 > page.txt 2> warnings.txt").c_str()),
+        0);
+    EXPECT_THAT(workshop.read("warnings.txt"), IsEmpty());
+    EXPECT_THAT(workshop.read("page.txt"), ContainsRegex("EXIT STATUS"));
+}
+
+}  // namespace
+}  // namespace ripstop
