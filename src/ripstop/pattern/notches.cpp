@@ -5,7 +5,7 @@
 
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/pattern/pieces.h"
-#include "ripstop/pattern/seam_place.h"
+#include "ripstop/model/seam_place.h"
 
 namespace ripstop {
 namespace {

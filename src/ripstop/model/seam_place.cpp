@@ -1,4 +1,4 @@
-#include "ripstop/pattern/seam_place.h"
+#include "ripstop/model/seam_place.h"
 
 #include <algorithm>
 

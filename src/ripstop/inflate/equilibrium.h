@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ripstop/base/progress.h"
+#include "ripstop/base/solve_summary.h"
+#include "ripstop/inflate/balance.h"
+
+namespace ripstop {
+
+struct EquilibriumOptions {
+    /// Shares of the unrelaxed cloth, one after the other; the last is the result's. Each is started from the one before.
+    std::vector<double> residuals = {1e-2, 1e-4};
+    int iterations = 300;     ///< of Newton's method, in all
+    double tolerance = 1e-4;  ///< of the forces: their root mean square against the largest pressure on an edge squared
+    Progress progress = {};   ///< may throw to stop; nothing is kept then
+};
+
+struct Equilibrium {
+    Points3 nodes;         ///< #N x 3 [m]
+    double energy = 0;     ///< Pi [J]
+    double residual = 0;   ///< root mean square of the forces out of balance, in the unit of `tolerance`
+    double residual_max = 0;
+    bool is_stable = false;  ///< the last matrix was positive definite without a shift: the energy rises every way
+    SolveSummary summary;
+};
+
+/// Moves the nodes from `start` to where the potential energy (`Balance`) is least nearby: Newton's method with the exact
+/// matrix, shifted by a multiple of the identity where it is not positive definite or steps do not get through, a search
+/// along each step (Armijo on the energy; on the forces once energy differences are rounding). Where it no longer moves,
+/// `relax_dynamically` goes on. Converged: root mean square of the forces below `tolerance`, the largest below ten times that.
+/// Sparse factorisations, one or two an iteration.
+Equilibrium find_equilibrium(Balance& balance, const Points3& start, const EquilibriumOptions& options = {});
+
+/// The slow way that always moves on: explicit steps with made-up masses (`Balance::fictitious_masses`), all speed taken
+/// away whenever the kinetic energy has passed a peak (Day 1965; Barnes). No matrix. Stops at `tolerance` or after `steps`.
+Equilibrium relax_dynamically(const Balance& balance, const Points3& start, int steps, double tolerance);
+
+/// What forces are measured against: the largest pressure times the mean edge squared [N].
+double force_unit(const Balance& balance, const Points3& nodes);
+
+}  // namespace ripstop

@@ -1,0 +1,212 @@
+#include "ripstop/inflate/rig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "ripstop/base/error.h"
+#include "ripstop/model/allowance.h"
+
+namespace ripstop {
+namespace {
+
+/// Boundary edges that are in no seam and hang together.
+struct Opening {
+    std::vector<std::array<Place, 2>> edges;  ///< counter-clockwise seen from outside
+    std::set<int> nodes;
+    double height = 0;  ///< mean [m]
+};
+
+/// How much of each boundary edge of each tile is in a seam, as a share.
+std::vector<Eigen::VectorXd> sewn_shares(const CutPlan& plan) {
+    std::vector<Eigen::VectorXd> shares;
+    for (const FlatTile& tile : plan.tiles) shares.push_back(Eigen::VectorXd::Zero(std::ssize(tile.tile.boundary)));
+    for (const Seam& seam : plan.seams)
+        for (const SeamSide* side : {&seam.a, &seam.b})
+            for (const SeamPart& part : side->parts)
+                shares[static_cast<std::size_t>(side->tile)][part.edge] += part.length;
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i)
+        shares[i] = shares[i].cwiseQuotient(drawn_lengths(plan.tiles[i].tile));
+    return shares;
+}
+
+class Sets {
+  public:
+    explicit Sets(Eigen::Index count) : to_(static_cast<std::size_t>(count)) { std::iota(to_.begin(), to_.end(), 0); }
+    int root(int i) {
+        while (to_[static_cast<std::size_t>(i)] != i)
+            i = to_[static_cast<std::size_t>(i)] = to_[static_cast<std::size_t>(to_[static_cast<std::size_t>(i)])];
+        return i;
+    }
+    void unite(int a, int b) { to_[static_cast<std::size_t>(std::max(root(a), root(b)))] = std::min(root(a), root(b)); }
+
+  private:
+    std::vector<int> to_;
+};
+
+/// Of one sector, the lowest first.
+std::vector<Opening> find_openings(const CutPlan& plan, const Symmetry& symmetry, const std::vector<char>& is_inside,
+                                   const SewnEnvelope& sewn) {
+    const std::vector<Eigen::VectorXd> shares = sewn_shares(plan);
+    std::vector<std::array<Place, 2>> edges;
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        if (is_inside[i] || symmetry.tiles[i].turns != 0 || symmetry.tiles[i].of != static_cast<int>(i)) continue;
+        const std::vector<int>& boundary = plan.tiles[i].tile.boundary;
+        for (std::size_t e = 0; e < boundary.size(); ++e) {
+            if (shares[i][static_cast<Eigen::Index>(e)] > 0.5) continue;
+            const auto at = [&](std::size_t k) {
+                return sewn.places[static_cast<std::size_t>(sewn.first_vertex[i] + boundary[k % boundary.size()])];
+            };
+            edges.push_back({at(e), at(e + 1)});
+        }
+    }
+    Sets sets(sewn.nodes.rows());
+    for (const auto& edge : edges)
+        for (const Place& place : edge)
+            for (const PlacePart& part : place) sets.unite(edge[0][0].node, part.node);
+    std::map<int, Opening> by_root;
+    for (const auto& edge : edges) {
+        Opening& opening = by_root[sets.root(edge[0][0].node)];
+        opening.edges.push_back(edge);
+        for (const Place& place : edge)
+            for (const PlacePart& part : place) opening.nodes.insert(part.node);
+    }
+    std::vector<Opening> openings;
+    for (auto& [root, opening] : by_root) {
+        for (const int node : opening.nodes)
+            opening.height += sewn.nodes(node, 2) / static_cast<double>(opening.nodes.size());
+        openings.push_back(std::move(opening));
+    }
+    std::stable_sort(openings.begin(), openings.end(),
+                     [](const Opening& a, const Opening& b) { return a.height < b.height; });
+    return openings;
+}
+
+/// The points of a seam in order, with their way along it: the vertices of both its sides.
+std::vector<std::pair<double, Place>> points_of(const CutPlan& plan, const Seam& seam,
+                                                const PlaceOnBoundary& place_of) {
+    std::vector<std::pair<double, Place>> points;
+    const auto add = [&](double along) {
+        points.emplace_back(along, place_of(seam.a.tile, place_on_side(plan.tiles, seam, false, along)));
+    };
+    double along = 0;
+    add(0);
+    for (std::size_t i = 0; i + 1 < seam.a.parts.size(); ++i) add(along += seam.a.parts[i].length);
+    add(seam.length);
+    return points;
+}
+
+std::set<int> nodes_of(const std::vector<std::pair<double, Place>>& points) {
+    std::set<int> nodes;
+    for (const auto& [along, place] : points)
+        for (const PlacePart& part : place) nodes.insert(part.node);
+    return nodes;
+}
+
+bool touches(const Place& place, const std::set<int>& nodes) {
+    return std::all_of(place.begin(), place.end(), [&](const PlacePart& part) { return nodes.contains(part.node); });
+}
+
+/// A load tape's end at the mouth, and where it comes from.
+struct TapeEnd {
+    Place place;
+    Vec3 at = Vec3::Zero(), run = Vec3::Zero();  ///< unit length, out of the envelope
+};
+
+std::vector<TapeEnd> add_load_tapes(const CutPlan& plan, const Rigging& rigging, const Symmetry& symmetry,
+                                    const std::vector<double>& factors, const PlaceOnBoundary& place_of,
+                                    const std::set<int>& mouth, SewnEnvelope& sewn) {
+    std::vector<TapeEnd> ends;
+    std::set<std::set<int>> laid;  // in each sector the same seam comes again
+    for (std::size_t s = 0; s < plan.seams.size(); ++s) {
+        const Seam& seam = plan.seams[s];
+        if (!seam.type.tape) continue;
+        const auto points = points_of(plan, seam, place_of);
+        if (symmetry.sectors > 1 && !laid.insert(nodes_of(points)).second) continue;
+        const double shorter = (1 - rigging.foreshortening) * (factors.empty() ? 1.0 : factors[s]);
+        for (std::size_t i = 1; i < points.size(); ++i)
+            sewn.tapes.push_back({TapeKind::load, points[i - 1].second, points[i].second,
+                                  shorter * (points[i].first - points[i - 1].first), rigging.load_tape.stiffness,
+                                  rigging.load_tape.mass, static_cast<int>(s)});
+        const auto add_end = [&](const Place& end, const Place& before) {
+            if (!touches(end, mouth)) return;
+            const Vec3 at = position(end, sewn.nodes, symmetry.angle());
+            ends.push_back({end, at, (at - position(before, sewn.nodes, symmetry.angle())).normalized()});
+        };
+        add_end(points.front().second, points[1].second);
+        add_end(points.back().second, points[points.size() - 2].second);
+    }
+    return ends;
+}
+
+int add_held_node(const Vec3& at, SewnEnvelope& sewn) {
+    const int node = static_cast<int>(sewn.nodes.rows());
+    sewn.nodes.conservativeResize(node + 1, Eigen::NoChange);
+    sewn.nodes.row(node) = at;
+    sewn.freedom.push_back(Freedom::nowhere);
+    sewn.held.push_back(node);
+    return node;
+}
+
+void hold(const std::set<int>& nodes, SewnEnvelope& sewn) {
+    for (const int node : nodes) {
+        sewn.freedom[static_cast<std::size_t>(node)] = Freedom::nowhere;
+        sewn.held.push_back(node);
+    }
+}
+
+void close_crown(const Opening& crown, const Symmetry& symmetry, double mass, SewnEnvelope& sewn) {
+    Place centre;
+    const double share = 1.0 / static_cast<double>(crown.nodes.size() * static_cast<std::size_t>(symmetry.sectors));
+    for (const int node : crown.nodes)
+        for (int turn = 0; turn < symmetry.sectors; ++turn) centre.push_back({node, share, turn});
+    for (const auto& edge : crown.edges) sewn.caps.push_back({edge[1], edge[0], centre});
+    sewn.cap_mass = mass;
+}
+
+/// An envelope without a mouth stands on its lowest points.
+std::set<int> lowest_nodes(const SewnEnvelope& sewn) {
+    const auto heights = sewn.nodes.col(2);
+    const double limit = heights.minCoeff() + 0.01 * (heights.maxCoeff() - heights.minCoeff());
+    std::set<int> lowest;
+    for (Eigen::Index n = 0; n < sewn.nodes.rows(); ++n)
+        if (heights[n] <= limit) lowest.insert(static_cast<int>(n));
+    return lowest;
+}
+
+}  // namespace
+
+void add_rigging(const CutPlan& plan, const Rigging& rigging, const Symmetry& symmetry,
+                 const std::vector<char>& is_inside, const std::vector<double>& tape_factors,
+                 const PlaceOnBoundary& place_of, SewnEnvelope& sewn) {
+    const std::vector<Opening> openings = find_openings(plan, symmetry, is_inside, sewn);
+    const double middle = 0.5 * (sewn.nodes.col(2).minCoeff() + sewn.nodes.col(2).maxCoeff());
+    const bool has_mouth = !openings.empty() && openings.front().height < middle;
+    const bool has_crown = !openings.empty() && openings.back().height >= middle;
+    const std::set<int> mouth = has_mouth ? openings.front().nodes : std::set<int>{};
+    sewn.floor = has_mouth ? openings.front().height : sewn.nodes.col(2).minCoeff();
+
+    const std::vector<TapeEnd> ends =
+        add_load_tapes(plan, rigging, symmetry, tape_factors, place_of, mouth, sewn);
+    const bool enough = ends.size() * static_cast<std::size_t>(symmetry.sectors) >= 3;
+    if (rigging.mouth == MouthHold::wires && !enough)
+        throw InputError("the mouth cannot hang on wires: fewer than three load tapes end at it; give its seams a type with a "
+                         "tape, or hold its edge");
+    if (rigging.mouth == MouthHold::wires || (rigging.mouth == MouthHold::automatic && enough)) {
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            const int frame = add_held_node(ends[i].at + rigging.wire_length * ends[i].run, sewn);
+            sewn.tapes.push_back({TapeKind::wire, ends[i].place, {{frame, 1, 0}}, rigging.wire_length,
+                                  rigging.wire.stiffness, rigging.wire.mass, static_cast<int>(i)});
+        }
+    } else {
+        hold(has_mouth ? mouth : lowest_nodes(sewn), sewn);
+    }
+    if (!has_crown) return;
+    if (rigging.crown_ring)
+        for (const int node : openings.back().nodes) sewn.freedom[static_cast<std::size_t>(node)] = Freedom::vertical;
+    if (rigging.crown_closed) close_crown(openings.back(), symmetry, plan.fabric.mass, sewn);
+}
+
+}  // namespace ripstop
