@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ripstop/design/range.h"
+#include "ripstop/base/range.h"
 #include "ripstop/design/strip.h"
 
 namespace ripstop {

@@ -2,15 +2,10 @@
 
 #include <Eigen/Core>
 
+#include "ripstop/model/cloth_state.h"
 #include "ripstop/model/fabric.h"
 
 namespace ripstop {
-
-enum class ClothState {
-    taut,      ///< pulled both ways
-    wrinkled,  ///< pulled one way, folded across it
-    slack,     ///< not pulled at all
-};
 
 /// What a cloth that cannot push bears at a strain: all per area of the cloth at rest, in its axes (1 warp, 2 weft).
 struct ClothResponse {

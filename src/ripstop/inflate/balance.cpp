@@ -8,11 +8,11 @@
 
 #include "ripstop/base/parallel.h"
 #include "ripstop/energy/load_tape.h"
+#include "ripstop/model/air.h"
 
 namespace ripstop {
 namespace {
 
-constexpr double gravity = 9.80665;  // [m/s2]
 constexpr int chunk = 256;           // elements a task
 
 int directions(Freedom freedom) {
@@ -265,6 +265,17 @@ double Balance::lift(const Points3& nodes) const {
                 if (is_held[static_cast<std::size_t>(part.node)]) sum -= part.weight * result.gradient[3 * k + 2];
     }
     return sewn_.sectors * sum;
+}
+
+double Balance::net_lift(const Points3& nodes) const {
+    double sum = 0;
+    for (const Element& element : elements_) {
+        if (!element.gas) continue;
+        const SpaceElement gas =
+            gas_element(gas_, point(element, 0, nodes), point(element, 1, nodes), point(element, 2, nodes));
+        for (int k = 0; k < 3; ++k) sum -= gas.gradient[3 * k + 2];
+    }
+    return sewn_.sectors * sum - weight();
 }
 
 double Balance::weight() const {

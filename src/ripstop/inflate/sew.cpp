@@ -270,12 +270,42 @@ class Numbering {
     std::vector<int> node_;
 };
 
-void add_cloth(const CutPlan& plan, const Symmetry& symmetry, const std::vector<char>& is_inside, SewnEnvelope& into) {
+/// The triangles of a tile at rest, edges in the axes of the cloth.
+std::vector<Mat22> rest_triangles(const FlatTile& tile, RestState rest) {
+    const TriangleMesh& mesh = tile.tile.mesh;
+    std::vector<Mat22> triangles;
+    if (rest == RestState::as_cut) {
+        for (int t = 0; t < mesh.triangle_count(); ++t)
+            triangles.push_back(flat_edges(mesh.triangles, tile.flattening.positions, t));
+        return triangles;
+    }
+    Tile wanted = tile.tile;
+    if (rest == RestState::as_drawn) wanted.compensation = {};
+    triangles = target_triangles(wanted);
+    const Eigen::Matrix2Xd warp = warp_in_triangles(wanted);
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        Mat22 axes;
+        axes << warp(0, t), -warp(1, t), warp(1, t), warp(0, t);
+        triangles[static_cast<std::size_t>(t)] = axes.transpose() * triangles[static_cast<std::size_t>(t)];
+    }
+    return triangles;
+}
+
+Fabric stiffened(Fabric fabric, double stiffer) {
+    fabric.warp_stiffness *= stiffer;
+    fabric.weft_stiffness *= stiffer;
+    fabric.shear_stiffness *= stiffer;
+    return fabric;
+}
+
+void add_cloth(const CutPlan& plan, const SewOptions& options, const Symmetry& symmetry,
+               const std::vector<char>& is_inside, SewnEnvelope& into) {
     std::vector<std::array<int, 3>> triangles;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         if (symmetry.tiles[i].turns != 0 || symmetry.tiles[i].of != static_cast<int>(i)) continue;
         const FlatTile& tile = plan.tiles[i];
-        const Fabric& fabric = plan.fabric_of(tile.tile);
+        const Fabric fabric = stiffened(plan.fabric_of(tile.tile), options.stiffer);
+        const std::vector<Mat22> rest = rest_triangles(tile, options.rest);
         const auto found = std::find(into.fabrics.begin(), into.fabrics.end(), fabric);
         const int number = static_cast<int>(found - into.fabrics.begin());
         if (found == into.fabrics.end()) into.fabrics.push_back(fabric);
@@ -283,7 +313,7 @@ void add_cloth(const CutPlan& plan, const Symmetry& symmetry, const std::vector<
         for (int t = 0; t < tile.tile.mesh.triangle_count(); ++t) {
             const int first = into.first_vertex[i];
             triangles.push_back({first + corners(t, 0), first + corners(t, 1), first + corners(t, 2)});
-            into.flat.push_back(flat_edges(corners, tile.flattening.positions, t));
+            into.flat.push_back(rest[static_cast<std::size_t>(t)]);
             into.tile.push_back(static_cast<int>(i));
             into.fabric.push_back(number);
             into.holds_gas.push_back(!is_inside[i]);
@@ -314,11 +344,10 @@ Symmetry no_symmetry(const CutPlan& plan) {
     return symmetry;
 }
 
-SewnEnvelope sew(const CutPlan& plan, const Rigging& rigging, const Symmetry& given,
-                 const std::vector<double>& tape_factors) {
+SewnEnvelope sew(const CutPlan& plan, const SewOptions& options) {
     require_flat(plan);
-    const Symmetry symmetry = given.tiles.empty() ? no_symmetry(plan) : given;
-    const std::vector<char> is_inside = find_diaphragms(plan, rigging.diaphragms);
+    const Symmetry symmetry = options.symmetry.tiles.empty() ? no_symmetry(plan) : options.symmetry;
+    const std::vector<char> is_inside = find_diaphragms(plan, options.rigging.diaphragms);
     Seamstress seamstress(plan, symmetry);
     for (const Seam& seam : plan.seams) seamstress.join_vertices(seam);
     for (const Seam& seam : plan.seams) seamstress.join_edges(seam);
@@ -328,9 +357,9 @@ SewnEnvelope sew(const CutPlan& plan, const Rigging& rigging, const Symmetry& gi
     sewn.sectors = symmetry.sectors;
     sewn.origin = Vec3(symmetry.axis.x(), symmetry.axis.y(), 0);
     const Numbering numbering(plan, symmetry, seamstress, seamstress.joints(), sewn);
-    add_cloth(plan, symmetry, is_inside, sewn);
+    add_cloth(plan, options, symmetry, is_inside, sewn);
     sewn.seam_gap = largest_gap(plan, symmetry, sewn);
-    for (SewnTape tie : find_ties(plan, rigging.ties, is_inside, seamstress)) {
+    for (SewnTape tie : find_ties(plan, options.rigging.ties, is_inside, seamstress)) {
         tie.a = numbering.place(tie.a);
         tie.b = numbering.place(tie.b);
         sewn.tapes.push_back(tie);
@@ -338,7 +367,8 @@ SewnEnvelope sew(const CutPlan& plan, const Rigging& rigging, const Symmetry& gi
     const auto place_of = [&](int tile, const BoundaryPlace& place) {
         return numbering.place(seamstress.on_boundary(tile, place));
     };
-    add_rigging(plan, rigging, symmetry, is_inside, tape_factors, place_of, sewn);
+    add_rigging(plan, options.rigging, symmetry, is_inside, options.tape_factors, place_of, sewn);
+    for (SewnTape& tape : sewn.tapes) tape.stiffness *= options.stiffer;
     return sewn;
 }
 

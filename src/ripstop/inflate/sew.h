@@ -7,16 +7,29 @@
 
 namespace ripstop {
 
-/// Sews the flat pieces of a plan into one rest state: each triangle is at rest as it lies on the cloth, and the two sides of each seam are
-/// one line in space, the same place of the seam's curve on both (where the notches lie), so unequal lengths become ease. Sides
-/// that are meshed differently, and T-junctions, hang on the edges they meet. Diaphragms hang on the skin where their edge
-/// lies as drawn. Load tapes follow the seams that take one, shorter than the seam's curve by `foreshortening`
-/// and by `tape_factors` (one a seam, a ratio; all 1 where empty). Openings: the lowest is the mouth, the highest the crown.
+/// What the cloth is at rest.
+enum class RestState {
+    as_cut,     ///< as each piece lies on the cloth
+    as_wanted,  ///< as if every triangle had been cut as it is to be (`target_triangles`), without any error
+    as_drawn,   ///< as if every triangle had been cut as drawn
+};
+
+struct SewOptions {
+    Rigging rigging = {};
+    Symmetry symmetry = {};                 ///< none unless given
+    std::vector<double> tape_factors = {};  ///< of each seam: its load tape is cut so much longer; 1 where empty
+    RestState rest = RestState::as_cut;
+    double stiffer = 1;  ///< cloth and tapes are so much stiffer than they are
+};
+
+/// Sews the flat pieces of a plan into one rest state: the two sides of each seam are one line in space, the same place of the seam's curve on both
+/// (where the notches lie), so unequal lengths become ease. Sides that are meshed differently, and T-junctions, hang on the edges they meet.
+/// Diaphragms hang on the skin where their edge lies as drawn. Load tapes follow the seams that take one, shorter than the
+/// seam's curve by the rigging's `foreshortening` and by `tape_factors`. Openings: the lowest is the mouth, the highest the crown.
 ///
 /// Throws InputError for tiles without flat positions or with flipped triangles (named), a diaphragm that is no tile or
 /// touches nothing, a tie that ends off the envelope, and where nothing could hold the envelope. O(#V).
-SewnEnvelope sew(const CutPlan& plan, const Rigging& rigging, const Symmetry& symmetry = {},
-                 const std::vector<double>& tape_factors = {});
+SewnEnvelope sew(const CutPlan& plan, const SewOptions& options = {});
 
 /// Without symmetry: each tile for itself.
 Symmetry no_symmetry(const CutPlan& plan);

@@ -22,12 +22,13 @@ struct Field {
     bool required;
 };
 
-constexpr std::array<Field, 8> fields = {{
+constexpr std::array<Field, 9> fields = {{
     {"warp_stiffness_n_per_m", &Fabric::warp_stiffness, 1, true},
     {"weft_stiffness_n_per_m", &Fabric::weft_stiffness, 1, true},
     {"shear_stiffness_n_per_m", &Fabric::shear_stiffness, 1, true},
     {"poisson_warp_weft", &Fabric::poisson, 1, false},
     {"mass_kg_per_m2", &Fabric::mass, 1, false},
+    {"strength_n_per_m", &Fabric::strength, 1, false},
     {"roll_width_mm", &Fabric::roll_width, millimetre, false},
     {"strain_limit_pct", &Fabric::strain_limit, percent, false},
     {"shear_limit_deg", &Fabric::shear_limit, degree, false},
@@ -60,7 +61,7 @@ Fabric read_fabric(std::istream& in, const std::string& name) {
     const nlohmann::json object = read_json_object(in, name);
     require_known_keys(object,
                        {"name", "description", fields[0].key, fields[1].key, fields[2].key, fields[3].key,
-                        fields[4].key, fields[5].key, fields[6].key, fields[7].key},
+                        fields[4].key, fields[5].key, fields[6].key, fields[7].key, fields[8].key},
                        name);
     const auto require = [&](bool present, const char* key) {
         if (!present) throw InputError(name + ": the key " + key + " is missing, expected it in every fabric; add it");

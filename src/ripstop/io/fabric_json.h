@@ -11,7 +11,7 @@ namespace ripstop {
 /// A fabric from JSON: one object whose keys carry their unit.
 ///
 ///     name, warp_stiffness_n_per_m, weft_stiffness_n_per_m, shear_stiffness_n_per_m   required
-///     description, poisson_warp_weft, mass_kg_per_m2, roll_width_mm, strain_limit_pct, shear_limit_deg   as in `Fabric{}`
+///     description, poisson_warp_weft, mass_kg_per_m2, strength_n_per_m, roll_width_mm, strain_limit_pct, shear_limit_deg   as in `Fabric{}`
 ///
 /// Throws InputError naming the file (`name`) and the key for an unknown or missing key, a value of another kind, and what
 /// `require_valid` refuses.

@@ -96,7 +96,8 @@ Bounds measure_bounds(const Tile& tile) {
     double radius = perimeter;
     for (int i = 0; i < rays; ++i) radius = std::min(radius, surface.walk(centre, ray(i), radius).walked);
     bounds.radius = 0.999 * radius;
-    if (tile.compensation.warp != tile.compensation.weft) return bounds;  // the cloth is to be stretched
+    if (tile.compensation.warp != tile.compensation.weft || tile.compensation.strain.rows() > 0)
+        return bounds;  // the cloth is to be stretched
     // the polygon between the rays' ends comes a little nearer to the centre than they do
     const double reach = bounds.radius * std::cos(std::numbers::pi / rays);
     if (const auto length = edge_of_disc(surface, centre, bounds.radius))

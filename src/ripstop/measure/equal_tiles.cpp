@@ -1,6 +1,7 @@
 #include "ripstop/measure/equal_tiles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@ namespace ripstop {
 namespace {
 
 constexpr double same_place = 1e-9;  // [m]: what is flattened for one tile holds for the other too
+constexpr double same_strain = 1e-8;  // round-off of an inflated shape, a hundred thousandth of what is cut
 constexpr int points_a_chain = 32;
 
 /// What two equal tiles have in common wherever they lie.
@@ -51,6 +53,11 @@ Tile mirror_image(Tile tile) {
         std::reverse(tile.curve_lengths.begin(), tile.curve_lengths.end());
         std::rotate(tile.curve_lengths.begin(), tile.curve_lengths.begin() + 1, tile.curve_lengths.end());
     }
+    if (Eigen::VectorXd& edges = tile.compensation.edges; edges.size() > 0) {
+        std::reverse(edges.begin(), edges.end());
+        std::rotate(edges.begin(), edges.begin() + 1, edges.end());
+    }
+    if (tile.compensation.strain.rows() > 0) tile.compensation.strain.col(2) *= -1;
     tile.compensation.chains.resize(tile.compensation.any() ? tile.chains.size() : 0, 0);
     std::reverse(tile.compensation.chains.begin(), tile.compensation.chains.end());
     std::reverse(tile.chains.begin(), tile.chains.end());
@@ -182,6 +189,27 @@ bool edges_agree(const Tile& one, const Tile& other, const std::vector<int>& ver
     return one.chains.size() == 1 || corners(one, nullptr) == corners(other, &vertex);
 }
 
+/// Is the cloth of each triangle to be strained alike, to round-off?
+bool strains_agree(const Tile& one, const Tile& other, const std::vector<int>& vertex) {
+    const Points3 &first = one.compensation.strain, &second = other.compensation.strain;
+    if (first.rows() == 0 && second.rows() == 0) return true;
+    if (first.rows() != second.rows() || vertex.empty()) return false;
+    const auto sorted = [](std::array<int, 3> corners) {
+        std::sort(corners.begin(), corners.end());
+        return corners;
+    };
+    std::map<std::array<int, 3>, int> triangle;
+    for (int t = 0; t < one.mesh.triangle_count(); ++t)
+        triangle[sorted({one.mesh.triangles(t, 0), one.mesh.triangles(t, 1), one.mesh.triangles(t, 2)})] = t;
+    for (int t = 0; t < other.mesh.triangle_count(); ++t) {
+        const auto at = [&](int k) { return vertex[static_cast<std::size_t>(other.mesh.triangles(t, k))]; };
+        const auto found = triangle.find(sorted({at(0), at(1), at(2)}));
+        if (found == triangle.end()) return false;
+        if ((first.row(found->second) - second.row(t)).cwiseAbs().maxCoeff() > same_strain) return false;
+    }
+    return true;
+}
+
 double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 normal = (b - a).cross(c - a);
     const auto inside = [&](const Vec3& u, const Vec3& v) { return normal.dot((v - u).cross(p - u)) >= 0; };
@@ -235,6 +263,8 @@ Likeness likeness_at(const Tile& one, const Tile& other, const Pose& pose, doubl
         apart = std::max(apart, (moved.col(found.vertex[v]) - there.col(static_cast<Eigen::Index>(v))).norm());
     const bool exact =
         !found.vertex.empty() && apart <= same_place && skew <= same_place && edges_agree(one, other, found.vertex);
+    alike = strains_agree(one, other, found.vertex);
+    if (!alike) return found;
     const bool vertices_agree = !found.vertex.empty() && apart <= tolerance;
     if (!exact) found.vertex.clear();
     alike = exact || vertices_agree ||

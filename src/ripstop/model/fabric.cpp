@@ -16,6 +16,7 @@ void require_valid(const Fabric& fabric, const std::string& place) {
     positive(fabric.weft_stiffness, "the weft stiffness");
     positive(fabric.shear_stiffness, "the shear stiffness");
     positive(fabric.mass, "the mass");
+    positive(fabric.strength, "the strength");
     positive(fabric.roll_width, "the roll width");
     positive(fabric.strain_limit, "the strain limit");
     positive(fabric.shear_limit, "the shear limit");

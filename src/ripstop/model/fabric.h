@@ -17,6 +17,7 @@ struct Fabric {
     double shear_stiffness = 500;  ///< g [N/m]
     double poisson = 0;            ///< nu12: contraction along the weft a unit of stretch along the warp
     double mass = 0.065;           ///< [kg/m2]
+    double strength = 10e3;        ///< of a strip, new and at 20 C, in its weaker direction [N/m]
     double roll_width = 1.5;       ///< [m]
     double strain_limit = 0.02;    ///< largest warp or weft strain a piece may need
     double shear_limit = 0.1745;   ///< largest shear angle a piece may need [rad]

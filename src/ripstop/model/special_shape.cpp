@@ -31,8 +31,9 @@ void require_name(const std::string& name, const std::string& place) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
     };
     if (name.empty() || name.size() > 40 || !std::all_of(name.begin(), name.end(), allowed))
-        throw InputError(place + ": its name is no word, expected 1 to 40 of the letters A to Z, digits, - and _: tiles "
-                                 "are called by it");
+        throw InputError(place +
+                         ": its name is no word, expected 1 to 40 of the letters A to Z, digits, - and _: tiles "
+                         "are called by it");
 }
 
 void require_sizes(const SpecialPrimitive& p, const std::string& place) {
@@ -44,8 +45,8 @@ void require_sizes(const SpecialPrimitive& p, const std::string& place) {
             require_length(p.radius, false, "radius", place);
             require_length(p.tube_radius, false, "tube radius", place);
             if (!(p.tube_radius < p.radius))
-                throw InputError(place + ": the tube radius is " + in_millimetres(p.tube_radius) +
-                                 " and the radius " + in_millimetres(p.radius) +
+                throw InputError(place + ": the tube radius is " + in_millimetres(p.tube_radius) + " and the radius " +
+                                 in_millimetres(p.radius) +
                                  ", expected a tube thinner than that, or the torus has no hole");
             break;
         case PrimitiveKind::capsule:

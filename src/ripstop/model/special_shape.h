@@ -24,14 +24,14 @@ enum class PrimitiveKind { ellipsoid, torus, capsule, cone };
 struct SpecialPrimitive {
     std::string name;
     PrimitiveKind kind = PrimitiveKind::ellipsoid;
-    Vec3 centre = Vec3::Zero();    ///< [m]
-    Vec3 axis = Vec3::UnitZ();     ///< any length but zero
-    double turn = 0;               ///< [rad]
-    Vec3 radii = Vec3::Ones();     ///< of an ellipsoid [m]
-    double radius = 1;             ///< [m]
-    double tube_radius = 0.25;     ///< [m]
-    double length = 1;             ///< [m]
-    double top_radius = 0;         ///< [m]
+    Vec3 centre = Vec3::Zero();  ///< [m]
+    Vec3 axis = Vec3::UnitZ();   ///< any length but zero
+    double turn = 0;             ///< [rad]
+    Vec3 radii = Vec3::Ones();   ///< of an ellipsoid [m]
+    double radius = 1;           ///< [m]
+    double tube_radius = 0.25;   ///< [m]
+    double length = 1;           ///< [m]
+    double top_radius = 0;       ///< [m]
     int sectors = 1, rings = 1;
 
     /// The smallest of its lengths that a mesh has to follow: a radius, or half the hole of a torus [m].

@@ -123,6 +123,18 @@ Eigen::VectorXd lengths(const Points& positions, const std::vector<int>& vertice
     return result;
 }
 
+/// (I + 2 E)^(-1/2): from the drawn triangle to the cloth that has the strain E (E11, E22, 2 E12) on it.
+Mat22 unstretched(const Vec3& strain) {
+    Mat22 C;
+    C << 1 + 2 * strain[0], strain[2], strain[2], 1 + 2 * strain[1];
+    return Eigen::SelfAdjointEigenSolver<Mat22>(C).operatorInverseSqrt();
+}
+
+Tile without_strain(Tile tile) {
+    tile.compensation.strain.resize(0, 3);
+    return tile;
+}
+
 }  // namespace
 
 std::vector<int> closed(std::vector<int> loop) {
@@ -191,13 +203,21 @@ std::vector<Mat22> target_triangles(const Tile& tile) {
     for (int t = 0; t < tile.mesh.triangle_count(); ++t)
         targets[static_cast<std::size_t>(t)] =
             lay_flat(tile.mesh.corner(t, 0), tile.mesh.corner(t, 1), tile.mesh.corner(t, 2));
-    if (tile.compensation.warp == 0 && tile.compensation.weft == 0) return targets;
+    const Compensation& given = tile.compensation;
+    const bool is_strained = given.strain.rows() > 0;
+    if (given.warp == 0 && given.weft == 0 && !is_strained) return targets;
     const Eigen::Matrix2Xd warp = warp_in_triangles(tile);
     for (int t = 0; t < tile.mesh.triangle_count(); ++t) {
         const Vec2 along = warp.col(t), across(-along.y(), along.x());
-        const Mat22 longer = Mat22::Identity() + tile.compensation.warp * along * along.transpose() +
-                             tile.compensation.weft * across * across.transpose();
-        targets[static_cast<std::size_t>(t)] = longer * targets[static_cast<std::size_t>(t)];
+        Mat22 target = targets[static_cast<std::size_t>(t)];
+        if (is_strained) {
+            Mat22 axes;
+            axes << along, across;
+            target = axes * unstretched(given.strain.row(t)) * axes.transpose() * target;
+        }
+        const Mat22 longer = Mat22::Identity() + given.warp * along * along.transpose() +
+                             given.weft * across * across.transpose();
+        targets[static_cast<std::size_t>(t)] = longer * target;
     }
     return targets;
 }
@@ -210,8 +230,10 @@ Eigen::VectorXd drawn_lengths(const Tile& tile) {
 Eigen::VectorXd target_lengths(const Tile& tile) {
     Eigen::VectorXd lengths = drawn_lengths(tile);
     if (!tile.compensation.any()) return lengths;
+    // Where the edges are told for themselves, the triangles tell only what warp and weft add.
+    const bool is_told = tile.compensation.edges.size() > 0;
     const Eigen::VectorXd chords = edge_lengths(tile.mesh.positions, closed(tile.boundary));
-    const std::vector<Mat22> targets = target_triangles(tile);
+    const std::vector<Mat22> targets = target_triangles(is_told ? without_strain(tile) : tile);
     const Adjacency adjacency(tile.mesh.triangles, tile.mesh.vertex_count());
     Eigen::VectorXd leaving(tile.mesh.vertex_count());  // target length of the boundary edge that leaves a vertex
     for (int h = 0; h < adjacency.half_edge_count(); ++h) {
@@ -229,7 +251,7 @@ Eigen::VectorXd target_lengths(const Tile& tile) {
         for (int i = 0; i < tile.chains[c].edge_count(); ++i) {
             const int v = tile.chains[c].vertices[static_cast<std::size_t>(i)];
             const Eigen::Index at = place[static_cast<std::size_t>(v)];
-            lengths[at] *= leaving[v] / chords[at] * (1 + extra[c]);
+            lengths[at] *= leaving[v] / chords[at] * (1 + extra[c]) * (is_told ? tile.compensation.edges[at] : 1);
         }
     return lengths;
 }

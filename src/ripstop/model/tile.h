@@ -29,13 +29,18 @@ struct Grain {
     Points3 field = {};  ///< #F x 3: of each triangle its own, of unit length; empty: `direction` for all
 };
 
-/// How much longer than drawn the cloth is to be cut, as ratios: 0.005 is half a per cent longer. What shrinks in use is cut
-/// longer, what stretches shorter.
+/// How the cloth is to be cut otherwise than drawn. Ratios: 0.005 is half a per cent longer. What shrinks in use is cut longer,
+/// what stretches shorter.
 struct Compensation {
     double warp = 0, weft = 0;        ///< of the whole cloth, along its threads, each in (-0.5, 1)
     std::vector<double> chains = {};  ///< of the edges alone, beside warp and weft, chain by chain; missing ones 0
+    /// #F x 3: Green strain E11, E22, 2 E12 (warp, weft) that each triangle is to have where it lies as drawn, before `warp` and
+    /// `weft`: what it is stretched by in flight; empty: none. With it `edges` (#boundary): cloth a drawn length of each
+    /// boundary edge, the same on both sides of a seam, before the others.
+    Points3 strain = {};
+    Eigen::VectorXd edges = {};
 
-    bool any() const { return warp != 0 || weft != 0 || !chains.empty(); }
+    bool any() const { return warp != 0 || weft != 0 || !chains.empty() || strain.rows() > 0; }
 };
 
 /// A line of the drawing that lies on a tile: a load tape, artwork, a mark.

@@ -72,6 +72,8 @@ Tile make_half_tile(const Tile& whole, const MeshHalf& half, const std::string& 
     options.compensation = whole.compensation;
     options.attributes = whole.attributes;
     options.compensation.chains.clear();
+    options.compensation.strain.resize(0, 3);  // of the whole's triangles and edges
+    options.compensation.edges.resize(0);
     Tile tile = make_tile(name, half.mesh, options);
     tile.fabric = whole.fabric;
     const WholeBoundary boundary(whole);

@@ -36,6 +36,7 @@ Json fabric_json(const Fabric& fabric) {
             {"shear_stiffness_n_per_m", figure(fabric.shear_stiffness)},
             {"poisson", figure(fabric.poisson)},
             {"mass_kg_per_m2", figure(fabric.mass)},
+            {"strength_n_per_m", figure(fabric.strength)},
             {"roll_width_mm", in_millimetres(fabric.roll_width)},
             {"strain_limit_pct", in_percent(fabric.strain_limit)},
             {"shear_limit_deg", in_degrees(fabric.shear_limit)}};

@@ -1,0 +1,196 @@
+#include "ripstop/inflate/inflate.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "ripstop/energy/deformation.h"
+#include "ripstop/energy/load_tape.h"
+#include "ripstop/inflate/deviation.h"
+
+namespace ripstop {
+namespace {
+
+/// The nodes where tiles are to start: what hangs on nodes follows.
+Points3 start_nodes(const SewnEnvelope& sewn, const std::vector<Points3>& start) {
+    Points3 nodes = sewn.nodes;
+    for (std::size_t i = 0; i < start.size(); ++i)
+        for (Eigen::Index v = 0; v < start[i].rows(); ++v) {
+            const Place& place = sewn.places[static_cast<std::size_t>(sewn.first_vertex[i] + v)];
+            if (place.size() != 1 || place[0].turns != 0) continue;
+            const Freedom freedom = sewn.freedom[static_cast<std::size_t>(place[0].node)];
+            const Vec3 at = Vec3(start[i].row(v)) - sewn.origin;
+            if (freedom == Freedom::everywhere) nodes.row(place[0].node) = at;
+            if (freedom == Freedom::vertical) nodes(place[0].node, 2) = at.z();
+        }
+    return nodes;
+}
+
+/// What a tile's cloth goes through, for positions in flight.
+void read_cloth(const FlatTile& tile, const Fabric& fabric, InflatedTile& inflated) {
+    const TensionField cloth(fabric);
+    const TriangleMesh& mesh = tile.tile.mesh;
+    const Eigen::Index count = mesh.triangle_count();
+    inflated.strain.resize(count, 3);
+    inflated.stress.resize(count, 3);
+    inflated.tension.resize(count, 2);
+    inflated.state.resize(static_cast<std::size_t>(count));
+    double area = 0;
+    for (int t = 0; t < count; ++t) {
+        const RelaxedMembrane membrane(flat_edges(mesh.triangles, tile.flattening.positions, t));
+        const auto at = [&](int k) { return Vec3(inflated.positions.row(mesh.triangles(t, k))); };
+        const Mat32 F = membrane.deformation(at(0), at(1), at(2));
+        const Vec3 strain = green_voigt(F);
+        const ClothResponse response = cloth.at(strain);
+        inflated.strain.row(t) = strain;
+        inflated.stress.row(t) = response.stress;
+        inflated.tension.row(t) = principal_tensions(F, response.stress);
+        inflated.state[static_cast<std::size_t>(t)] = response.state;
+        inflated.tension_max = std::max(inflated.tension_max, inflated.tension(t, 0));
+        area += membrane.area();
+        if (response.state == ClothState::wrinkled) inflated.wrinkled += membrane.area();
+        if (response.state == ClothState::slack) inflated.slack += membrane.area();
+    }
+    inflated.wrinkled /= area;
+    inflated.slack /= area;
+}
+
+void read_tapes(const SewnEnvelope& sewn, const Points3& nodes, double angle, Inflated& inflated) {
+    for (const SewnTape& tape : sewn.tapes) {
+        const Vec3 a = position(tape.a, nodes, angle), b = position(tape.b, nodes, angle);
+        const double force = tape_force(tape.stiffness, tape.rest, a, b);
+        const bool goes_on = !inflated.tapes.empty() && inflated.tapes.back().kind == tape.kind &&
+                             inflated.tapes.back().source == tape.source;
+        if (!goes_on) inflated.tapes.push_back({tape.kind, tape.source, force, force, 0, 0.5 * (a + b) + sewn.origin});
+        InflatedTape& whole = inflated.tapes.back();
+        if (force > whole.force_max) whole.worst = 0.5 * (a + b) + sewn.origin;
+        whole.force_max = std::max(whole.force_max, force);
+        whole.force_min = std::min(whole.force_min, force);
+        whole.cut_length += tape.rest;
+        inflated.tape_mass += sewn.sectors * tape.rest * tape.mass;
+        if (tape.kind == TapeKind::load) inflated.load_tape_max = std::max(inflated.load_tape_max, force);
+    }
+}
+
+/// Highest to lowest, and the widest across the vertical axis through the middle.
+void measure_sizes(const std::vector<Points3>& tiles, double& height, double& diameter) {
+    Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
+    for (const Points3& tile : tiles) {
+        low = low.cwiseMin(tile.colwise().minCoeff().transpose());
+        high = high.cwiseMax(tile.colwise().maxCoeff().transpose());
+    }
+    height = high.z() - low.z();
+    diameter = std::max(high.x() - low.x(), high.y() - low.y());
+}
+
+void read_sizes(const CutPlan& plan, Inflated& inflated) {
+    std::vector<Points3> drawn, there;
+    for (const FlatTile& tile : plan.tiles) drawn.push_back(tile.tile.mesh.positions);
+    for (const InflatedTile& tile : inflated.tiles) there.push_back(tile.positions);
+    measure_sizes(drawn, inflated.drawn_height, inflated.drawn_diameter);
+    measure_sizes(there, inflated.height, inflated.diameter);
+}
+
+void read_tiles(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& nodes, double angle, Inflated& inflated) {
+    double area = 0;
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        const FlatTile& tile = plan.tiles[i];
+        const Fabric& fabric = plan.fabric_of(tile.tile);
+        InflatedTile there;
+        there.positions.resize(tile.tile.mesh.vertex_count(), 3);
+        for (Eigen::Index v = 0; v < there.positions.rows(); ++v)
+            there.positions.row(v) =
+                position(sewn.places[static_cast<std::size_t>(sewn.first_vertex[i] + v)], nodes, angle) + sewn.origin;
+        read_cloth(tile, fabric, there);
+        if (there.tension_max > inflated.tension_max) {
+            inflated.tension_max = there.tension_max;
+            inflated.tension_tile = tile.tile.name;
+        }
+        double own_area = 0;
+        for (int t = 0; t < tile.tile.mesh.triangle_count(); ++t)
+            own_area += 0.5 * flat_edges(tile.tile.mesh.triangles, tile.flattening.positions, t).determinant();
+        area += own_area;
+        inflated.wrinkled += there.wrinkled * own_area;
+        inflated.slack += there.slack * own_area;
+        inflated.cloth_mass += fabric.mass * own_area;
+        inflated.tiles.push_back(std::move(there));
+    }
+    inflated.wrinkled /= area;
+    inflated.slack /= area;
+}
+
+}  // namespace
+
+Inflated inflate(const CutPlan& plan, const InflateOptions& options) {
+    const auto begun = std::chrono::steady_clock::now();
+    Inflated inflated;
+    inflated.load = options.load;
+    inflated.rise = buoyancy(options.load.air);
+    const SewnEnvelope sewn = sew(plan, options.sewing);
+    inflated.floor = options.load.mouth_plane.value_or(sewn.floor);
+    inflated.sectors = sewn.sectors;
+    inflated.seam_gap = sewn.seam_gap;
+    Balance balance(sewn, {options.load.extra_pressure, inflated.rise, inflated.floor}, options.threads);
+    EquilibriumOptions solving;
+    solving.iterations = options.iterations;
+    solving.progress = options.progress;
+    inflated.residual_stiffness = solving.residuals.back();
+    const Equilibrium found = find_equilibrium(balance, start_nodes(sewn, options.start), solving);
+    inflated.summary = found.summary;
+    inflated.force_residual = found.residual;
+    inflated.is_stable = found.is_stable;
+
+    read_tiles(plan, sewn, found.nodes, balance.angle(), inflated);
+    read_tapes(sewn, found.nodes, balance.angle(), inflated);
+    read_sizes(plan, inflated);
+    inflated.volume = balance.volume(found.nodes);
+    inflated.drawn_volume = balance.volume(sewn.nodes);
+    inflated.lift = balance.lift(found.nodes);
+    inflated.imbalance = inflated.lift / balance.net_lift(found.nodes) - 1;
+    inflated.crown_pressure = balance.gas().at(found.nodes.col(2).maxCoeff());
+    measure_deviation(plan, options.threads, inflated);
+    inflated.safety = safety_factors(inflated, plan, options.sewing.rigging);
+    inflated.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return inflated;
+}
+
+std::vector<SafetyFactor> safety_factors(const Inflated& inflated, const CutPlan& plan, const Rigging& rigging) {
+    constexpr double limit_load = 1.4, hot = 0.5, aged = 0.5, seam = 0.8, envelope = 5, suspension = 2.25;
+    std::vector<SafetyFactor> factors;
+    SafetyFactor cloth{"cloth", 0, 0, hot * aged * seam, envelope};
+    cloth.factor = 1e300;
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        const double strength = plan.fabric_of(plan.tiles[i].tile).strength, load = inflated.tiles[i].tension_max;
+        if (!(load > 0)) continue;
+        const double factor = cloth.knock_down * strength / (limit_load * load);
+        if (factor >= cloth.factor) continue;
+        cloth = {cloth.part, load, strength, cloth.knock_down, cloth.required, factor, "tile " + plan.tiles[i].tile.name};
+    }
+    if (cloth.load > 0) factors.push_back(cloth);
+    const auto add = [&](TapeKind kind, const char* part, double strength, double knock_down, double required) {
+        SafetyFactor worst{part, 0, strength, knock_down, required};
+        for (const InflatedTape& tape : inflated.tapes) {
+            if (tape.kind != kind) continue;
+            const double own = kind == TapeKind::tie ? rigging.ties[static_cast<std::size_t>(tape.source)].material.strength
+                                                     : strength;
+            const double factor = knock_down * own / (limit_load * std::max(tape.force_max, 1e-12));
+            if (worst.load > 0 && factor >= worst.factor) continue;
+            worst.load = tape.force_max;
+            worst.strength = own;
+            worst.factor = factor;
+            worst.where = kind == TapeKind::load  ? "seam " + plan.seams[static_cast<std::size_t>(tape.source)].id
+                          : kind == TapeKind::tie ? "tie " + rigging.ties[static_cast<std::size_t>(tape.source)].name
+                                                  : fmt::format("wire {}", tape.source + 1);
+        }
+        if (worst.load > 0) factors.push_back(worst);
+    };
+    add(TapeKind::load, "load tapes", rigging.load_tape.strength, aged, envelope);
+    add(TapeKind::wire, "wires", rigging.wire.strength, 1, suspension);
+    add(TapeKind::tie, "ties", 0, aged, envelope);
+    return factors;
+}
+
+}  // namespace ripstop

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace ripstop {
+
+enum class ClothState {
+    taut,      ///< pulled both ways
+    wrinkled,  ///< pulled one way, folded across it
+    slack,     ///< not pulled at all
+};
+
+}  // namespace ripstop
