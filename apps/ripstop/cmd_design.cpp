@@ -2,14 +2,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <optional>
 
 #include "commands.h"
+#include "design_file.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/units.h"
 #include "ripstop/design/design_summary.h"
-#include "ripstop/io/mesh_file.h"
 
 namespace ripstop::cli {
 namespace {
@@ -28,30 +27,6 @@ double positive_length(const std::string& text, const std::string& option) {
     const double length = parse_length(text, option);
     if (!(length > 0)) throw InputError(option + ": " + text + " is too little; give a length above 0");
     return length;
-}
-
-void require_writable(const std::filesystem::path& file, bool force) {
-    if (std::filesystem::is_directory(file))
-        throw InputError(file.string() + ": is a folder; name the file to write in it");
-    require_written_format(file);
-    if (std::filesystem::exists(file) && !force)
-        throw InputError(file.string() + ": exists; give another name, or --force to replace it");
-    if (const auto folder = std::filesystem::absolute(file).parent_path(); !std::filesystem::is_directory(folder))
-        throw InputError(file.string() + ": cannot be written: " + folder.string() + " is no folder; make it first");
-}
-
-void write_file(const std::filesystem::path& file, const std::vector<NamedMesh>& tiles) {
-    const std::filesystem::path partial = file.string() + ".partial";
-    std::ofstream out(partial, std::ios::binary);
-    write_model(out, file, tiles);
-    out.close();
-    std::error_code error;
-    if (out) std::filesystem::rename(partial, file, error);
-    if (!out || error) {
-        std::filesystem::remove(partial, error);
-        throw InputError(file.string() +
-                         ": cannot be written; is its folder open to you, and is there room on the disk?");
-    }
 }
 
 void print_summary(const DesignSummary& summary) {
@@ -75,7 +50,7 @@ void print_summary(const DesignSummary& summary) {
 }
 
 void run(Arguments given) {
-    require_writable(given.file, given.force);
+    require_design_file(given.file, given.force);
     EnvelopeDesign& design = given.design;
     design.bulge = given.lobes * degree;
     if (!given.crown.empty()) design.crown_radius = parse_length(given.crown, "--crown");
@@ -83,7 +58,7 @@ void run(Arguments given) {
     if (!given.edge.empty()) design.edge_length = parse_length(given.edge, "--edge");
     if (given.triangles) design.edge_length = edge_length_for(design, *given.triangles);
     const std::vector<NamedMesh> tiles = design_natural(design);
-    write_file(given.file, tiles);
+    write_design_file(given.file, tiles);
     print_summary(measure_design(design, tiles));
     fmt::print("{}\n", given.file.string());
 }
@@ -125,6 +100,7 @@ void add_design(CLI::App& app) {
     natural->add_flag("--force", given->force, "Replace the file where it exists");
     natural->footer("Example: ripstop design natural --gores 24 --panels 15 --volume 3000 -o envelope.obj");
     natural->callback([given] { run(*given); });
+    add_design_special(*shapes);
 }
 
 }  // namespace ripstop::cli

@@ -38,6 +38,14 @@ class Relaxation {
             if (surface_.is_edge(h) && surface_.length(h) < 0.75 * edge_ && !collapse(h)) collapse(surface_.twin(h));
     }
 
+    /// Draws together corners that lie almost in one place: two seams that reach a third from both sides.
+    void join_corners() {
+        for (int h = 0; h < surface_.half_edge_count(); ++h)
+            if (surface_.is_edge(h) && surface_.curve(h) >= 0 && surface_.length(h) < 0.25 * edge_ &&
+                !collapse_corner(h))
+                collapse_corner(surface_.twin(h));
+    }
+
     void flip_all() {
         for (int h = 0; h < surface_.half_edge_count(); ++h)
             if (surface_.is_edge(h) && surface_.curve(h) < 0) flip_if_better(h);
@@ -136,6 +144,28 @@ class Relaxation {
         return true;
     }
 
+    bool collapse_corner(int h) {
+        const int a = surface_.from(h);
+        const int b = surface_.to(h);
+        if (bonds(a) != 2 || bonds(b) != 2 || !surface_.can_collapse(h)) return false;
+        surface_.leaving(a, around_);
+        surface_.leaving(b, beyond_);
+        const Ties own = ties_of(around_);
+        const Ties others = ties_of(beyond_);
+        for (const int face : own.faces)
+            if (std::find(others.faces.begin(), others.faces.end(), face) == others.faces.end()) return false;
+        double before = 1;
+        double after = 1;
+        for (const int e : around_) {
+            before = std::min(before, quality(e / 3));
+            if (e / 3 != h / 3 && e / 3 != surface_.twin(h) / 3)
+                after = std::min(after, quality_with(e / 3, a, surface_.position[at(b)]));
+        }
+        if (after < 0.2 && after <= before) return false;
+        surface_.collapse(h);
+        return true;
+    }
+
     void flip_if_better(int h) {
         const int g = surface_.twin(h);
         const int c = surface_.opposite(h);
@@ -216,6 +246,7 @@ void relax(WorkSurface& surface, const SpecialBody& body, const std::vector<Body
     for (int round = 0; round < rounds; ++round) {
         relaxation.split_long();
         relaxation.collapse_short();
+        relaxation.join_corners();
         relaxation.flip_all();
         relaxation.move_all();
     }

@@ -16,7 +16,7 @@ namespace {
 constexpr int chunk = 256;           // elements a task
 
 int directions(Freedom freedom) {
-    return freedom == Freedom::everywhere ? 3 : freedom == Freedom::vertical ? 1 : 0;
+    return may_move(freedom, 0) + may_move(freedom, 1) + may_move(freedom, 2);
 }
 
 /// z of the middle, as a share of each corner's: the lever of weight.
@@ -108,8 +108,10 @@ void Balance::add_element(const std::vector<const Place*>& places, Element eleme
                 const double c = std::cos(part.turns * angle_), s = std::sin(part.turns * angle_);
                 Eigen::Matrix3d turn;
                 turn << c, -s, 0, s, c, 0, 0, 0, 1;
-                const int count = directions(sewn_.freedom[static_cast<std::size_t>(part.node)]);
-                element.map.block(3 * k, column[part.node], 3, count) += part.weight * turn.rightCols(count);
+                int at = column[part.node];
+                for (int axis = 0; axis < 3; ++axis)
+                    if (may_move(sewn_.freedom[static_cast<std::size_t>(part.node)], axis))
+                        element.map.block<3, 1>(3 * k, at++) += part.weight * turn.col(axis);
             }
     }
     elements_.push_back(std::move(element));
@@ -241,8 +243,9 @@ Points3 Balance::moved(const Points3& nodes, const Eigen::VectorXd& step) const 
     Points3 result = nodes;
     for (Eigen::Index n = 0; n < nodes.rows(); ++n) {
         const auto i = static_cast<std::size_t>(n);
-        const int count = directions(sewn_.freedom[i]);
-        for (int d = 0; d < count; ++d) result(n, 3 - count + d) += step[first_unknown_[i] + d];
+        int at = first_unknown_[i];
+        for (int axis = 0; axis < 3; ++axis)
+            if (may_move(sewn_.freedom[i], axis)) result(n, axis) += step[at++];
     }
     return result;
 }

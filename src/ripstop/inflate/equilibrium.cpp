@@ -111,7 +111,7 @@ class Descent {
         if (most_ == 0) most_ = std::max(norms.rms, 10 * tolerance);
         const double done = std::log(most_ / std::max(norms.rms, tolerance)) / std::log(most_ / tolerance);
         options_.progress(std::clamp(done, 0.0, 1.0),
-                          fmt::format("step {}, forces {:.1e}, energy {:.9e} shift {:.1e}", summary_.iterations, norms.rms, energy_, shift_ / std::max(scale_,1e-300)));
+                          fmt::format("step {}, forces {:.1e}", summary_.iterations, norms.rms));
     }
 
     const Balance& balance_;

@@ -21,10 +21,10 @@ Points3 start_nodes(const SewnEnvelope& sewn, const std::vector<Points3>& start)
         for (Eigen::Index v = 0; v < start[i].rows(); ++v) {
             const Place& place = sewn.places[static_cast<std::size_t>(sewn.first_vertex[i] + v)];
             if (place.size() != 1 || place[0].turns != 0) continue;
-            const Freedom freedom = sewn.freedom[static_cast<std::size_t>(place[0].node)];
             const Vec3 at = Vec3(start[i].row(v)) - sewn.origin;
-            if (freedom == Freedom::everywhere) nodes.row(place[0].node) = at;
-            if (freedom == Freedom::vertical) nodes(place[0].node, 2) = at.z();
+            for (int axis = 0; axis < 3; ++axis)
+                if (may_move(sewn.freedom[static_cast<std::size_t>(place[0].node)], axis))
+                    nodes(place[0].node, axis) = at[axis];
         }
     return nodes;
 }

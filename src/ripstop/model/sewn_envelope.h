@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <array>
 #include <vector>
 
 #include "ripstop/geometry/types.h"
@@ -18,8 +18,12 @@ struct PlacePart {
 /// A point of the sewn envelope: the sum of its parts, whose weights sum to 1.
 using Place = std::vector<PlacePart>;
 
-/// Where a node may go.
-enum class Freedom { everywhere, vertical, nowhere };
+/// Along which axes a node may go: x 1, y 2, z 4.
+enum class Freedom : unsigned char { nowhere = 0, x = 1, y = 2, xy = 3, vertical = 4, xz = 5, yz = 6, everywhere = 7 };
+
+inline bool may_move(Freedom freedom, int axis) {
+    return (static_cast<unsigned>(freedom) >> axis & 1u) != 0;
+}
 
 enum class TapeKind { load, wire, tie };
 

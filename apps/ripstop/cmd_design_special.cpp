@@ -1,0 +1,81 @@
+/// ripstop design special: primitives joined to one body and cut into tiles.
+#include <fmt/format.h>
+
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "design_file.h"
+#include "ripstop/base/units.h"
+#include "ripstop/design/special.h"
+#include "ripstop/design/tiles_summary.h"
+#include "ripstop/io/input_file.h"
+#include "ripstop/io/special_json.h"
+
+namespace ripstop::cli {
+namespace {
+
+struct Arguments {
+    std::filesystem::path shape, file;
+    bool force = false;
+};
+
+/// `BODY 96, EAR-L 12`: a tile is called by its primitive, then sector and ring.
+std::string tiles_by_primitive(const SpecialShape& shape, const std::vector<NamedMesh>& tiles) {
+    std::map<std::string, int> counts;
+    for (const NamedMesh& tile : tiles) ++counts[tile.name.substr(0, tile.name.rfind("-S"))];
+    std::string text;
+    for (const SpecialPrimitive& primitive : shape.primitives)
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", primitive.name, counts[primitive.name]);
+    return text;
+}
+
+void print_summary(const SpecialShape& shape, const std::vector<NamedMesh>& tiles) {
+    const TilesSummary summary = measure_tiles(tiles);
+    const int handles = (2 - summary.openings - summary.euler) / 2;
+    fmt::print("{} tiles ({})\n", summary.tiles, tiles_by_primitive(shape, tiles));
+    fmt::print("{} triangles; Euler number {}: {} opening{}, {} handle{}\n", summary.triangles, summary.euler,
+               summary.openings, summary.openings == 1 ? "" : "s", handles, handles == 1 ? "" : "s");
+    fmt::print("area {:.2f} m2, volume {:.2f} m3, height {:.3f} m\n", summary.area, summary.volume, summary.height);
+    if (summary.openings > 0)
+        fmt::print("mouth {:.3f} m round, as a circle of {:.3f} m across\n", summary.rim,
+                   summary.rim / std::numbers::pi);
+    fmt::print("tiles up to {:.3f} m long and {:.3f} m wide; edges {:.3f} to {:.3f} m, smallest angle {:.1f} degrees\n",
+               summary.tile_length, summary.tile_width, summary.edge_min, summary.edge_max, summary.angle_min / degree);
+    fmt::print("triangles turn by up to {:.2f} degrees an edge, {:.2f} mm off the surface\n", summary.turn_max / degree,
+               summary.chord_error / millimetre);
+}
+
+void run(const Arguments& given) {
+    require_design_file(given.file, given.force);
+    std::ifstream in = open_input(given.shape, "the special shape");
+    const SpecialShape shape = read_special_shape(in, given.shape.string());
+    const std::vector<NamedMesh> tiles = design_special(shape);
+    write_design_file(given.file, tiles);
+    print_summary(shape, tiles);
+    fmt::print("{}\n", given.file.string());
+}
+
+}  // namespace
+
+void add_design_special(CLI::App& shapes) {
+    auto given = std::make_shared<Arguments>();
+    CLI::App* special = shapes.add_subcommand(
+        "special",
+        "A special shape: ellipsoids, tori, capsules and cones joined, cut along creases, sectors and rings");
+    special->add_option("FILE", given->shape, "The shape as JSON: docs/special.md")->required();
+    special
+        ->add_option("-o,--output", given->file,
+                     "The file to write, in metres, by its extension: .obj, .ply, .stl, .off; tile BODY-S03R02 is "
+                     "primitive BODY, sector 3, ring 2 (OFF keeps no names)")
+        ->required();
+    special->add_flag("--force", given->force, "Replace the file where it exists");
+    special->footer(
+        "Example of a FILE, a sphere in 8 sectors by 4 rings with a mouth:\n"
+        "  {\"edge_mm\": 250, \"mouth_height_mm\": -2600, \"primitives\": [{\"name\": \"BODY\", \"type\": "
+        "\"ellipsoid\",\n   \"radii_mm\": [3000, 3000, 3000], \"sectors\": 8, \"rings\": 4}]}\n"
+        "Example: ripstop design special docs/special.example.json -o envelope.obj");
+    special->callback([given] { run(*given); });
+}
+
+}  // namespace ripstop::cli

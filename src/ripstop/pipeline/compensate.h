@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ripstop/model/envelope.h"
+#include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/pipeline/inflate_plan.h"
+
+namespace ripstop {
+
+struct CompensateOptions {
+    FlattenOptions flatten = {};
+    InflatePlanOptions inflate = {};
+    bool tape_meridians = false;  ///< as the function of that name does, before anything else
+    int elastic_steps = 2;        ///< rounds that cut the cloth for the strain it has in flight
+    int displacements = 8;        ///< at most so many rounds after these that move the target against the deviation
+    double relaxation = 0.7;      ///< by this share of the deviation; halved where a round makes it worse
+    Progress progress = {};
+};
+
+/// What a round of correction came to.
+struct CompensationRound {
+    std::string step;  ///< `as drawn`, `elastic`, `displacement`
+    Deviation off;
+    double height = 0, volume = 0;  ///< inflated [m, m3]
+    double relaxation = 0;
+    bool is_best = false;
+};
+
+/// Patterns that inflate to the drawn shape.
+struct CompensatedPlan {
+    CutPlan plan;
+    Inflated inflated;                 ///< that plan, before the cloth's own compensation for shrinkage
+    std::vector<double> tape_factors;  ///< of each seam: its load tape is cut so much longer than the seam as drawn
+    std::vector<CompensationRound> rounds;
+};
+
+/// Flattens, inflates and corrects (Skouras 2014 without the derivative; physics of the round from the report):
+///
+///     elastic:       every triangle is cut so that it is as drawn under the stress it bears in flight: E* = C^-1 S, S the relaxed stress
+///                    (so a wrinkle is not cut into the cloth); tapes shorter by 1 / sqrt(1 + 2 N / EA)
+///     displacement:  the target moves against what is left of the deviation, X' <- X' - w (x - X), and the metric of X' is cut
+///
+/// Both sides of a seam are cut alike: the length of the seam's curve is the mean of what the two sides ask for, place by place. The round with the
+/// least deviation (`Deviation::moved_rms`) is kept; it ends when two rounds gain nothing. What tiles are to be cut longer for
+/// shrinkage and take-up (`Compensation::warp`, `weft`, `chains`) is put on last and is not in the simulation, which is of the
+/// cloth after its first flights. One flattening and one inflation a round.
+CompensatedPlan compensate(const Envelope& envelope, const CompensateOptions& options);
+
+/// How the inflated shape answers to what is never known well.
+struct Sensitivity {
+    std::string what;  ///< `cloth 20 % stiffer`
+    Deviation off;
+    double height = 0, volume = 0;  ///< [m, m3]
+};
+
+/// The same plan with cloth 20 % stiffer and softer, shear twice and half as stiff, tapes 1 % longer and shorter, inside 20 degrees
+/// hotter and colder. Tapes and the gas only where there are some. One inflation each.
+std::vector<Sensitivity> measure_sensitivity(const CutPlan& plan, const InflatePlanOptions& options);
+
+}  // namespace ripstop
