@@ -161,7 +161,12 @@ std::vector<NamedMesh> design_special(const SpecialShape& shape) {
     relax(surface, body, {}, edge, 3);
     set_poles(surface, body);
     relax(surface, body, {}, edge, 2);
-    cut_into_cells(surface, body);
+    cut_creases(surface, body);
+    for (int round = 0; round < 3; ++round) {
+        straighten_creases(surface, body);
+        relax(surface, body, draw_curves(surface, body), edge, 2);
+    }
+    cut_seams(surface, body);
     const std::vector<SpecialTile> tiles = number_tiles(surface, body);
     const std::vector<BodyCurve> curves = draw_curves(surface, body);
     if (const int openings = count_openings(surface); openings > 1)

@@ -104,31 +104,10 @@ void divide(WorkSurface& surface, const SpecialBody& body, const Contenders& all
             return ties;
         });
         for (int t = 0; t < surface.triangle_count(); ++t)
-            if (all.is_open(t) && cut.side_of(t) < 0) all.give(t, c);
+            if (surface.is_triangle(t) && all.is_open(t) && cut.side_of(t) < 0) all.give(t, c);
     }
     for (int t = 0; t < surface.triangle_count(); ++t)
-        if (all.is_open(t)) all.give(t, all.count - 1);
-}
-
-void cut_creases(WorkSurface& surface, const SpecialBody& body) {
-    const auto primitives = static_cast<int>(body.shape().primitives.size());
-    divide(surface, body,
-           {primitives, [&](int p, const Vec3& x) { return body.solid_level(p, x).value; },
-            [&](int p, const Vec3& x) { return body.face_shown(p, x); },
-            [&](int t) { return surface.cell[at(t)].face < 0; },
-            [&](int t, int p) { surface.cell[at(t)].face = body.face_shown(p, middle(surface, t)); }});
-    for (int p = 0; p < primitives; ++p) {
-        const std::vector<int>& faces = body.faces_of(p);
-        if (faces.size() == 1) continue;
-        const auto face = [&](int c) { return faces[at(c)]; };
-        divide(
-            surface, body,
-            {static_cast<int>(faces.size()), [&](int c, const Vec3& x) { return -body.face_level(face(c), x).value; },
-             [&](int c, const Vec3&) { return face(c); },
-             [&](int t) { return surface.tile[at(t)] < 0 && body.primitive_number(surface.cell[at(t)].face) == p; },
-             [&](int t, int c) { surface.tile[at(t)] = surface.cell[at(t)].face = face(c); }});
-    }
-    std::fill(surface.tile.begin(), surface.tile.end(), -1);
+        if (surface.is_triangle(t) && all.is_open(t)) all.give(t, all.count - 1);
 }
 
 void cut_along(WorkSurface& surface, const SpecialBody& body, const BodyCurve& curve,
@@ -138,26 +117,6 @@ void cut_along(WorkSurface& surface, const SpecialBody& body, const BodyCurve& c
         .run([&](const Vec3& x) {
             return body.reaches(curve, x) ? Ties{{}, {curve}} : Ties{};
         });
-}
-
-void cut_seams(WorkSurface& surface, const SpecialBody& body) {
-    const auto primitives = static_cast<int>(body.shape().primitives.size());
-    const auto face_of = [&](int t) { return surface.cell[at(t)].face; };
-    const auto corners = [&](int t, auto&& number) {
-        const Vec3 places[3] = {surface.place(t, 0), surface.place(t, 1), surface.place(t, 2)};
-        return number(body.primitive_number(face_of(t)), places);
-    };
-    for (int p = 0; p < primitives; ++p)
-        for (const BodyCurve& curve : body.sector_curves(p))
-            cut_along(surface, body, curve, [&](int t) { return body.primitive_number(face_of(t)) == p; });
-    for (int t = 0; t < surface.triangle_count(); ++t)
-        surface.cell[at(t)].sector = corners(t, [&](int p, const auto& x) { return body.sector_of(p, x); });
-    for (int p = 0; p < primitives; ++p)
-        for (const BodyCurve& curve : body.ring_curves(p))
-            cut_along(surface, body, curve, [&](int t) { return face_of(t) == body.faces_of(p)[0]; });
-    for (int t = 0; t < surface.triangle_count(); ++t)
-        if (body.faces()[at(face_of(t))].part == 0)
-            surface.cell[at(t)].ring = corners(t, [&](int p, const auto& x) { return body.ring_of(p, x); });
 }
 
 /// Onto the surface along the axis, from where the primitive alone has its pole; false where another covers it.
@@ -197,13 +156,50 @@ void set_poles(WorkSurface& surface, const SpecialBody& body) {
         }
 }
 
-void cut_into_cells(WorkSurface& surface, const SpecialBody& body) {
-    cut_creases(surface, body);
-    cut_seams(surface, body);
+void cut_creases(WorkSurface& surface, const SpecialBody& body) {
+    const auto primitives = static_cast<int>(body.shape().primitives.size());
+    divide(surface, body,
+           {primitives, [&](int p, const Vec3& x) { return body.solid_level(p, x).value; },
+            [&](int p, const Vec3& x) { return body.face_shown(p, x); },
+            [&](int t) { return surface.cell[at(t)].face < 0; },
+            [&](int t, int p) { surface.cell[at(t)].face = body.face_shown(p, middle(surface, t)); }});
+    for (int p = 0; p < primitives; ++p) {
+        const std::vector<int>& faces = body.faces_of(p);
+        if (faces.size() == 1) continue;
+        const auto face = [&](int c) { return faces[at(c)]; };
+        divide(
+            surface, body,
+            {static_cast<int>(faces.size()), [&](int c, const Vec3& x) { return -body.face_level(face(c), x).value; },
+             [&](int c, const Vec3&) { return face(c); },
+             [&](int t) { return surface.tile[at(t)] < 0 && body.primitive_number(surface.cell[at(t)].face) == p; },
+             [&](int t, int c) { surface.tile[at(t)] = surface.cell[at(t)].face = face(c); }});
+    }
+    std::fill(surface.tile.begin(), surface.tile.end(), -1);
+}
+
+void cut_seams(WorkSurface& surface, const SpecialBody& body) {
+    const auto primitives = static_cast<int>(body.shape().primitives.size());
+    const auto face_of = [&](int t) { return surface.cell[at(t)].face; };
+    const auto corners = [&](int t, auto&& number) {
+        const Vec3 places[3] = {surface.place(t, 0), surface.place(t, 1), surface.place(t, 2)};
+        return number(body.primitive_number(face_of(t)), places);
+    };
+    for (int p = 0; p < primitives; ++p)
+        for (const BodyCurve& curve : body.sector_curves(p))
+            cut_along(surface, body, curve, [&](int t) { return body.primitive_number(face_of(t)) == p; });
+    for (int t = 0; t < surface.triangle_count(); ++t)
+        if (surface.is_triangle(t))
+            surface.cell[at(t)].sector = corners(t, [&](int p, const auto& x) { return body.sector_of(p, x); });
+    for (int p = 0; p < primitives; ++p)
+        for (const BodyCurve& curve : body.ring_curves(p))
+            cut_along(surface, body, curve, [&](int t) { return face_of(t) == body.faces_of(p)[0]; });
+    for (int t = 0; t < surface.triangle_count(); ++t)
+        if (surface.is_triangle(t) && body.faces()[at(face_of(t))].part == 0)
+            surface.cell[at(t)].ring = corners(t, [&](int p, const auto& x) { return body.ring_of(p, x); });
     if (!body.shape().mouth) return;
     cut_along(surface, body, {BodyCurve::mouth, 0, 0}, [](int) { return true; });
     for (int t = 0; t < surface.triangle_count(); ++t)
-        surface.cell[at(t)].below = middle(surface, t).z() < *body.shape().mouth;
+        surface.cell[at(t)].below = surface.is_triangle(t) && middle(surface, t).z() < *body.shape().mouth;
 }
 
 }  // namespace ripstop

@@ -256,6 +256,21 @@ void relax(WorkSurface& surface, const SpecialBody& body, const std::vector<Body
     }
 }
 
+void straighten_creases(WorkSurface& surface, const SpecialBody& body) {
+    const auto face = [&](int t) { return surface.cell[at(t)].face; };
+    for (int pass = 0; pass < 4; ++pass)
+        for (int t = 0; t < surface.triangle_count(); ++t) {
+            if (!surface.is_triangle(t)) continue;
+            int across[3];
+            for (int k = 0; k < 3; ++k) across[k] = face(surface.twin(3 * t + k) / 3);
+            for (int k = 0; k < 3; ++k)
+                if (const int other = across[k];
+                    other == across[(k + 1) % 3] && other != face(t) &&
+                    shape_quality(body, face(t), surface.place(t, 0), surface.place(t, 1), surface.place(t, 2)) < 0.2)
+                    surface.cell[at(t)].face = other;
+        }
+}
+
 void relax_corners(WorkSurface& surface, const SpecialBody& body, const std::vector<BodyCurve>& curves, double edge) {
     Relaxation relaxation(surface, body, curves, edge);
     for (int h = 0; h < surface.half_edge_count(); ++h)

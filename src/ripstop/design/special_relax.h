@@ -12,6 +12,10 @@ namespace ripstop {
 void relax(WorkSurface& surface, const SpecialBody& body, const std::vector<BodyCurve>& curves, double edge,
            int rounds);
 
+/// Gives poor triangles that two sides of a crease meet in to the face across: a crease that runs to and fro gets straight.
+/// Requires that no seams are cut yet.
+void straighten_creases(WorkSurface& surface, const SpecialBody& body);
+
 /// Splits every edge that runs inside a tile from one of its seams to another, so that each corner has an edge into its tile;
 /// then once more moves and flips.
 void relax_corners(WorkSurface& surface, const SpecialBody& body, const std::vector<BodyCurve>& curves, double edge);

@@ -274,13 +274,17 @@ class Numbering {
 std::vector<Mat22> rest_triangles(const FlatTile& tile, RestState rest) {
     const TriangleMesh& mesh = tile.tile.mesh;
     std::vector<Mat22> triangles;
+    const Compensation& given = tile.tile.compensation;
     if (rest == RestState::as_cut) {
+        const Mat22 shrunk = Vec2(1 / (1 + given.warp), 1 / (1 + given.weft)).asDiagonal();
         for (int t = 0; t < mesh.triangle_count(); ++t)
-            triangles.push_back(flat_edges(mesh.triangles, tile.flattening.positions, t));
+            triangles.push_back(shrunk * flat_edges(mesh.triangles, tile.flattening.positions, t));
         return triangles;
     }
     Tile wanted = tile.tile;
     if (rest == RestState::as_drawn) wanted.compensation = {};
+    wanted.compensation.warp = wanted.compensation.weft = 0;
+    wanted.compensation.chains.clear();
     triangles = target_triangles(wanted);
     const Eigen::Matrix2Xd warp = warp_in_triangles(wanted);
     for (int t = 0; t < mesh.triangle_count(); ++t) {
@@ -367,7 +371,9 @@ SewnEnvelope sew(const CutPlan& plan, const SewOptions& options) {
     const auto place_of = [&](int tile, const BoundaryPlace& place) {
         return numbering.place(seamstress.on_boundary(tile, place));
     };
-    add_rigging(plan, options.rigging, symmetry, is_inside, options.tape_factors, place_of, sewn);
+    const std::vector<double> as_drawn;
+    add_rigging(plan, options.rigging, symmetry, is_inside,
+                options.rest == RestState::as_drawn ? as_drawn : plan.tape_factors, place_of, sewn);
     for (SewnTape& tape : sewn.tapes) tape.stiffness *= options.stiffer;
     return sewn;
 }

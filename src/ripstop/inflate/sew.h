@@ -7,7 +7,7 @@
 
 namespace ripstop {
 
-/// What the cloth is at rest.
+/// What the cloth is at rest, after it has shrunk by what it was cut longer for (`Compensation::warp`, `weft`).
 enum class RestState {
     as_cut,     ///< as each piece lies on the cloth
     as_wanted,  ///< as if every triangle had been cut as it is to be (`target_triangles`), without any error
@@ -17,7 +17,6 @@ enum class RestState {
 struct SewOptions {
     Rigging rigging = {};
     Symmetry symmetry = {};                 ///< none unless given
-    std::vector<double> tape_factors = {};  ///< of each seam: its load tape is cut so much longer; 1 where empty
     RestState rest = RestState::as_cut;
     double stiffer = 1;  ///< cloth and tapes are so much stiffer than they are
 };
@@ -25,7 +24,8 @@ struct SewOptions {
 /// Sews the flat pieces of a plan into one rest state: the two sides of each seam are one line in space, the same place of the seam's curve on both
 /// (where the notches lie), so unequal lengths become ease. Sides that are meshed differently, and T-junctions, hang on the edges they meet.
 /// Diaphragms hang on the skin where their edge lies as drawn. Load tapes follow the seams that take one, shorter than the
-/// seam's curve by the rigging's `foreshortening` and by `tape_factors`. Openings: the lowest is the mouth, the highest the crown.
+/// seam's curve by the rigging's `foreshortening` and, but for
+/// `RestState::as_drawn`, by the plan's `tape_factors`. Openings: the lowest is the mouth, the highest the crown.
 ///
 /// Throws InputError for tiles without flat positions or with flipped triangles (named), a diaphragm that is no tile or
 /// touches nothing, a tie that ends off the envelope, and where nothing could hold the envelope. O(#V).

@@ -66,6 +66,22 @@ struct Causes {
     double patterns = 0; ///< what the pieces as cut add
 };
 
+/// What a round of correcting the patterns came to (`compensate`).
+struct CompensationRound {
+    std::string step;  ///< `as drawn`, `elastic`, `displacement`
+    Deviation off;
+    double height = 0, volume = 0;  ///< inflated [m, m3]
+    double relaxation = 0;          ///< share of the deviation that was taken back
+    bool is_best = false;
+};
+
+/// How the inflated shape answers to what is never known well.
+struct Sensitivity {
+    std::string what;  ///< `cloth 20 % stiffer`
+    Deviation off;
+    double height = 0, volume = 0;  ///< [m, m3]
+};
+
 /// An envelope sewn from its pieces, under gas.
 struct Inflated {
     LoadCase load;
@@ -91,6 +107,8 @@ struct Inflated {
     bool is_stable = false;
     std::vector<SafetyFactor> safety;
     std::optional<Causes> causes = {};
+    std::vector<CompensationRound> rounds = {};    ///< where the patterns were corrected
+    std::vector<Sensitivity> sensitivity = {};
     SolveSummary summary;
     double seconds = 0;
 

@@ -32,98 +32,97 @@ void give_shrinkage(const std::vector<Compensation>& taken, Envelope& envelope) 
 class Correction {
   public:
     Correction(Envelope envelope, const CompensateOptions& options)
-        : envelope_(std::move(envelope)), options_(options), rounds_(1 + options.elastic_steps + options.displacements) {
+        : envelope_(std::move(envelope)), options_(options), total_(1 + options.elastic_steps + options.displacements) {
         options_.inflate.find_causes = false;
-        best_.inflated.off.moved_rms = 1e300;
     }
 
-    /// Cuts and inflates what is wanted. Is it the best so far?
+    /// Cuts and inflates what is wanted. Is it better than all before?
     bool round(const std::string& step, double relaxation, const WantedCloth& wanted) {
         compensate_tiles(wanted, envelope_);
         FlattenOptions flattening = options_.flatten;
         flattening.progress = part(step, 0, 0.3);
-        CutPlan plan = flatten_envelope(envelope_, flattening);
-        if (options_.tape_meridians) tape_meridians(plan);
+        last_ = flatten_envelope(envelope_, flattening);
+        if (options_.tape_meridians) tape_meridians(last_);
+        last_.tape_factors = tape_factors(wanted, envelope_);
         InflatePlanOptions inflating = options_.inflate;
-        inflating.tape_factors = tape_factors(wanted, envelope_);
         inflating.progress = part(step, 0.3, 1);
-        Inflated inflated = inflate_plan(plan, inflating);
-        const bool is_best = inflated.summary.termination == Termination::converged &&
-                             inflated.off.moved_rms < best_.inflated.off.moved_rms;
-        best_.rounds.push_back({step, inflated.off, inflated.height, inflated.volume, relaxation, false});
-        last_ = {plan, inflated, inflating.tape_factors, {}};
-        if (!is_best && !best_.plan.tiles.empty()) return false;
-        best_.plan = std::move(plan);
-        best_.inflated = std::move(inflated);
-        best_.tape_factors = std::move(inflating.tape_factors);
+        last_.inflated = inflate_plan(last_, inflating);
+        const bool is_best = rounds_.empty() || (last_.inflated->summary.termination == Termination::converged &&
+                                                 last_.inflated->off.moved_rms < best_.inflated->off.moved_rms);
+        rounds_.push_back({step, last_.inflated->off, last_.inflated->height, last_.inflated->volume, relaxation});
+        if (!is_best) return false;
+        best_ = last_;
         best_wanted_ = wanted;
-        for (CompensationRound& each : best_.rounds) each.is_best = false;
-        best_.rounds.back().is_best = true;
-        return is_best;
+        for (CompensationRound& each : rounds_) each.is_best = &each == &rounds_.back();
+        return true;
     }
 
-    const CompensatedPlan& last() const { return last_; }
-    const CompensatedPlan& best() const { return best_; }
+    const CutPlan& last() const { return last_; }
+    const CutPlan& best() const { return best_; }
     const WantedCloth& best_wanted() const { return best_wanted_; }
+    const std::vector<CompensationRound>& rounds() const { return rounds_; }
     Envelope& envelope() { return envelope_; }
 
   private:
     Progress part(const std::string& step, double from, double to) const {
         if (!options_.progress) return {};
-        const double done = static_cast<double>(best_.rounds.size());
+        const double done = static_cast<double>(rounds_.size());
         return [this, step, from, to, done](double fraction, const std::string& what) {
-            options_.progress(std::min(1.0, (done + from + (to - from) * fraction) / rounds_),
-                              fmt::format("{} {}: {}", step, best_.rounds.size(), what));
+            options_.progress(std::min(1.0, (done + from + (to - from) * fraction) / total_),
+                              fmt::format("{}: {}", step, what));
         };
     }
 
     Envelope envelope_;
     CompensateOptions options_;
-    int rounds_;
-    CompensatedPlan best_, last_;
+    int total_;
+    CutPlan best_, last_;
     WantedCloth best_wanted_;
+    std::vector<CompensationRound> rounds_;
 };
 
 /// X' - w (x - X): the target moved against what the inflated shape is off.
-void displace(WantedCloth& wanted, const CutPlan& plan, const Inflated& inflated, double share) {
+void displace(WantedCloth& wanted, const CutPlan& plan, double share) {
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
-        wanted.target[i] -= share * (inflated.tiles[i].positions - plan.tiles[i].tile.mesh.positions);
+        wanted.target[i] -= share * (plan.inflated->tiles[i].positions - plan.tiles[i].tile.mesh.positions);
 }
 
 }  // namespace
 
-CompensatedPlan compensate(const Envelope& envelope, const CompensateOptions& options) {
+CutPlan compensate(const Envelope& envelope, const CompensateOptions& options) {
     Envelope bare = envelope;
     const std::vector<Compensation> shrinkage = take_shrinkage(bare);
     WantedCloth wanted = drawn_cloth(bare);
     Correction correction(std::move(bare), options);
     correction.round("as drawn", 0, wanted);
     for (int step = 0; step < options.elastic_steps; ++step) {
-        const CompensatedPlan& last = correction.last();
-        wanted.strain = elastic_strain(last.plan, last.inflated);
-        wanted.tape_strain = tape_strains(last.plan, last.inflated, last.tape_factors);
+        wanted.strain = elastic_strain(correction.last(), *correction.last().inflated);
+        wanted.tape_strain = tape_strains(correction.last());
         if (!correction.round("elastic", 0, wanted)) break;
     }
     double share = options.relaxation;
     for (int step = 0, idle = 0; step < options.displacements && idle < 2; ++step) {
         wanted = correction.best_wanted();
-        const double before = correction.best().inflated.off.moved_rms;
-        displace(wanted, correction.best().plan, correction.best().inflated, share);
+        const double before = correction.best().inflated->off.moved_rms;
+        displace(wanted, correction.best(), share);
         const bool is_better = correction.round("displacement", share, wanted);
         if (!is_better) share *= 0.5;
-        idle = is_better && correction.best().inflated.off.moved_rms < 0.98 * before ? 0 : idle + 1;
+        idle = is_better && correction.best().inflated->off.moved_rms < 0.98 * before ? 0 : idle + 1;
     }
 
-    CompensatedPlan result = correction.best();
+    CutPlan result = correction.best();
+    result.inflated->rounds = correction.rounds();
     if (std::none_of(shrinkage.begin(), shrinkage.end(), [](const Compensation& each) { return each.any(); }))
         return result;
     compensate_tiles(correction.best_wanted(), correction.envelope());
     give_shrinkage(shrinkage, correction.envelope());
     FlattenOptions flattening = options.flatten;
     flattening.progress = {};
-    result.plan = flatten_envelope(correction.envelope(), flattening);
-    if (options.tape_meridians) tape_meridians(result.plan);
-    return result;
+    CutPlan longer = flatten_envelope(correction.envelope(), flattening);
+    if (options.tape_meridians) tape_meridians(longer);
+    longer.tape_factors = result.tape_factors;
+    longer.inflated = std::move(result.inflated);
+    return longer;
 }
 
 std::vector<Sensitivity> measure_sensitivity(const CutPlan& plan, const InflatePlanOptions& options) {
@@ -155,10 +154,10 @@ std::vector<Sensitivity> measure_sensitivity(const CutPlan& plan, const InflateP
         std::any_of(plan.seams.begin(), plan.seams.end(), [](const Seam& seam) { return seam.type.tape; });
     for (const double longer : {0.01, -0.01}) {
         if (!has_tapes) break;
-        InflatePlanOptions changed = options;
+        CutPlan changed = plan;
         if (changed.tape_factors.empty()) changed.tape_factors.assign(plan.seams.size(), 1);
         for (double& factor : changed.tape_factors) factor *= 1 + longer;
-        try_one(longer > 0 ? "load tapes 1 % longer" : "load tapes 1 % shorter", plan, changed);
+        try_one(longer > 0 ? "load tapes 1 % longer" : "load tapes 1 % shorter", changed, options);
     }
     for (const double hotter : {20.0, -20.0}) {
         InflatePlanOptions changed = options;

@@ -19,23 +19,6 @@ struct CompensateOptions {
     Progress progress = {};
 };
 
-/// What a round of correction came to.
-struct CompensationRound {
-    std::string step;  ///< `as drawn`, `elastic`, `displacement`
-    Deviation off;
-    double height = 0, volume = 0;  ///< inflated [m, m3]
-    double relaxation = 0;
-    bool is_best = false;
-};
-
-/// Patterns that inflate to the drawn shape.
-struct CompensatedPlan {
-    CutPlan plan;
-    Inflated inflated;                 ///< that plan, before the cloth's own compensation for shrinkage
-    std::vector<double> tape_factors;  ///< of each seam: its load tape is cut so much longer than the seam as drawn
-    std::vector<CompensationRound> rounds;
-};
-
 /// Flattens, inflates and corrects (Skouras 2014 without the derivative; physics of the round from the report):
 ///
 ///     elastic:       every triangle is cut so that it is as drawn under the stress it bears in flight: E* = C^-1 S, S the relaxed stress
@@ -46,14 +29,9 @@ struct CompensatedPlan {
 /// least deviation (`Deviation::moved_rms`) is kept; it ends when two rounds gain nothing. What tiles are to be cut longer for
 /// shrinkage and take-up (`Compensation::warp`, `weft`, `chains`) is put on last and is not in the simulation, which is of the
 /// cloth after its first flights. One flattening and one inflation a round.
-CompensatedPlan compensate(const Envelope& envelope, const CompensateOptions& options);
-
-/// How the inflated shape answers to what is never known well.
-struct Sensitivity {
-    std::string what;  ///< `cloth 20 % stiffer`
-    Deviation off;
-    double height = 0, volume = 0;  ///< [m, m3]
-};
+///
+/// The plan has the `tape_factors` to cut and, as `inflated`, the state before shrinkage with its rounds.
+CutPlan compensate(const Envelope& envelope, const CompensateOptions& options);
 
 /// The same plan with cloth 20 % stiffer and softer, shear twice and half as stiff, tapes 1 % longer and shorter, inside 20 degrees
 /// hotter and colder. Tapes and the gas only where there are some. One inflation each.

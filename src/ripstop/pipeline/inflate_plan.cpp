@@ -39,7 +39,6 @@ Inflated inflate_plan(const CutPlan& plan, const InflatePlanOptions& options) {
     inflating.load = options.load;
     inflating.threads = options.threads;
     inflating.sewing.rigging = options.rigging;
-    inflating.sewing.tape_factors = options.tape_factors;
     if (options.use_symmetry) inflating.sewing.symmetry = find_symmetry(plan);
     inflating.progress = part_of(options.progress, 0, options.find_causes ? 0.4 : 1);
     Inflated inflated = inflate(plan, inflating);
@@ -53,7 +52,6 @@ Inflated inflate_plan(const CutPlan& plan, const InflatePlanOptions& options) {
         inflating.start.clear();
         inflating.sewing.rest = RestState::as_drawn;
         inflating.sewing.stiffer = stiffer;
-        inflating.sewing.tape_factors.clear();
         inflating.progress = part_of(options.progress, 0.7, 1);
         const Inflated stiff = inflate(plan, inflating);
         if (wanted.summary.termination == Termination::converged && stiff.summary.usable())

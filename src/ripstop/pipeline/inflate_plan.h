@@ -9,7 +9,6 @@ struct InflatePlanOptions {
     Rigging rigging = {};
     bool use_symmetry = true;               ///< compute one of equal sectors
     bool find_causes = true;                ///< inflate it twice more, cut without error, to tell the causes of a deviation apart
-    std::vector<double> tape_factors = {};  ///< as in `InflateOptions`
     int threads = 0;
     Progress progress = {};
 };

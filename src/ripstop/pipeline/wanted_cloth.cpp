@@ -157,15 +157,15 @@ std::vector<Points3> elastic_strain(const CutPlan& plan, const Inflated& inflate
     return strains;
 }
 
-std::vector<double> tape_strains(const CutPlan& plan, const Inflated& inflated, const std::vector<double>& factors) {
+std::vector<double> tape_strains(const CutPlan& plan) {
     std::vector<double> strains;
     for (std::size_t s = 0; s < plan.seams.size(); ++s) {
         const SeamSide& side = plan.seams[s].a;
         const auto i = static_cast<std::size_t>(side.tile);
         const Tile& tile = plan.tiles[i].tile;
-        const double drawn = path_length(side, tile.boundary, tile.mesh.positions);
-        const double stretch = path_length(side, tile.boundary, inflated.tiles[i].positions) /
-                               (drawn * (factors.empty() ? 1 : factors[s]));
+        const double cut = path_length(side, tile.boundary, tile.mesh.positions) *
+                           (plan.tape_factors.empty() ? 1 : plan.tape_factors[s]);
+        const double stretch = path_length(side, tile.boundary, plan.inflated->tiles[i].positions) / cut;
         strains.push_back(plan.seams[s].type.tape ? std::max(0.0, 0.5 * (stretch * stretch - 1)) : 0);
     }
     return strains;

@@ -32,7 +32,7 @@ std::vector<double> tape_factors(const WantedCloth& wanted, const Envelope& enve
 /// The strain C^-1 S of the cloth in flight, tile by tile.
 std::vector<Points3> elastic_strain(const CutPlan& plan, const Inflated& inflated);
 
-/// Of each seam: the strain of a tape along it in flight, cut so much longer than drawn (`factors`); 0 where slack.
-std::vector<double> tape_strains(const CutPlan& plan, const Inflated& inflated, const std::vector<double>& factors);
+/// Of each seam of an inflated plan: the strain of its load tape in flight; 0 where slack or without one.
+std::vector<double> tape_strains(const CutPlan& plan);
 
 }  // namespace ripstop
