@@ -8,6 +8,7 @@
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/io/json_text.h"
+#include "ripstop/io/project_flight.h"
 #include "ripstop/io/text.h"
 
 namespace ripstop {
@@ -64,7 +65,7 @@ Project read_project(std::istream& in, const std::string& name) {
     const json object = read_json_object(in, name);
     require_known_keys(object,
                        {"unit", "fabric", "materials", "layers", "grain_layers", "tolerances", "seam_tolerance_mm",
-                        "tiles", "seam_types", "seams"},
+                        "tiles", "seam_types", "seams", "flight"},
                        name);
     Project project;
     project.file = name;
@@ -90,6 +91,8 @@ Project read_project(std::istream& in, const std::string& name) {
         project.seam_types = read_seam_types(object["seam_types"], name + ": seam_types");
     if (object.contains("seams"))
         project.seams = read_seam_rules(object["seams"], project.seam_types, name + ": seams");
+    if (object.contains("flight"))
+        project.flight = read_flight(object["flight"], project.unit ? metres_per_unit(*project.unit) : 1, name + ": flight");
     return project;
 }
 

@@ -8,6 +8,7 @@
 
 #include "ripstop/io/project_seams.h"
 #include "ripstop/io/project_tiles.h"
+#include "ripstop/model/flight.h"
 #include "ripstop/model/tile.h"
 #include "ripstop/model/verdict.h"
 
@@ -30,6 +31,7 @@ struct Project {
     std::vector<SeamType> seam_types = {ripstop::seam_types().begin(),
                                         ripstop::seam_types().end()};  ///< all that are known
     std::vector<SeamRule> seams;
+    Flight flight = {};  ///< how it flies
 };
 
 /// A project from JSON: docs/project.md explains it, docs/project.schema.json describes it, docs/project.example.json shows

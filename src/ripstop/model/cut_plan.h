@@ -44,6 +44,7 @@ struct CutPlan {
     std::vector<Finding> findings = {};  ///< what is wrong between the tiles; values and limits in mm
     std::vector<MergeProposal> merges = {};
     std::vector<double> tape_factors = {};     ///< of each seam: its load tape is cut so much longer than drawn; 1 where empty
+    bool is_compensated = false;  ///< cut for the strain it has in flight (`Compensation::strain`), which may not be at hand
     std::optional<Inflated> inflated = {};     ///< once it was sewn and inflated
 
     bool manufacturable() const;  ///< every tile, and nothing wrong between them

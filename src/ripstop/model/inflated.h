@@ -63,7 +63,7 @@ struct SafetyFactor {
 struct Causes {
     double shape = 0;    ///< cut without any error of a cloth a hundred times stiffer: this shape cannot be held by gas pressure
     double stretch = 0;  ///< what the real cloth and tapes add to that
-    double patterns = 0; ///< what the pieces as cut add
+    double patterns = 0; ///< what the pieces as cut add; not a number where it is not known
 };
 
 /// What a round of correcting the patterns came to (`compensate`).

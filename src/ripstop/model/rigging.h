@@ -33,7 +33,7 @@ enum class MouthHold {
 struct Rigging {
     TapeMaterial load_tape = {};    ///< of the seams whose type takes one (`SeamType::tape`)
     double foreshortening = 0;      ///< load tapes are shorter than their seams by this ratio, in [0, 0.2]
-    TapeMaterial wire = {500e3, 10e3, 0.05};
+    TapeMaterial wire = {500e3, 10e3, 0.05};  ///< a flying wire
     double wire_length = 3;         ///< from mouth to burner frame, along the run of the tape [m]
     MouthHold mouth = MouthHold::automatic;
     bool crown_ring = true;         ///< the edge of the opening at the top keeps its place in plan and rises and sinks freely

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ripstop/pipeline/tape_meridians.h"
+#include "ripstop/pipeline/tape_seams.h"
 #include "ripstop/pipeline/wanted_cloth.h"
 
 namespace ripstop {
@@ -42,8 +42,9 @@ class Correction {
         FlattenOptions flattening = options_.flatten;
         flattening.progress = part(step, 0, 0.3);
         last_ = flatten_envelope(envelope_, flattening);
-        if (options_.tape_meridians) tape_meridians(last_);
+        tape_seams(last_, options_.tapes);
         last_.tape_factors = tape_factors(wanted, envelope_);
+        last_.is_compensated = !rounds_.empty();
         InflatePlanOptions inflating = options_.inflate;
         inflating.progress = part(step, 0.3, 1);
         last_.inflated = inflate_plan(last_, inflating);
@@ -119,8 +120,9 @@ CutPlan compensate(const Envelope& envelope, const CompensateOptions& options) {
     FlattenOptions flattening = options.flatten;
     flattening.progress = {};
     CutPlan longer = flatten_envelope(correction.envelope(), flattening);
-    if (options.tape_meridians) tape_meridians(longer);
+    tape_seams(longer, options.tapes);
     longer.tape_factors = result.tape_factors;
+    longer.is_compensated = result.is_compensated;
     longer.inflated = std::move(result.inflated);
     return longer;
 }

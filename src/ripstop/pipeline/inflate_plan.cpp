@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "ripstop/pipeline/find_symmetry.h"
 
@@ -31,6 +32,38 @@ Progress part_of(const Progress& progress, double from, double to) {
 
 constexpr double stiffer = 100;  // what is left of the deviation then is the shape's own
 
+/// Inflates the plan twice more: of the stiffer cloth as drawn, and of its own cloth as it is to be cut. Nothing where these are not at rest; of a plan that is
+/// compensated for a strain that is not at hand, `patterns` is not a number and counts among `stretch`.
+std::optional<Causes> find_causes(const CutPlan& plan, const Inflated& inflated, InflateOptions inflating,
+                                  const Progress& progress) {
+    const auto is_at_rest = [](const Inflated& each) { return each.summary.termination == Termination::converged; };
+    if (!is_at_rest(inflated)) return std::nullopt;
+    std::vector<Points3> drawn;
+    bool knows_strain = !plan.is_compensated;
+    for (const FlatTile& tile : plan.tiles) {
+        drawn.push_back(tile.tile.mesh.positions);
+        knows_strain = knows_strain || tile.tile.compensation.strain.rows() > 0;
+    }
+    const std::vector<Points3> there = positions_of(inflated);
+    std::vector<Points3> without_error = there;
+    if (knows_strain) {
+        inflating.start = there;
+        inflating.sewing.rest = RestState::as_wanted;
+        inflating.progress = part_of(progress, 0.4, 0.7);
+        const Inflated wanted = inflate(plan, inflating);
+        if (!is_at_rest(wanted)) return std::nullopt;
+        without_error = positions_of(wanted);
+    }
+    inflating.start.clear();
+    inflating.sewing.rest = RestState::as_drawn;
+    inflating.sewing.stiffer = stiffer;
+    inflating.progress = part_of(progress, 0.7, 1);
+    const Inflated stiff = inflate(plan, inflating);
+    if (!is_at_rest(stiff)) return std::nullopt;
+    return Causes{apart(positions_of(stiff), drawn), apart(without_error, positions_of(stiff)),
+                  knows_strain ? apart(there, without_error) : std::numeric_limits<double>::quiet_NaN()};
+}
+
 }  // namespace
 
 Inflated inflate_plan(const CutPlan& plan, const InflatePlanOptions& options) {
@@ -42,22 +75,7 @@ Inflated inflate_plan(const CutPlan& plan, const InflatePlanOptions& options) {
     if (options.use_symmetry) inflating.sewing.symmetry = find_symmetry(plan);
     inflating.progress = part_of(options.progress, 0, options.find_causes ? 0.4 : 1);
     Inflated inflated = inflate(plan, inflating);
-    if (options.find_causes) {
-        std::vector<Points3> drawn;
-        for (const FlatTile& tile : plan.tiles) drawn.push_back(tile.tile.mesh.positions);
-        inflating.start = positions_of(inflated);
-        inflating.sewing.rest = RestState::as_wanted;
-        inflating.progress = part_of(options.progress, 0.4, 0.7);
-        const Inflated wanted = inflate(plan, inflating);
-        inflating.start.clear();
-        inflating.sewing.rest = RestState::as_drawn;
-        inflating.sewing.stiffer = stiffer;
-        inflating.progress = part_of(options.progress, 0.7, 1);
-        const Inflated stiff = inflate(plan, inflating);
-        if (wanted.summary.termination == Termination::converged && stiff.summary.usable())
-            inflated.causes = Causes{apart(positions_of(stiff), drawn), apart(positions_of(wanted), positions_of(stiff)),
-                                     apart(positions_of(inflated), positions_of(wanted))};
-    }
+    if (options.find_causes) inflated.causes = find_causes(plan, inflated, inflating, options.progress);
     inflated.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return inflated;
 }

@@ -1,6 +1,9 @@
 #include "ripstop/report/directory.h"
 
+#include <algorithm>
+
 #include "ripstop/io/flat_obj.h"
+#include "ripstop/io/sewing_json.h"
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/figures.h"
 #include "ripstop/report/html_report.h"
@@ -27,6 +30,8 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
     const std::vector<std::string> stems = file_stems(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
         if (is_drawable(plan.tiles[i])) write_file(dir / "flat" / (stems[i] + ".obj"), flat_obj(plan.tiles[i]));
+    if (std::all_of(plan.tiles.begin(), plan.tiles.end(), is_drawable))
+        write_file(dir / "flat" / "sewing.json", sewing_json(plan, stems));
     write_cut_files(dir / "cut", pieces, options.formats, options.files);
     write_pieces(dir / "cut" / "pieces.json", pieces);
     if (options.pictures) {

@@ -1,4 +1,4 @@
-#include "ripstop/pipeline/tape_meridians.h"
+#include "ripstop/pipeline/tape_seams.h"
 
 #include <Eigen/Geometry>
 
@@ -23,8 +23,16 @@ void tape_meridians(CutPlan& plan) {
             round += share * share / length;
             along += ((to - from).squaredNorm() - share * share) / length;
         }
-        seam.type.tape = along > round;
+        if (along <= round || seam.type.tape) continue;
+        seam.type.name = "taped";
+        seam.type.tape = true;
     }
+}
+
+void tape_seams(CutPlan& plan, TapedSeams tapes) {
+    if (tapes == TapedSeams::meridians) tape_meridians(plan);
+    if (tapes == TapedSeams::none)
+        for (Seam& seam : plan.seams) seam.type.tape = false;
 }
 
 }  // namespace ripstop

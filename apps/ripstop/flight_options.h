@@ -1,0 +1,23 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ripstop/io/project_json.h"
+
+namespace ripstop::cli {
+
+/// How the envelope flies, as the command line has it; what is not given is the project's.
+struct FlightArguments {
+    std::optional<double> inside, outside, altitude, pressure, tape_stiffness, tape_strength, foreshortening;
+    std::string mouth_plane, tapes, mouth;
+};
+
+void add_flight_options(CLI::App& command, FlightArguments& given);
+
+/// What the arguments and the project say together; the command line goes before the project. Throws InputError.
+Flight flight_of(const FlightArguments& given, const std::optional<Project>& project);
+
+}  // namespace ripstop::cli
