@@ -57,9 +57,7 @@ void show_in_report(const std::filesystem::path& page, const std::string& marker
     if (!in) return;
     std::ostringstream text;
     text << in.rdbuf();
-    const std::filesystem::path fresh = page.string() + ".partial";
-    write_file(fresh, with_roll(text.str(), markers));
-    std::filesystem::rename(fresh, page);
+    replace_file(page, with_roll(text.str(), markers));
 }
 
 ExitCode run(Arguments given) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ripstop/model/envelope.h"
+#include "ripstop/model/flight.h"
 #include "ripstop/pipeline/flatten_envelope.h"
 #include "ripstop/pipeline/inflate_plan.h"
 

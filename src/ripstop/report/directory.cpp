@@ -7,6 +7,7 @@
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/figures.h"
 #include "ripstop/report/html_report.h"
+#include "ripstop/report/inflated_files.h"
 #include "ripstop/report/order.h"
 #include "ripstop/report/output_file.h"
 #include "ripstop/report/picture.h"
@@ -40,6 +41,10 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
             write_file(dir / "pictures" / (stems[i] + ".svg"),
                        tile_picture(plan.tiles[i], plan.tolerances_of(plan.tiles[i].tile)));
         if (!plan.walks.empty()) write_file(dir / "pictures" / "seams.svg", seam_picture(plan));
+    }
+    if (plan.inflated) {
+        fs::create_directory(dir / "inflated");
+        write_inflated_shape(dir / "inflated" / "envelope.obj", plan);
     }
     write_file(dir / "tiles.csv", tiles_csv(plan));
     write_file(dir / "seams.csv", seams_csv(plan));

@@ -22,7 +22,7 @@ struct DirectoryOptions {
 
 /// Writes the whole cut plan as `dir`: report.json, report.html (`html_report`, with the maps of `strains`), tiles.csv,
 /// seams.csv, bom.csv, flat/NAME.obj with flat/sewing.json
-/// (where every tile has flat positions), cut/ (`write_cut_files`) with pieces.json, pictures/NAME.svg. NAME is the tile's `file` in
+/// (where every tile has flat positions), cut/ (`write_cut_files`) with pieces.json, pictures/NAME.svg, and inflated/envelope.obj where it was inflated. NAME is the tile's `file` in
 /// report.json. Tiles without flat positions have no OBJ and, made by nobody, no piece. All or nothing, as
 /// `write_whole_directory` does and throws; under `force` the old plan is replaced, and files in it that no plan has are kept.
 void write_directory(const std::filesystem::path& dir, const CutPlan& plan, const PieceSet& pieces,

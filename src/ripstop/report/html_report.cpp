@@ -47,13 +47,13 @@ std::string base64(std::string_view bytes) {
 }
 
 std::string html_report(const CutPlan& plan, const std::vector<PatternPiece>& pieces,
-                        const std::vector<StrainMap>& strains) {
+                        const std::vector<StrainMap>& strains, const std::string& report) {
     const std::string_view page = page_template();
     if (page.empty()) return {};
     const std::pair<std::string_view, std::string> parts[] = {
         {"RIPSTOP_TITLE", xml_text(plan.input_file.empty() ? "Ripstop report" : plan.input_file + ", Ripstop report")},
         {"RIPSTOP_SUMMARY", xml_text(summary(plan))},
-        {"RIPSTOP_REPORT", base64(deflated(report_json(plan, true)))},
+        {"RIPSTOP_REPORT", base64(deflated(report.empty() ? report_json(plan, true) : report))},
         {"RIPSTOP_SHAPES", base64(deflated(page_shapes(plan, pieces, strains)))}};
     // In the order of the page: what a name says is never taken for one of the words.
     std::string result;

@@ -23,4 +23,20 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
     write_file(path, [&text](std::ostream& out) { out.write(text.data(), static_cast<std::streamsize>(text.size())); });
 }
 
+void replace_file(const std::filesystem::path& path, const std::string& text) {
+    const std::filesystem::path partial = path.string() + ".partial";
+    std::error_code error;
+    try {
+        write_file(partial, text);
+    } catch (...) {
+        std::filesystem::remove(partial, error);
+        throw;
+    }
+    std::filesystem::rename(partial, path, error);
+    if (!error) return;
+    const std::string reason = error.message();
+    std::filesystem::remove(partial, error);
+    throw InputError(path.string() + ": cannot be replaced: " + reason);
+}
+
 }  // namespace ripstop
