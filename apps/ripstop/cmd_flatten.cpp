@@ -129,8 +129,8 @@ void add_flatten(CLI::App& app) {
     command->add_flag("--reproducible", given->reproducible, "Leave the seconds out of report.json");
     command->add_flag(
         "--pictures", given->pictures,
-        "Also what report.html shows as PNG pictures, for e-mail and CI: the envelope in every colour map, each "
-        "tile's piece, the 24 worst of the seams that fail");
+        "Also what report.html shows as PNG pictures, for e-mail and CI: the envelope in every colour "
+        "map, the piece of each pattern (tiles cut alike share one), the 24 worst of the seams that fail");
     command
         ->add_option("--propose", given->propose,
                      "For tiles that cannot be made, try the seams that help: auto (where few kinds fail), all, none")

@@ -65,15 +65,16 @@ Drawing read(const std::string& svg) {
     return drawing;
 }
 
-Eigen::Vector2i size_of(RsvgHandle* drawing) {
+Vec2 size_of(RsvgHandle* drawing) {
     Vec2 size;
     if (!rsvg_handle_get_intrinsic_size_in_pixels(drawing, &size.x(), &size.y())) fail("the drawing states no size");
-    return size.array().ceil().cast<int>();
+    return size;
 }
 
-void draw(cairo_t* context, RsvgHandle* drawing, const Eigen::Vector2i& size) {
+void draw(cairo_t* context, RsvgHandle* drawing) {
     GError* error = nullptr;
-    const RsvgRectangle page{0, 0, static_cast<double>(size.x()), static_cast<double>(size.y())};
+    const Vec2 size = size_of(drawing);
+    const RsvgRectangle page{0, 0, size.x(), size.y()};
     if (!rsvg_handle_render_document(drawing, context, &page, &error)) fail_with(error);
 }
 
@@ -81,13 +82,13 @@ void draw(cairo_t* context, RsvgHandle* drawing, const Eigen::Vector2i& size) {
 
 std::string png_picture(const std::string& svg, const std::vector<PlacedPixels>& beneath) {
     const Drawing drawing = read(svg);
-    const Eigen::Vector2i size = size_of(drawing.get());
+    const Eigen::Vector2i size = size_of(drawing.get()).array().ceil().cast<int>();
     const Surface page(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.x(), size.y()), cairo_surface_destroy);
     const Context context(cairo_create(page.get()), cairo_destroy);
     cairo_set_source_rgb(context.get(), 1, 1, 1);
     cairo_paint(context.get());
     for (const PlacedPixels& pixels : beneath) paint(context.get(), pixels);
-    draw(context.get(), drawing.get(), size);
+    draw(context.get(), drawing.get());
     require(cairo_status(context.get()));
     std::string bytes;
     require(cairo_surface_write_to_png_stream(page.get(), append, &bytes));
