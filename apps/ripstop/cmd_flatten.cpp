@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "commands.h"
 #include "format_options.h"
@@ -20,6 +22,7 @@
 #include "ripstop/pipeline/strain_maps.h"
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/directory.h"
+#include "ripstop/report/png_pictures.h"
 #include "ripstop/report/proposals.h"
 #include "ripstop/report/report_json.h"
 #include "ripstop/report/tables.h"
@@ -71,6 +74,16 @@ void take_faults(CutPlan& plan, const Envelope& envelope, double seam_tolerance,
             tell(fmt::format("Warning: {}\n", issue.message));
 }
 
+/// Of seams that fail only the worst have pictures.
+void tell_unpictured(const CutPlan& plan) {
+    const std::size_t pictured = pictured_seams(plan).size();
+    const auto failing =
+        std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return !walk.ok; });
+    if (std::cmp_less(pictured, failing))
+        tell(fmt::format("Pictures of the {} worst of {} seams that fail; report.html shows them all\n", pictured,
+                         failing));
+}
+
 ExitCode run(Arguments given) {
     choose_formats(given.files, false);
     const std::string method = method_of(given.input);
@@ -101,6 +114,7 @@ ExitCode run(Arguments given) {
         const PieceSet pieces = make_piece_set(plan, make_pieces(plan, pattern, given.jobs), pattern.revision);
         write_directory(given.directory, plan, pieces, writing, measure_strain_maps(plan, given.jobs));
     }
+    if (given.pictures && !given.quiet) tell_unpictured(plan);
     if (given.json)
         fmt::print("{}", report_json(plan, given.reproducible));
     else if (!given.quiet)

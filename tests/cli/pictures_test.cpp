@@ -11,6 +11,7 @@ namespace ripstop {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using testing::ProgramRun;
 using testing::Workshop;
 
@@ -50,8 +51,8 @@ TEST(PicturesOfFlatten, OfOneTileHaveTheSameBytesOnAnyNumberOfThreads) {
 TEST(PicturesOfFlatten, OfADressShowEachPanelAndTheWorstSeams) {
     RIPSTOP_REQUIRE_SHARED(dress, "dress/dress_knife_drape_3d.obj");
     const Workshop workshop;
-    const ProgramRun run = workshop.ripstop("flatten '" + dress.string() +
-                                            "' --unit m --method lscm --propose none --quiet -o plan --pictures");
+    const ProgramRun run =
+        workshop.ripstop("flatten '" + dress.string() + "' --unit m --method lscm --propose none -o plan --pictures");
     ASSERT_EQ(run.code, 1) << run.err;
     const nlohmann::json report = nlohmann::json::parse(workshop.read("plan/report.json"));
     std::size_t seams = 0, panels = 0;
@@ -61,6 +62,7 @@ TEST(PicturesOfFlatten, OfADressShowEachPanelAndTheWorstSeams) {
         EXPECT_GT(testing::read_png(workshop.read("plan/" + name)).height, 300) << name;
     }
     EXPECT_EQ(seams, 24u);
+    EXPECT_THAT(run.err, HasSubstr("Pictures of the 24 worst of "));
     EXPECT_EQ(panels, report["tiles"].size());
 }
 

@@ -22,7 +22,7 @@ struct Layout {
 Layout lay_out(const PageWords& words) {
     const std::size_t lines = std::min(most_lines, std::max(words.why.size(), words.redesign.size()));
     Layout layout;
-    layout.views = lines == 0 ? 100 : 132 + 15 * line_step * static_cast<double>(lines);
+    layout.views = lines == 0 ? 100 : 134 + 14 * line_step * static_cast<double>(lines);
     layout.foot = layout.views + view_side + 34;
     layout.height = layout.foot + legend_size.y() + 16;
     return layout;
@@ -39,7 +39,7 @@ std::string head(const CutPlan& plan, const PageWords& words) {
     svg += svg_text({side, 66}, words.word, {25, "start", is_good ? page_good : page_bad, true});
     const double start = side + text_width(words.word, 25, true) + 6;
     svg += text_within({start, 66}, words.headline, page_width - side - start, {20, "start", page_ink});
-    const TextStyle title{14, "start", page_ink, true}, text{15, "start", page_ink};
+    const TextStyle title{14, "start", page_ink, true}, text{14, "start", page_ink};
     const bool is_redesigned = !words.redesign.empty();
     const double width = is_redesigned ? column : room;
     if (!words.why.empty())
