@@ -45,9 +45,11 @@ std::vector<std::string> commands_of(const CommandText& command) {
     return names;
 }
 
-/// The first word that nothing takes; an option before others, whose value may stand among them.
-std::string stranger(const CLI::App& app) {
+/// The first word that nothing takes: where a command belongs that one, else an option before others, whose value may
+/// stand among them.
+std::string stranger(const CLI::App& app, bool has_commands) {
     const std::vector<std::string> words = app.remaining();
+    if (has_commands && !words.empty() && !words.front().starts_with('-')) return words.front();
     const auto option =
         std::find_if(words.begin(), words.end(), [](const auto& word) { return word.starts_with('-'); });
     return words.empty() ? "" : option != words.end() ? *option : words.front();
@@ -94,7 +96,7 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
     }
     CommandText command = command_text(*app);
     command.path = path;
-    const std::string word = stranger(*app);
+    const std::string word = stranger(*app, !command.commands.empty());
     const std::string text = !word.empty() ? about_stranger(command, word)
                              : !command.commands.empty()
                                  ? fmt::format("a command is missing; known: {}", fmt::join(commands_of(command), ", "))

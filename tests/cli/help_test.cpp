@@ -38,7 +38,7 @@ TEST(Help, IsNoWiderThanAPageAndHasNoColoursInAPipe) {
         std::istringstream help(workshop.ripstop(command + " --help").out);
         bool is_footer = false;
         for (std::string line; std::getline(help, line);) {
-            is_footer = is_footer || StartsWith("Examples").Matches(line);
+            is_footer = is_footer || line.starts_with("Examples");
             std::size_t letters = 0;
             for (const char c : line) letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
             EXPECT_LE(letters, is_footer ? 110U : 100U) << line;
@@ -62,15 +62,17 @@ TEST(Help, GivesExamplesThatRun) {
         if (command == "lift" || command == "completion" || command == "manual") continue;
         const Workshop workshop;
         workshop.write("shop.json", R"({"unit": "m"})");
-        const std::string design = "design natural --gores 3 --panels 6 --edge 500mm --volume 300 -o ";
+        const std::string design = "design natural --gores 12 --panels 6 --edge 600mm --volume 300 -o ";
         ASSERT_EQ(workshop.ripstop(design + "envelope.obj").code, 0);
-        for (const std::string folder : {"cut-plan", "plan-1", "plan-2"})
-            if (command == "export" || command == "validate" || command == "nest" || command == "diff")
-                ASSERT_EQ(workshop.ripstop("flatten envelope.obj --quiet -o " + folder).code, 0);
+        const bool needs_plans = command == "export" || command == "validate" || command == "nest" || command == "diff";
+        for (const std::string folder : {"cut-plan", "plan-1", "plan-2"}) {
+            if (!needs_plans) continue;
+            ASSERT_LE(workshop.ripstop("flatten envelope.obj --quiet -o " + folder).code, 1);
+        }
         const std::vector<std::string> examples = examples_of(workshop.ripstop(command + " --help").out);
         EXPECT_GE(examples.size(), command == "design" ? 1U : 2U) << command;
         for (const std::string& example : examples) {
-            if (StartsWith("design natural -o envelope.obj").Matches(example))
+            if (example.starts_with("design natural -o envelope.obj"))
                 std::filesystem::remove(workshop.path("envelope.obj"));
             const ProgramRun run = workshop.ripstop(example);
             EXPECT_TRUE(run.code == 0 || run.code == 1) << "ripstop " << example << ": " << run.err;
@@ -121,15 +123,16 @@ TEST(Colours, AreShownOnATerminalThatHasThem) {
 TEST(Progress, IsABarWithTheTimeLeftOnATerminalAndWipedAtTheEnd) {
     if (std::system("command -v script > /dev/null") != 0) GTEST_SKIP() << "no script to make a terminal";
     const Workshop workshop;
-    ASSERT_EQ(workshop.ripstop("design natural --gores 6 --panels 4 --edge 500mm --volume 300 -o envelope.obj").code,
+    ASSERT_EQ(workshop.ripstop("design natural --gores 12 --panels 6 --edge 600mm --volume 300 -o envelope.obj").code,
               0);
-    ASSERT_EQ(workshop.ripstop("flatten envelope.obj -o plan --quiet").code, 0);
+    ASSERT_LE(workshop.ripstop("flatten envelope.obj -o plan --quiet").code, 1);
     for (const char* arguments : {"flatten envelope.obj -o other", "nest plan --roll 3m --force"}) {
         const std::string shown = on_terminal(workshop, "TERM=xterm", arguments);
-        EXPECT_THAT(shown, HasSubstr("s left")) << arguments;
-        EXPECT_THAT(shown.substr(shown.rfind("s left")), HasSubstr("\r\033[K")) << arguments;
+        EXPECT_THAT(shown, HasSubstr(" s left  ")) << arguments;
+        EXPECT_THAT(shown.substr(shown.rfind(" s left  ")), HasSubstr("\r\033[K")) << arguments;
     }
-    EXPECT_THAT(on_terminal(workshop, "TERM=xterm", "nest plan --roll 3m --force --quiet"), Not(HasSubstr("s left")));
+    EXPECT_THAT(on_terminal(workshop, "TERM=xterm", "nest plan --roll 3m --force --quiet"),
+                Not(HasSubstr(" s left  ")));
 }
 
 TEST(Progress, OfProposalsAndMarkersIsPlainLinesElsewhere) {

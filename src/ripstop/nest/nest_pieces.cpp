@@ -304,6 +304,7 @@ Markers nest_pieces(const PieceSet& set, const NestOptions& options) {
         marker.colour = cloth.second;
         result.markers.push_back(std::move(marker));
     }
+    if (options.progress) options.progress(1, "a marker");  // pieces that do not fit take no time
     return result;
 }
 
