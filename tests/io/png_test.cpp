@@ -59,6 +59,12 @@ TEST(PngPicture, HasTheSameBytesEachTime) {
     EXPECT_EQ(png_picture(svg), png_picture(svg));
 }
 
+TEST(PngPicture, TakesDrawingsOfManyMegabytes) {
+    std::string path = "M0 0";
+    while (path.size() < 11'000'000) path += "L1 1";
+    EXPECT_EQ(testing::read_png(png_picture(drawing("<path fill=\"none\" d=\"" + path + "\"/>"))).width, 40);
+}
+
 TEST(PngPicture, OfWhatIsNoDrawingIsOurFault) {
     EXPECT_THROW(png_picture("<svg"), std::runtime_error);
 }

@@ -1,5 +1,6 @@
-// What report.html's own modules say of a plan, as JSON, for the tests to compare with: node page_oracle.mjs APPS_REPORT_SRC FILE. FILE
-// holds {report, limits: [{strain, shear} a tile], tension: [[N a boundary edge] a tile], shares: [values to colour]}.
+// What report.html's own modules say of a plan, as JSON, for the tests to compare with:
+// node page_oracle.mjs APPS_REPORT_SRC FILE. FILE holds {report, limits: [{strain, shear} a tile],
+// tension: [[N a boundary edge] a tile], shares: [values to colour]}.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';

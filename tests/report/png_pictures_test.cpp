@@ -98,7 +98,8 @@ TEST(PngPictures, OfTheEnvelopeOpenWithTheMapThePageOpensWith) {
 }
 
 TEST(PngPictures, ShowTheClothInTheColourOfItsStrain) {
-    // Both views have their middles at 400 and 1200, and the cloth there. The stops of the legend are at -1, -1/2, 0, 1/2 and 1.
+    // Both views have their middles at 400 and 1200, and the cloth there. The stops of the legend are at -1, -1/2, 0,
+    // 1/2 and 1.
     for (const auto& [strain, red, green, blue] : {std::tuple{0.0, 0xf7, 0xf5, 0xef},
                                                    {0.01, 0xf6, 0xb2, 0x6b},
                                                    {0.02, 0xe0, 0x6c, 0x00},

@@ -14,7 +14,7 @@ using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
 struct Unref {
-    void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
+    void operator()(gpointer object) const { g_object_unref(object); }
 };
 
 [[noreturn]] void fail(const std::string& why) {
@@ -60,7 +60,11 @@ using Drawing = std::unique_ptr<RsvgHandle, Unref>;
 
 Drawing read(const std::string& svg) {
     GError* error = nullptr;
-    Drawing drawing(rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
+    const std::unique_ptr<GInputStream, Unref> stream(
+        g_memory_input_stream_new_from_data(svg.data(), static_cast<gssize>(svg.size()), nullptr));
+    // Unlimited: the outlines of a large envelope are one path of many megabytes.
+    Drawing drawing(
+        rsvg_handle_new_from_stream_sync(stream.get(), nullptr, RSVG_HANDLE_FLAG_UNLIMITED, nullptr, &error));
     if (!drawing) fail_with(error);
     return drawing;
 }

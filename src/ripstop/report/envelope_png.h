@@ -17,8 +17,9 @@ struct EnvelopeSights {
 };
 EnvelopeSights see_envelope(const CutPlan& plan, int threads);
 
-/// A PNG picture, 1600 wide: the verdict in words as report.html says it, both views in the colours of a map (`page_maps`),
-/// what fails outlined red and the first of it named, proposed seams dashed, the legend with its numbers, a scale bar.
+/// A PNG picture, 1600 wide: the verdict in words as report.html says it, both views in the colours of a map
+/// (`page_maps`), what fails outlined red and the first of it named, proposed seams dashed, the legend with its
+/// numbers, a scale bar.
 std::string envelope_png(const CutPlan& plan, const EnvelopeSights& sights, const std::vector<StrainMap>& strains,
                          const PageMap& map);
 

@@ -11,8 +11,8 @@
 
 namespace ripstop {
 
-/// The tiles as report.html places them (apps/report/src/envelope_shape.js): x to the right, y up, z towards the viewer. The
-/// input's z is up, or its y where the shape is much taller along it.
+/// The tiles as report.html places them (apps/report/src/envelope_shape.js): x to the right, y up, z towards the
+/// viewer. The input's z is up, or its y where the shape is much taller along it.
 struct EnvelopeShape {
     std::vector<Points3> positions;  ///< of each tile's vertices [m]
     Vec3 centre = Vec3::Zero();
@@ -23,8 +23,9 @@ struct EnvelopeShape {
 };
 EnvelopeShape envelope_shape(const CutPlan& plan);
 
-/// The envelope seen from afar in a square of pixels, before it is coloured: what is nearest in each of them. In front of the
-/// cloth lie the band along the edges, thin outlines of the tiles, red ones of what fails, dashes for proposed seams.
+/// The envelope seen from afar in a square of pixels, before it is coloured: what is nearest in each of them. In front
+/// of the cloth lie the band along the edges, thin outlines of the tiles, red ones of what fails, dashes for proposed
+/// seams.
 struct EnvelopeView {
     int side = 0;  ///< pixels of the square
     double pixels_per_metre = 1;
@@ -38,8 +39,8 @@ struct EnvelopeView {
     Vec3 at(const Vec3& point) const;
 };
 
-/// Seen from `direction` (turned axes) without perspective, so that one scale holds for all of it, as large as fits into a
-/// square of `side` pixels. Nothing is painted yet.
+/// Seen from `direction` (turned axes) without perspective, so that one scale holds for all of it, as large as fits
+/// into a square of `side` pixels. Nothing is painted yet.
 EnvelopeView aimed_view(const EnvelopeShape& shape, const Vec3& direction, int side);
 
 /// Paints it. `line_width`: of the thin outlines [pixels]. Cost: O(triangles + pixels).

@@ -10,8 +10,8 @@
 
 namespace ripstop {
 
-/// A colour map of report.html (apps/report/src/maps.js; a test holds both to the same words): what of the cloth's triangles
-/// and of the edges is shown, as shares of what is allowed.
+/// A colour map of report.html (apps/report/src/maps.js; a test holds both to the same words): what of the cloth's
+/// triangles and of the edges is shown, as shares of what is allowed.
 struct PageMap {
     std::string_view id;    ///< warp, weft, shear, area, edges, mismatch, tension
     std::string_view name;  ///< in words
@@ -34,8 +34,8 @@ std::string_view first_map(const CutPlan& plan, const std::vector<StrainMap>& st
 std::vector<std::uint16_t> cloth_places(const CutPlan& plan, std::size_t tile, const StrainMap& strain,
                                         const PageMap& map);
 
-/// The place of each boundary edge of each tile (#tiles, #boundary each); none for a map of the cloth alone. The mismatch of an
-/// edge that belongs to two seams is the later one's.
+/// The place of each boundary edge of each tile (#tiles, #boundary each); none for a map of the cloth alone. The
+/// mismatch of an edge that belongs to two seams is the later one's.
 std::vector<std::vector<std::uint16_t>> edge_places(const CutPlan& plan, const PageMap& map);
 
 /// What stands beside the colours.

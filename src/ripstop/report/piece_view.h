@@ -34,9 +34,10 @@ PieceExtent piece_extent(const FlatTile& tile, const PatternPiece* piece);
 /// Units of the page a metre at which a piece of this size [m] fits into a room of the page, with a margin for rings.
 double fitting_scale(const Vec2& size, const Vec2& room);
 
-/// A piece as report.html shows it (apps/report/src/piece_view.js), in the middle between two corners of the page (upper
-/// left, lower right): the triangles in the colours of the map as pixels, and over them, as SVG, cut line (solid), sew line
-/// (dashed), notches, lines, grain, labels that can be read, a proposed seam (dashed) and a ring about each finding.
+/// A piece as report.html shows it (apps/report/src/piece_view.js), in the middle between two corners of the page
+/// (upper left, lower right): the triangles in the colours of the map as pixels, and over them, as SVG, cut line
+/// (solid), sew line (dashed), notches, lines, grain, labels that can be read, a proposed seam (dashed) and a ring
+/// about each finding.
 ///
 /// Without flat positions there are no pixels, and the SVG says so. Cost: O(triangles + pixels).
 struct PieceView {

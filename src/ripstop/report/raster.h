@@ -9,9 +9,10 @@
 
 namespace ripstop {
 
-/// Calls `paint(place, depth)` for each pixel whose middle lies in a triangle, in a picture of `width` times `height` pixels: place
-/// = row * width + column. Corners are in pixels, y down; z is the depth, linear between them. Pixels outside of the picture
-/// are left out, so is a triangle that is seen from its edge. Neighbours share no pixel and leave none out between them.
+/// Calls `paint(place, depth)` for each pixel whose middle lies in a triangle, in a picture of `width` times `height`
+/// pixels: place = row * width + column. Corners are in pixels, y down; z is the depth, linear between them. Pixels
+/// outside of the picture are left out, so is a triangle that is seen from its edge. Neighbours share no pixel and
+/// leave none out between them.
 template <class Paint>
 void each_pixel(int width, int height, const std::array<Vec3, 3>& corners, const Paint& paint) {
     const auto& [a, b, c] = corners;
