@@ -21,6 +21,11 @@ struct State {
     int tenths = 0;
 };
 
+std::string duration(double seconds) {
+    if (seconds < 100) return fmt::format("{:.0f} s", seconds);
+    return seconds < 6000 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+}
+
 void draw(State& state, double fraction, const std::string& what) {
     const auto now = Clock::now();
     if (fraction < 1 && now - state.drawn < std::chrono::milliseconds(50)) return;
@@ -29,8 +34,8 @@ void draw(State& state, double fraction, const std::string& what) {
     fraction = std::clamp(fraction, 0.0, 1.0);
     const int width = 32;
     const int full = static_cast<int>(fraction * width);
-    tell(fmt::format("\r\033[K[{:#>{}}{:.>{}}] {:3.0f} %  {:.0f} s left  {:.24}", "", full, "", width - full,
-                     100 * fraction, fraction > 0 ? spent / fraction - spent : 0, what));
+    tell(fmt::format("\r\033[K[{:#>{}}{:.>{}}] {:3.0f} %  {} left  {:.24}", "", full, "", width - full, 100 * fraction,
+                     duration(fraction > 0 ? spent / fraction - spent : 0), what));
     if (fraction >= 1) tell("\r\033[K");
 }
 
@@ -74,7 +79,9 @@ void Waiting::tell_how_long() {
     };
     if (ends_within(is_terminal ? std::chrono::milliseconds(500) : std::chrono::milliseconds(2000))) return;
     if (!is_terminal) return tell(what_ + " …\n");
-    do tell(fmt::format("\r\033[K{}, {:.0f} s", what_, std::chrono::duration<double>(Clock::now() - start).count()));
+    do
+        tell(fmt::format("\r\033[K{}, {}", what_,
+                         duration(std::chrono::duration<double>(Clock::now() - start).count())));
     while (!ends_within(std::chrono::milliseconds(500)));
     tell("\r\033[K");
 }

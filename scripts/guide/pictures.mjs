@@ -31,17 +31,21 @@ const cropped = (selector, height) => async (page) => {
 const drawingStyle =
     '<style>body{margin:12px}svg{width:100%;height:596px}path{vector-effect:non-scaling-stroke;stroke-width:1.6}</style>';
 
-// name: the file, what is done on it, what is taken of it.
+// name: the file, what is done on it, what is taken of it. Those of one file follow one another on one page of the browser.
 const recipes = {
     report: { file: 'cut-plan/report.html', take: whole },
+    roll: { file: 'cut-plan/report.html', take: cropped('.roll-section', 620) },
     tile: { file: 'cut-plan/report.html', use: (page) => choose(page, 'G01P10'), take: whole },
-    piece: { file: 'cut-plan/report.html', use: (page) => choose(page, 'G01P10'), take: part('.panel'), height: 960 },
+    piece: { file: 'cut-plan/report.html', take: part('.panel'), height: 960 },
     colours: {
         file: 'cut-plan/report.html',
-        use: (page) => page.getByLabel('Colours show').selectOption({ label: 'Shear between the threads' }),
+        use: async (page) => {
+            await page.getByRole('button', { name: 'Let go' }).click();
+            await page.getByRole('button', { name: 'Whole envelope' }).click();
+            await page.getByLabel('Colours show').selectOption({ label: 'Shear between the threads' });
+        },
         take: (page) => page.locator('.holder').locator('xpath=..').screenshot(),
     },
-    roll: { file: 'cut-plan/report.html', take: cropped('.roll-section', 620) },
     failing: { file: 'wide-plan/report.html', take: part('.verdict') },
     proposal: {
         file: 'wide-plan/report.html',
@@ -58,28 +62,33 @@ const recipes = {
 };
 export const pictureNames = Object.keys(recipes);
 
+const showDrawing = (page, file) =>
+    page.setContent(drawingStyle + readFileSync(file, 'utf8').replace(/^<\?xml.*\n/, ''));
+
+async function showReport(page, file) {
+    await page.goto(pathToFileURL(file).href);
+    await page.waitForFunction(() => performance.getEntriesByName('first-picture').length > 0);
+}
+
 // A picture a name, as PNG. `names` are those of recipes whose files are in the folder.
 export async function takePictures(folder, names, executablePath) {
     const require = createRequire(new URL('../../apps/report/package.json', import.meta.url));
     const browser = await require('playwright-core').chromium.launch({ executablePath, headless: true, args: flags });
     const pictures = new Map();
     try {
-        for (const name of names) {
-            const { file, use, take, isDrawing, height = 860 } = recipes[name];
-            const viewport = isDrawing ? { width: 1200, height: 620 } : { width: 1320, height };
-            const page = await browser.newPage({ viewport, reducedMotion: 'reduce' });
-            if (isDrawing) {
-                await page.setContent(
-                    drawingStyle + readFileSync(join(folder, file), 'utf8').replace(/^<\?xml.*\n/, ''),
-                );
-            } else {
-                await page.goto(pathToFileURL(join(folder, file)).href);
-                await page.waitForFunction(() => performance.getEntriesByName('first-picture').length > 0);
+        let page, shown;
+        for (const [name, { file, use, take, isDrawing, height = 860 }] of Object.entries(recipes)) {
+            if (!names.includes(name)) continue;
+            if (file !== shown) {
+                await page?.close();
+                page = await browser.newPage({ viewport: { width: 1320, height }, reducedMotion: 'reduce' });
+                await (isDrawing ? showDrawing : showReport)(page, join(folder, file));
+                shown = file;
             }
+            await page.setViewportSize(isDrawing ? { width: 1200, height: 620 } : { width: 1320, height });
             await use?.(page);
-            await page.waitForTimeout(600);
+            await page.waitForTimeout(400);
             pictures.set(name, await take(page));
-            await page.close();
         }
     } finally {
         await browser.close();
