@@ -93,6 +93,65 @@ void run(Arguments given) {
     fmt::print("{}\n", given.file.string());
 }
 
+void add_division_and_mesh(CLI::App& natural, Arguments& given) {
+    natural.add_option("--gores", given.design.gores, "How many gores go round")
+        ->capture_default_str()
+        ->type_name("N")
+        ->group("Division");
+    auto* panels =
+        natural.add_option("--panels", given.design.panels, "How many panels a gore has, from the mouth to the crown")
+            ->capture_default_str()
+            ->type_name("N")
+            ->group("Division");
+    natural
+        .add_option("--panel-height", given.panel_height,
+                    "Instead of --panels: as many as keep each lower than this, as 1450mm")
+        ->excludes(panels)
+        ->type_name("LENGTH")
+        ->group("Division");
+    auto* edge = natural.add_option("--edge", given.edge, "Length of a triangle's edge (default 150mm)")
+                     ->type_name("LENGTH")
+                     ->group("Mesh");
+    natural.add_option("--triangles", given.triangles, "Instead of --edge: about so many triangles a tile")
+        ->excludes(edge)
+        ->type_name("N")
+        ->group("Mesh");
+}
+
+void add_shape_and_load(CLI::App& natural, Arguments& given) {
+    natural.add_option("--volume", given.design.volume, "Cubic metres, as if closed at the crown")
+        ->capture_default_str()
+        ->type_name("M3")
+        ->group("Shape");
+    natural.add_option("--mouth", given.design.mouth_ratio, "Radius of the mouth over the largest radius; 0: closed")
+        ->capture_default_str()
+        ->type_name("RATIO")
+        ->group("Shape");
+    natural.add_option("--crown", given.crown, "Radius of the opening at the top; 0m: closed (default 250mm)")
+        ->type_name("LENGTH")
+        ->group("Shape");
+    natural.add_option("--lobes", given.lobes, "Half-angle of the lobes between load tapes; 0: smooth")
+        ->capture_default_str()
+        ->type_name("DEGREES")
+        ->group("Shape");
+    natural.add_option("--inside", given.design.air.inside, "Temperature of the hot air, Celsius")
+        ->capture_default_str()
+        ->type_name("C")
+        ->group("Load");
+    natural.add_option("--outside", given.design.air.outside, "Temperature outside, Celsius")
+        ->capture_default_str()
+        ->type_name("C")
+        ->group("Load");
+    natural.add_option("--altitude", given.design.air.altitude, "Pressure altitude, metres")
+        ->capture_default_str()
+        ->type_name("M")
+        ->group("Load");
+    natural.add_option("--mass", given.design.fabric_mass, "Mass of the cloth, kg/m2")
+        ->capture_default_str()
+        ->type_name("KG/M2")
+        ->group("Load");
+}
+
 }  // namespace
 
 void add_design(CLI::App& app) {
@@ -110,59 +169,8 @@ void add_design(CLI::App& app) {
             "from the mouth (OFF keeps no names)")
         ->type_name("FILE")
         ->required();
-    natural->add_option("--gores", given->design.gores, "How many gores go round")
-        ->capture_default_str()
-        ->type_name("N")
-        ->group("Division");
-    auto* panels =
-        natural->add_option("--panels", given->design.panels, "How many panels a gore has, from the mouth to the crown")
-            ->capture_default_str()
-            ->type_name("N")
-            ->group("Division");
-    natural
-        ->add_option("--panel-height", given->panel_height,
-                     "Instead of --panels: as many as keep each lower than this, as 1450mm")
-        ->excludes(panels)
-        ->type_name("LENGTH")
-        ->group("Division");
-    natural->add_option("--volume", given->design.volume, "Cubic metres, as if closed at the crown")
-        ->capture_default_str()
-        ->type_name("M3")
-        ->group("Shape");
-    natural->add_option("--mouth", given->design.mouth_ratio, "Radius of the mouth over the largest radius; 0: closed")
-        ->capture_default_str()
-        ->type_name("RATIO")
-        ->group("Shape");
-    natural->add_option("--crown", given->crown, "Radius of the opening at the top; 0m: closed (default 250mm)")
-        ->type_name("LENGTH")
-        ->group("Shape");
-    natural->add_option("--lobes", given->lobes, "Half-angle of the lobes between load tapes; 0: smooth")
-        ->capture_default_str()
-        ->type_name("DEGREES")
-        ->group("Shape");
-    auto* edge = natural->add_option("--edge", given->edge, "Length of a triangle's edge (default 150mm)")
-                     ->type_name("LENGTH")
-                     ->group("Mesh");
-    natural->add_option("--triangles", given->triangles, "Instead of --edge: about so many triangles a tile")
-        ->excludes(edge)
-        ->type_name("N")
-        ->group("Mesh");
-    natural->add_option("--inside", given->design.air.inside, "Temperature of the hot air, Celsius")
-        ->capture_default_str()
-        ->type_name("C")
-        ->group("Load");
-    natural->add_option("--outside", given->design.air.outside, "Temperature outside, Celsius")
-        ->capture_default_str()
-        ->type_name("C")
-        ->group("Load");
-    natural->add_option("--altitude", given->design.air.altitude, "Pressure altitude, metres")
-        ->capture_default_str()
-        ->type_name("M")
-        ->group("Load");
-    natural->add_option("--mass", given->design.fabric_mass, "Mass of the cloth, kg/m2")
-        ->capture_default_str()
-        ->type_name("KG/M2")
-        ->group("Load");
+    add_division_and_mesh(*natural, *given);
+    add_shape_and_load(*natural, *given);
     natural->add_flag("--force", given->force, "Replace the file where it exists");
     natural->footer(
         "Examples:\n"
