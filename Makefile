@@ -1,6 +1,6 @@
 # `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
-.PHONY: setup build demo test bench bench-solve bench-seams dress-seams robustness matched accuracy accuracy-check sanitize install format \
-	check clean
+.PHONY: setup build demo test bench bench-solve bench-seams dress-seams robustness matched accuracy accuracy-check guide sanitize install \
+	format check clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
 
@@ -39,6 +39,10 @@ accuracy: build
 
 accuracy-check: build
 	build/release/ripstop-accuracy --check docs/accuracy.md
+
+# docs/guide.md anew, with what the program prints now, and build/guide/guide.html with the pictures in it.
+guide: build
+	node scripts/guide/make.mjs build/release/ripstop build/guide
 
 install: build
 	cmake --install build/release

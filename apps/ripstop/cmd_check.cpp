@@ -3,8 +3,10 @@
 
 #include "commands.h"
 #include "options.h"
+#include "progress_bar.h"
 #include "ripstop/assembly/check_envelope.h"
 #include "ripstop/report/check_report.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 namespace {
@@ -17,14 +19,17 @@ struct Arguments {
 ExitCode run(const Arguments& given) {
     const Input input = resolve(given.input);
     const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
-    EnvelopeCheck check = check_envelope(envelope, {input.read.seam_tolerance}, unit.metres);
+    EnvelopeCheck check = [&] {
+        const Waiting waiting("Checking " + given.input.file.filename().string(), given.quiet);
+        return check_envelope(envelope, {input.read.seam_tolerance}, unit.metres);
+    }();
     check.fabrics = count_fabrics(envelope, input.fabric);
     check.notes.insert(check.notes.end(), unused.begin(), unused.end());
     const std::string file = given.input.file.filename().string();
     if (given.json)
         fmt::print("{}", check_json(check, file, unit.name));
     else if (!given.quiet)
-        fmt::print("{}", check_text(check, file, unit.name + (unit_assumed ? " (assumed; --unit changes it)" : "")));
+        show(check_text(check, file, unit.name + (unit_assumed ? " (assumed; --unit changes it)" : "")));
     return check.sound() ? manufacturable : not_manufacturable;
 }
 
@@ -32,13 +37,17 @@ ExitCode run(const Arguments& given) {
 
 void add_check(CLI::App& app) {
     auto given = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand("check", "Say what was understood of the input and what is wrong with it");
+    CLI::App* command = app.add_subcommand(
+        "check", "Say what was understood of an envelope and what is wrong with it; solves and writes nothing");
     add_input_options(*command, given->input);
     command->add_flag("--json", given->json, "Print one JSON object on stdout instead of the text");
     command->add_flag("--quiet", given->quiet, "Print nothing; the exit code tells");
     command->footer(
-        "Exit codes: 0 sound, 1 something is wrong, 3 unusable input.\n"
-        "Example: ripstop check envelope.obj --unit mm --seam-tolerance 1mm");
+        "Examples:\n"
+        "  ripstop check envelope.obj --unit m\n"
+        "  ripstop check envelope.obj --unit m --seam-tolerance 1mm     edges drawn less exactly\n"
+        "  ripstop check envelope.obj --unit m --json                   for a script\n\n"
+        "Exit codes: 0 sound, 1 something is wrong, 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "commands.h"
+#include "known.h"
 #include "options.h"
 #include "progress_bar.h"
 #include "ripstop/base/error.h"
@@ -39,7 +40,7 @@ std::vector<std::string> methods_of(const Arguments& given) {
 }
 
 /// Throws InputError where the sheet could not be written in the end, or would take the place of what is read.
-void require_free_sheet(const Arguments& given, std::size_t tiles) {
+void require_free_sheet(const Arguments& given) {
     if (given.sheet.empty()) return;
     std::error_code unknown;
     const std::filesystem::path folder = given.sheet.has_parent_path() ? given.sheet.parent_path() : ".";
@@ -48,17 +49,21 @@ void require_free_sheet(const Arguments& given, std::size_t tiles) {
     if (std::filesystem::equivalent(given.sheet, given.input.file, unknown))
         throw InputError(given.sheet.string() + ": is the input itself; give the sheet another name");
     if (std::filesystem::exists(given.sheet, unknown) && !given.force)
-        throw InputError(given.sheet.string() + ": exists; give another name or --force");
-    if (tiles > most_on_sheet)
+        throw InputError(given.sheet.string() + ": exists; give another name, or --force to replace it");
+}
+
+void require_room(const Arguments& given, std::size_t tiles) {
+    if (!given.sheet.empty() && tiles > most_on_sheet)
         throw InputError(given.input.file.string() + ": " + std::to_string(tiles) + " tiles do not fit on a sheet, " +
                          std::to_string(most_on_sheet) + " do; choose some with --tile");
 }
 
 ExitCode run(const Arguments& given) {
     const Input input = resolve(given.input);
+    require_free_sheet(given);
     const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
     tell_unused(unused);
-    require_free_sheet(given, envelope.tiles.size());
+    require_room(given, envelope.tiles.size());
     std::vector<CutPlan> plans;
     const std::vector<std::string> names = methods_of(given);
     const Progress bar = progress_bar(given.quiet);
@@ -76,7 +81,10 @@ ExitCode run(const Arguments& given) {
         plan.remarks = remarks;
         plans.push_back(std::move(plan));
     }
-    fmt::print("{}", given.json ? comparison_json(plans) : comparison_table(plans));
+    if (given.json)
+        fmt::print("{}", comparison_json(plans));
+    else
+        show(comparison_table(plans));
     if (given.sheet.empty()) return manufacturable;
     write_file(given.sheet, comparison_sheet(plans));
     if (!given.json) fmt::print("{}\n", given.sheet.string());
@@ -87,21 +95,33 @@ ExitCode run(const Arguments& given) {
 
 void add_compare(CLI::App& app) {
     auto given = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand("compare", "Every method on the same tiles: one table, one sheet of shapes");
+    CLI::App* command =
+        app.add_subcommand("compare", "Flatten the same tiles by every method: one table, one sheet of shapes");
     add_input_options(*command, given->input);
     add_remesh_option(*command, given->input);
-    command->add_option("--method", given->methods, "Only these methods; may be given more than once")
+    command->add_option("--method", given->methods, "Only this method; may be repeated (default: all)")
+        ->group("Flattening")
+        ->type_name("NAME")
+        ->allow_extra_args(false)
         ->check(known_method());
-    command->add_option("--sheet", given->sheet, "An SVG to write: all the flat shapes with their colour maps");
+    command
+        ->add_option("--sheet", given->sheet,
+                     "An SVG to write: all the flat shapes with their colour maps, of 24 tiles at most")
+        ->type_name("FILE");
     command->add_flag("--force", given->force, "Replace the sheet where it exists");
-    command->add_option("-j,--jobs", given->jobs, "Threads (0: one a core); more than one blurs the seconds")
-        ->check(CLI::Range(0, 1024));
+    command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core, more than one blurs the seconds")
+        ->capture_default_str()
+        ->type_name("N")
+        ->check(within(0, 1024));
     command->add_flag("--json", given->json,
-                      "Machine output on stdout: what report.json says of a tile, a method each");
+                      "Print JSON on stdout instead of the table: what report.json says of a tile, for each method");
     command->add_flag("--quiet", given->quiet, "No progress");
     command->footer(
-        "Ends with 0 whatever the verdicts: it compares, `flatten` decides.\n"
-        "Example: ripstop compare envelope.obj --tile G01P07 --fabric nylon --sheet methods.svg");
+        "Examples:\n"
+        "  ripstop compare envelope.obj --tile G01P03 --fabric nylon\n"
+        "  ripstop compare envelope.obj --tile G01P03 --method seam-exact --method paper\n"
+        "  ripstop compare envelope.obj --tile G01P03 --sheet methods.svg\n\n"
+        "Exit codes: 0 whatever the verdicts (it compares, `flatten` decides), 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "design_file.h"
+#include "progress_bar.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/units.h"
 #include "ripstop/design/design_summary.h"
@@ -57,48 +58,101 @@ void run(Arguments given) {
     if (!given.panel_height.empty()) design.panel_height = positive_length(given.panel_height, "--panel-height");
     if (!given.edge.empty()) design.edge_length = parse_length(given.edge, "--edge");
     if (given.triangles) design.edge_length = edge_length_for(design, *given.triangles);
-    const std::vector<NamedMesh> tiles = design_natural(design);
-    write_design_file(given.file, tiles);
-    print_summary(measure_design(design, tiles));
+    const DesignSummary summary = [&] {
+        const Waiting waiting("Writing " + given.file.filename().string(), false);
+        const std::vector<NamedMesh> tiles = design_natural(design);
+        write_design_file(given.file, tiles);
+        return measure_design(design, tiles);
+    }();
+    print_summary(summary);
     fmt::print("{}\n", given.file.string());
+}
+
+void add_division_and_mesh(CLI::App& natural, Arguments& given) {
+    natural.add_option("--gores", given.design.gores, "How many gores go round")
+        ->capture_default_str()
+        ->type_name("N")
+        ->group("Division");
+    auto* panels =
+        natural.add_option("--panels", given.design.panels, "How many panels a gore has, from the mouth to the crown")
+            ->capture_default_str()
+            ->type_name("N")
+            ->group("Division");
+    natural
+        .add_option("--panel-height", given.panel_height,
+                    "Instead of --panels: as many as keep each lower than this, as 1450mm")
+        ->excludes(panels)
+        ->type_name("LENGTH")
+        ->group("Division");
+    auto* edge = natural.add_option("--edge", given.edge, "Length of a triangle's edge (default 150mm)")
+                     ->type_name("LENGTH")
+                     ->group("Mesh");
+    natural.add_option("--triangles", given.triangles, "Instead of --edge: about so many triangles a tile")
+        ->excludes(edge)
+        ->type_name("N")
+        ->group("Mesh");
+}
+
+void add_shape_and_load(CLI::App& natural, Arguments& given) {
+    natural.add_option("--volume", given.design.volume, "Cubic metres, as if closed at the crown")
+        ->capture_default_str()
+        ->type_name("M3")
+        ->group("Shape");
+    natural.add_option("--mouth", given.design.mouth_ratio, "Radius of the mouth over the largest radius; 0: closed")
+        ->capture_default_str()
+        ->type_name("RATIO")
+        ->group("Shape");
+    natural.add_option("--crown", given.crown, "Radius of the opening at the top; 0m: closed (default 250mm)")
+        ->type_name("LENGTH")
+        ->group("Shape");
+    natural.add_option("--lobes", given.lobes, "Half-angle of the lobes between load tapes; 0: smooth")
+        ->capture_default_str()
+        ->type_name("DEGREES")
+        ->group("Shape");
+    natural.add_option("--inside", given.design.air.inside, "Temperature of the hot air, Celsius")
+        ->capture_default_str()
+        ->type_name("C")
+        ->group("Load");
+    natural.add_option("--outside", given.design.air.outside, "Temperature outside, Celsius")
+        ->capture_default_str()
+        ->type_name("C")
+        ->group("Load");
+    natural.add_option("--altitude", given.design.air.altitude, "Pressure altitude, metres")
+        ->capture_default_str()
+        ->type_name("M")
+        ->group("Load");
+    natural.add_option("--mass", given.design.fabric_mass, "Mass of the cloth, kg/m2")
+        ->capture_default_str()
+        ->type_name("KG/M2")
+        ->group("Load");
 }
 
 }  // namespace
 
 void add_design(CLI::App& app) {
-    CLI::App* shapes = app.add_subcommand("design", "Write an envelope to work on");
+    CLI::App* shapes = app.add_subcommand("design", "Write an envelope to work on, by its shape");
     shapes->require_subcommand(1);
+    shapes->footer(
+        "Example:\n  ripstop design natural -o envelope.obj\n`ripstop design natural --help` tells its options.");
     auto given = std::make_shared<Arguments>();
-    CLI::App* natural = shapes->add_subcommand("natural", "The natural shape: no hoop tension, gores by panels");
+    CLI::App* natural = shapes->add_subcommand(
+        "natural", "Write the natural shape of a hot-air balloon, which has no hoop tension, in gores of panels");
     natural
         ->add_option(
             "-o,--output", given->file,
             "The file to write, in metres, by its extension: .obj, .ply, .stl, .off; tile G01P01 is gore 1, panel 1 "
             "from the mouth (OFF keeps no names)")
+        ->type_name("FILE")
         ->required();
-    natural->add_option("--gores", given->design.gores, "Gores")->capture_default_str();
-    auto* panels = natural->add_option("--panels", given->design.panels, "Panels a gore")->capture_default_str();
-    natural
-        ->add_option("--panel-height", given->panel_height,
-                     "Instead: as many panels as keep each below this, such as 1450mm")
-        ->excludes(panels);
-    natural->add_option("--volume", given->design.volume, "Cubic metres, as if closed at the crown")
-        ->capture_default_str();
-    natural->add_option("--mouth", given->design.mouth_ratio, "Radius of the mouth over the largest; 0: closed")
-        ->capture_default_str();
-    natural->add_option("--crown", given->crown,
-                        "Radius of the opening at the top, such as 250mm (the default); 0m: closed");
-    natural->add_option("--lobes", given->lobes, "Half-angle of the lobes between load tapes, degrees; 0: smooth")
-        ->capture_default_str();
-    auto* edge = natural->add_option("--edge", given->edge, "Length of a triangle's edge, such as 150mm (the default)");
-    natural->add_option("--triangles", given->triangles, "Instead: about so many triangles a tile")->excludes(edge);
-    natural->add_option("--inside", given->design.air.inside, "Temperature of the hot air, Celsius")
-        ->capture_default_str();
-    natural->add_option("--outside", given->design.air.outside, "Temperature outside, Celsius")->capture_default_str();
-    natural->add_option("--altitude", given->design.air.altitude, "Pressure altitude, metres")->capture_default_str();
-    natural->add_option("--mass", given->design.fabric_mass, "Mass of the cloth, kg/m2")->capture_default_str();
+    add_division_and_mesh(*natural, *given);
+    add_shape_and_load(*natural, *given);
     natural->add_flag("--force", given->force, "Replace the file where it exists");
-    natural->footer("Example: ripstop design natural --gores 24 --panels 15 --volume 3000 -o envelope.obj");
+    natural->footer(
+        "Examples:\n"
+        "  ripstop design natural -o envelope.obj\n"
+        "  ripstop design natural --gores 12 --panels 6 --volume 600 -o small.obj\n"
+        "  ripstop design natural --panel-height 1450mm --lobes 12 -o lobed.ply\n\n"
+        "Exit codes: 0 written, 2 usage, 3 a shape or a file that cannot be.");
     natural->callback([given] { run(*given); });
     add_design_special(*shapes);
 }

@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "format_options.h"
+#include "progress_bar.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/glob.h"
 #include "ripstop/report/cut_files.h"
@@ -26,7 +27,9 @@ void keep_named(PieceSet& set, const std::vector<std::string>& globs) {
     };
     if (globs.empty()) return;
     std::erase_if(set.pieces, is_left_out);
-    if (set.pieces.empty()) throw InputError("no piece is called as --tile says; the names stand in tiles.csv");
+    if (set.pieces.empty())
+        throw InputError(
+            fmt::format("no piece is called {}; tiles.csv of the plan has the names", fmt::join(globs, " or ")));
     count_patterns(set.pieces);
 }
 
@@ -54,6 +57,7 @@ ExitCode run(Arguments given) {
     std::vector<std::string_view> ours(sheets.begin(), sheets.end());
     ours.push_back("tiles");
     write_whole_directory(given.output, given.force, ours, [&](const std::filesystem::path& folder) {
+        const Waiting waiting(fmt::format("Writing {}", fmt::join(given.files.formats, ", ")), given.quiet);
         write_cut_files(folder, set, given.files.formats, files);
     });
     if (!given.quiet) fmt::print("{} pieces: {}\n", set.pieces.size(), given.output.string());
@@ -65,13 +69,24 @@ ExitCode run(Arguments given) {
 void add_export(CLI::App& app) {
     auto given = std::make_shared<Arguments>();
     CLI::App* command =
-        app.add_subcommand("export", "The pieces of a cut plan as other cut files, without solving again");
-    command->add_option("plan", given->plan, "A folder that `ripstop flatten` wrote")->required();
-    command->add_option("-o,--output", given->output, "The folder to write; else one in the plan's");
+        app.add_subcommand("export", "Write the pieces of a cut plan as other cut files, without solving again");
+    command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
+    command->add_option("-o,--output", given->output, "The folder to write (default PLAN/cut-…, after what is in it)")
+        ->type_name("DIR");
     add_format_options(*command, given->files, "--dialect");
-    command->add_option("--tile", given->tiles, "Only pieces of these names; * and ? stand for anything");
+    command
+        ->add_option("--tile", given->tiles,
+                     "Only pieces of this name; * and ? stand for other letters; may be repeated")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
     command->add_flag("--force", given->force, "Replace the folder where it is not empty");
     command->add_flag("--quiet", given->quiet, "Say nothing where all is well");
+    command->footer(
+        "Examples:\n"
+        "  ripstop export cut-plan --dialect aama                     for garment CAD\n"
+        "  ripstop export cut-plan --format pdf --paper a4            paper templates on sheets\n"
+        "  ripstop export cut-plan --format hpgl --tile 'G01P*' -o gore-1\n\n"
+        "Exit codes: 0 written, 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "commands.h"
 #include "format_options.h"
+#include "known.h"
 #include "options.h"
 #include "piece_options.h"
 #include "progress_bar.h"
@@ -19,6 +22,7 @@
 #include "ripstop/pipeline/strain_maps.h"
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/directory.h"
+#include "ripstop/report/png_pictures.h"
 #include "ripstop/report/proposals.h"
 #include "ripstop/report/report_json.h"
 #include "ripstop/report/tables.h"
@@ -31,7 +35,7 @@ struct Arguments {
     InputArguments input;
     std::filesystem::path directory;
     int jobs = 0;
-    bool force = false, json = false, quiet = false, reproducible = false;
+    bool force = false, json = false, quiet = false, reproducible = false, pictures = false;
     std::string propose = "auto";
     bool propose_merges = false;
     PieceArguments pieces;
@@ -53,10 +57,12 @@ void print_assumed_size(const Envelope& envelope) {
 void propose(CutPlan& plan, const std::string& method, const Arguments& given) {
     if (method == "given") return;
     constexpr int all = std::numeric_limits<int>::max();
-    if (given.propose == "auto" && !add_proposals(plan, method_named(method), given.jobs) && !given.quiet)
+    const Progress bar = progress_bar(given.quiet);
+    if (given.propose == "auto" && !add_proposals(plan, method_named(method), given.jobs, {}, bar) && !given.quiet)
         tell("Too many tiles fail to propose seams for them unasked; --propose all tries every one\n");
-    if (given.propose == "all") add_proposals(plan, method_named(method), given.jobs, {all, all});
-    if (given.propose_merges) plan.merges = propose_merges(plan, method_named(method), given.jobs);
+    if (given.propose == "all") add_proposals(plan, method_named(method), given.jobs, {all, all}, bar);
+    if (given.propose_merges)
+        plan.merges = propose_merges(plan, method_named(method), given.jobs, progress_bar(given.quiet));
 }
 
 /// What is wrong with the envelope itself: as `ripstop check` says.
@@ -68,11 +74,23 @@ void take_faults(CutPlan& plan, const Envelope& envelope, double seam_tolerance,
             tell(fmt::format("Warning: {}\n", issue.message));
 }
 
+/// Of seams that fail only the worst have pictures.
+void tell_unpictured(const CutPlan& plan) {
+    const std::size_t pictured = pictured_seams(plan).size();
+    const auto failing =
+        std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return !walk.ok; });
+    if (std::cmp_less(pictured, failing))
+        tell(fmt::format("Pictures of the {} worst of {} seams that fail; report.html shows them all\n", pictured,
+                         failing));
+}
+
 ExitCode run(Arguments given) {
     choose_formats(given.files, false);
     const std::string method = method_of(given.input);
     PieceOptions pattern = piece_options(given.pieces);
     DirectoryOptions writing{given.force, given.reproducible};
+    writing.png = given.pictures;
+    writing.threads = given.jobs;
     writing.formats = given.files.formats;
     writing.files = file_options(given.files);
     require_writable(given.directory, given.force);
@@ -91,12 +109,16 @@ ExitCode run(Arguments given) {
     propose(plan, method, given);
 
     if (pattern.revision.empty()) pattern.revision = plan.input_sha256.substr(0, 8);
-    const PieceSet pieces = make_piece_set(plan, make_pieces(plan, pattern, given.jobs), pattern.revision);
-    write_directory(given.directory, plan, pieces, writing, measure_strain_maps(plan, given.jobs));
+    {
+        const Waiting waiting("Writing " + given.directory.string(), given.quiet);
+        const PieceSet pieces = make_piece_set(plan, make_pieces(plan, pattern, given.jobs), pattern.revision);
+        write_directory(given.directory, plan, pieces, writing, measure_strain_maps(plan, given.jobs));
+    }
+    if (given.pictures && !given.quiet) tell_unpictured(plan);
     if (given.json)
         fmt::print("{}", report_json(plan, given.reproducible));
     else if (!given.quiet)
-        fmt::print("{}{}\n{}\n", tiles_table(plan), proposals_text(plan), given.directory.string());
+        show(fmt::format("{}{}\n{}\n", tiles_table(plan), proposals_text(plan), given.directory.string()));
     return plan.manufacturable() ? manufacturable : not_manufacturable;
 }
 
@@ -108,23 +130,40 @@ void add_flatten(CLI::App& app) {
     add_input_options(*command, given->input);
     add_method_option(*command, given->input);
     add_remesh_option(*command, given->input);
-    command->add_option("-o,--output", given->directory, "The folder to write; must not exist or be empty")->required();
+    command->add_option("-o,--output", given->directory, "The folder to write; must not exist or be empty")
+        ->type_name("DIR")
+        ->required();
     command->add_flag("--force", given->force, "Replace the folder where it is not empty");
-    command->add_option("-j,--jobs", given->jobs, "Threads (0: one a core)")->check(CLI::Range(0, 1024));
+    command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core; the result is the same")
+        ->capture_default_str()
+        ->type_name("N")
+        ->check(within(0, 1024));
     command->add_flag("--json", given->json, "Print report.json on stdout instead of the table");
     command->add_flag("--quiet", given->quiet, "No table, no progress");
     command->add_flag("--reproducible", given->reproducible, "Leave the seconds out of report.json");
+    command->add_flag(
+        "--pictures", given->pictures,
+        "Also what report.html shows as PNG pictures, for e-mail and CI: the envelope in every colour "
+        "map, the piece of each pattern (tiles cut alike share one), the 24 worst of the seams that fail");
     command
         ->add_option("--propose", given->propose,
                      "For tiles that cannot be made, try the seams that help: auto (where few kinds fail), all, none")
         ->capture_default_str()
-        ->check(CLI::IsMember({"auto", "all", "none"}));
-    command->add_flag(
-        "--propose-merges", given->propose_merges,
-        "Try every two neighbours as one tile and list those that could be made; flattens once more a seam");
+        ->type_name("WORD")
+        ->check(one_of({"auto", "all", "none"}))
+        ->group("Flattening");
+    command
+        ->add_flag("--propose-merges", given->propose_merges,
+                   "Try every two neighbours as one tile and list those that could be made; flattens once more a seam")
+        ->group("Flattening");
     add_piece_options(*command, given->pieces);
     add_format_options(*command, given->files, "--dxf-dialect");
-    command->footer("Example: ripstop flatten envelope.obj --unit mm --fabric nylon -o cut-plan");
+    command->footer(
+        "Examples:\n"
+        "  ripstop flatten envelope.obj --unit m --fabric nylon -o cut-plan\n"
+        "  ripstop flatten envelope.obj --unit m --tile 'G01P*' -o gore-1      some tiles only\n"
+        "  ripstop flatten envelope.obj --unit m --project shop.json -o plan   with what a file cannot say\n\n"
+        "Exit codes: 0 all manufacturable, 1 some not (all files written), 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

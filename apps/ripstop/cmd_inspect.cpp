@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "options.h"
+#include "progress_bar.h"
 #include "ripstop/io/mesh_file.h"
 #include "ripstop/report/inspect_report.h"
 
@@ -18,16 +19,21 @@ void add_inspect(CLI::App& app) {
     };
     auto given = std::make_shared<Arguments>();
     CLI::App* command =
-        app.add_subcommand("inspect", "Say what a file holds: unit, layers, surfaces, curves, the rest");
-    command->add_option("INPUT", given->file, "The file, in any format that is read")->required();
+        app.add_subcommand("inspect", "Say what a file holds: unit, layers, surfaces, curves and what is not read");
+    command->add_option("INPUT", given->file, "The file, in any format that is read")->type_name("FILE")->required();
     add_meshing_options(*command, given->chord, given->edge, given->tiles_are);
     command->add_flag("--json", given->json, "Print one JSON object on stdout instead of the text");
     command->footer(
-        "Lengths are the file's own numbers.\n"
-        "Exit codes: 0 read, 3 unusable input.\n"
-        "Example: ripstop inspect envelope.3dm");
+        "Lengths are the file's own numbers.\n\n"
+        "Examples:\n"
+        "  ripstop inspect envelope.obj\n"
+        "  ripstop inspect envelope.obj --json          for a script\n\n"
+        "Exit codes: 0 read, 2 usage, 3 unusable input.");
     command->callback([given] {
-        const CadModel model = read_model(given->file, meshing_of(given->chord, given->edge, given->tiles_are));
+        const CadModel model = [&] {
+            const Waiting waiting("Reading " + given->file.filename().string(), false);
+            return read_model(given->file, meshing_of(given->chord, given->edge, given->tiles_are));
+        }();
         const std::string file = given->file.filename().string();
         fmt::print("{}", given->json ? inspect_json(model, file) : inspect_text(model, file));
     });

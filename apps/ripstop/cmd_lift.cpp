@@ -5,6 +5,7 @@
 #include <set>
 
 #include "commands.h"
+#include "options.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/glob.h"
 #include "ripstop/io/mesh_file.h"
@@ -64,14 +65,16 @@ void keep_wanted(const Arguments& given, LiftedLines& lifted) {
     if (!lifted.curves.empty()) return;
     if (layers.empty())
         throw InputError(
-            fmt::format("{}: nothing is drawn on its pieces but what they bring themselves", given.drawing.string()));
+            fmt::format("{}: nothing is drawn on its pieces but what they bring themselves; draw "
+                        "lines on them first",
+                        given.drawing.string()));
     throw InputError(fmt::format("{}: no line on a layer called {}; there are lines on {}", given.drawing.string(),
                                  fmt::join(given.layers, ", "), fmt::join(layers, ", ")));
 }
 
 ExitCode run(const Arguments& given) {
     if (std::filesystem::exists(given.output) && !given.force)
-        throw InputError(given.output.string() + ": is there already; choose another name, or replace it with --force");
+        throw InputError(given.output.string() + ": exists; give another name, or --force to replace it");
     const PieceSet set = read_pieces_of(given.plan);
     const LengthUnit unit{given.unit, metres_per_unit(given.unit)};
     const PatternDrawing drawing = read_pattern_file(given.drawing);
@@ -91,15 +94,30 @@ ExitCode run(const Arguments& given) {
 
 void add_lift(CLI::App& app) {
     auto given = std::make_shared<Arguments>();
-    CLI::App* command =
-        app.add_subcommand("lift", "What was drawn on flat pieces, as curves on the tiles in space, for the model");
-    command->add_option("plan", given->plan, "A folder that `ripstop flatten` wrote")->required();
-    command->add_option("drawing", given->drawing, "A DXF or SVG of its pieces with lines drawn on them")->required();
-    command->add_option("-o,--output", given->output, "The OBJ to write: a polyline (l) a line")->required();
-    command->add_option("--layer", given->layers, "Only lines on layers of these names; * and ? stand for anything");
-    command->add_option("--unit", given->unit, "Of the OBJ: mm, cm, m, in or ft")->capture_default_str();
+    CLI::App* command = app.add_subcommand(
+        "lift", "Bring what was drawn on flat pieces back into space, as curves on the tiles, for the model");
+    command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
+    command->add_option("DRAWING", given->drawing, "A DXF or SVG of its pieces with lines drawn on them")
+        ->type_name("FILE")
+        ->required();
+    command->add_option("-o,--output", given->output, "The OBJ to write: a polyline (l) a line")
+        ->type_name("FILE")
+        ->required();
+    command
+        ->add_option("--layer", given->layers,
+                     "Only lines on layers of this name; * and ? stand for other letters; may be repeated")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    command->add_option("--unit", given->unit, "Unit of the OBJ")
+        ->capture_default_str()
+        ->type_name("UNIT")
+        ->check(known_unit());
     command->add_flag("--force", given->force, "Replace the file where it exists");
-    command->footer("Example: ripstop lift cut-plan cut-plan/cut/tiles/G01P05.svg --layer artwork -o artwork.obj");
+    command->footer(
+        "Examples (after lines were drawn on the layer artwork, in Inkscape or a CAD program):\n"
+        "  ripstop lift cut-plan cut-plan/cut/tiles/G01P05.svg --layer artwork -o artwork.obj\n"
+        "  ripstop lift cut-plan cut-plan/cut/envelope.dxf --unit mm -o artwork.obj\n\n"
+        "Exit codes: 0 written, 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

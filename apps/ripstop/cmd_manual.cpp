@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "command_tree.h"
 #include "commands.h"
 #include "ripstop/version.h"
@@ -9,11 +11,18 @@
 namespace ripstop::cli {
 namespace {
 
-/// As roff takes it: dashes that stay dashes, no line that begins with a dot.
+/// As roff takes it: dashes that stay dashes, no line that begins with a dot, letters beyond ASCII by their numbers.
 std::string roff(const std::string& text) {
     std::string result;
-    for (const char c : text) {
-        if (c == '-')
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (const auto lead = static_cast<unsigned char>(c); lead >= 0xC0) {
+            const int more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : 1;
+            unsigned code = lead & (0x3FU >> more);
+            for (int i = 0; i < more && at + 1 < text.size(); ++i)
+                code = code << 6U | (static_cast<unsigned char>(text[++at]) & 0x3FU);
+            result += fmt::format("\\[u{:04X}]", code);
+        } else if (c == '-')
             result += "\\-";
         else if (c == '\\')
             result += "\\e";
@@ -25,14 +34,25 @@ std::string roff(const std::string& text) {
     return result;
 }
 
+/// Broken where the text is.
+std::string lines(const std::string& text) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        result += (at > 0 ? "\n.br\n" : "") + roff(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return result;
+}
+
 std::string option_page(const OptionText& option) {
     std::vector<std::string> names;
     for (const std::string& name : option.names)
         names.push_back(option.is_positional ? "\\fI" + roff(name) + "\\fR" : "\\fB" + roff(name) + "\\fR");
-    const std::string value = option.choices.empty() ? option.value : fmt::format("{}", fmt::join(option.choices, "|"));
+    const std::string value = option.shown_value();
     std::string page = fmt::format(".TP\n{}", fmt::join(names, ", "));
     if (!option.is_positional && !value.empty()) page += " \\fI" + roff(value) + "\\fR";
-    return page + "\n" + roff(option.description) + (option.is_required ? " (required)" : "") + "\n";
+    return page + "\n" + lines(option.description) + (option.is_required ? " (required)" : "") + "\n";
 }
 
 std::string verbatim(const std::string& text) {
@@ -40,7 +60,8 @@ std::string verbatim(const std::string& text) {
 }
 
 std::string command_page(const CommandText& command) {
-    std::string page = fmt::format(".SS {}\n{}\n", roff(command.path), roff(command.description));
+    std::string page =
+        fmt::format(".SS {}\n{}.\n.PP\n.B {}\n", roff(command.path), roff(command.description), roff(command.usage()));
     for (const OptionText& option : command.options) page += option_page(option);
     page += verbatim(command.footer);
     for (const CommandText& each : command.commands) page += command_page(each);
@@ -53,21 +74,24 @@ std::string manual(const CommandText& program) {
         "envelopes\n"
         ".SH SYNOPSIS\n.B ripstop\n.I COMMAND\n[\\fIOPTION\\fR]... [\\fIFILE\\fR]...\n.SH DESCRIPTION\n{}\n.SH "
         "COMMANDS\n",
-        version, roff(program.description));
+        version, roff(program.description) + ".");
     for (const CommandText& command : program.commands) page += command_page(command);
     return page +
            ".SH EXIT STATUS\n.TP\n0\nEvery tile and seam can be made.\n.TP\n1\nSome cannot; all files are written all "
            "the same.\n.TP\n2\nThe command line is wrong.\n.TP\n3\nThe input cannot be used; the message says which "
            "file and object, what was expected and what to do.\n.TP\n4\nA fault of the program.\n"
-           ".SH ENVIRONMENT\n.TP\nNO_COLOR\nNo colours, on a terminal either.\n.TP\nSOURCE_DATE_EPOCH\nThe date "
-           "that is written in DXF files of garment CAD.\n";
+           ".SH ENVIRONMENT\n.TP\nNO_COLOR\nNo colours, on a terminal either.\n.TP\nCLICOLOR_FORCE\nColours, also "
+           "where "
+           "no terminal is.\n.TP\nSOURCE_DATE_EPOCH\nThe date that is written in PDF files and in DXF files of "
+           "garment CAD, in seconds since 1970.\n.TP\nRIPSTOP_CAD\nThe program that reads STEP, IGES and BREP, "
+           "where it is not ripstop\\-cad beside ripstop.\n";
 }
 
 }  // namespace
 
 void add_manual(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("manual", "Prints the manual page");
-    command->footer("Example: ripstop manual | man -l -\n`make install` puts it where `man ripstop` finds it.");
+    CLI::App* command = app.add_subcommand("manual", "Print the manual page");
+    command->footer("Example:\n  ripstop manual | man -l -\n`make install` puts it where `man ripstop` finds it.");
     command->callback([&app] { fmt::print("{}", manual(command_text(app))); });
 }
 

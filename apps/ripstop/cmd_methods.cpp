@@ -7,7 +7,13 @@
 namespace ripstop::cli {
 
 void add_methods(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("methods", "The ways to flatten, a line each, with what they come from");
+    CLI::App* command =
+        app.add_subcommand("methods", "List the ways to flatten, a line each, with what they come from");
+    command->footer(
+        "Examples:\n"
+        "  ripstop methods\n"
+        "  ripstop flatten envelope.obj --method paper -o by-paper\n"
+        "  ripstop compare envelope.obj --tile G01P03    all of them on one tile");
     command->callback([] {
         for (const Method& method : methods()) fmt::print("{:<16} {}\n", method.name, method.origin);
         fmt::print("{:<16} {}\n", "given", "no flattening: judges the flat positions (vt) that came with the input");

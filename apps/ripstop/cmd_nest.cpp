@@ -6,6 +6,8 @@
 
 #include "commands.h"
 #include "format_options.h"
+#include "known.h"
+#include "progress_bar.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/units.h"
 #include "ripstop/io/piece_format.h"
@@ -61,7 +63,8 @@ void show_in_report(const std::filesystem::path& page, const std::string& marker
 }
 
 ExitCode run(Arguments given) {
-    const NestOptions options = options_of(given);
+    NestOptions options = options_of(given);
+    options.progress = progress_bar(given.quiet);
     if (given.output.empty()) given.output = given.plan / "marker";
     const PieceSet set = read_pieces_of(given.plan);
     require_no_plan(given.output);
@@ -74,7 +77,7 @@ ExitCode run(Arguments given) {
     if (given.json)
         fmt::print("{}", marker_json(set, markers, given.formats));
     else if (!given.quiet || !markers.refusals.empty())
-        fmt::print("{}", marker_table(markers));
+        show(marker_table(markers));
     return markers.refusals.empty() ? manufacturable : not_manufacturable;
 }
 
@@ -82,31 +85,45 @@ ExitCode run(Arguments given) {
 
 void add_nest(CLI::App& app) {
     auto given = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand("nest", "Lay the pieces of a cut plan on the roll");
-    command->add_option("plan", given->plan, "A folder that `ripstop flatten` wrote")->required();
-    command->add_option("-o,--output", given->output, "The folder to write; else PLAN/marker");
-    command->add_option("--roll", given->roll, "Width of the cloth, as 1500mm; else the fabric's own");
-    command->add_option("--gap", given->gap, "Between pieces; 5mm");
+    CLI::App* command =
+        app.add_subcommand("nest", "Lay the pieces of a cut plan on the roll; write the markers and what to order");
+    command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
+    command->add_option("-o,--output", given->output, "The folder to write (default PLAN/marker)")->type_name("DIR");
+    command->add_option("--roll", given->roll, "Width of the cloth, as 1500mm (default: the fabric's own)")
+        ->type_name("LENGTH");
+    command->add_option("--gap", given->gap, "Between pieces")->capture_default_str()->type_name("LENGTH");
     command
         ->add_option(
             "--roll-length", given->roll_lengths,
-            "Of cloth without a join, as 100m. Several with commas: one after the other, the last again and again")
+            "How long a roll is without a join, as 100m; several with commas: one after the other, the last again "
+            "and again (default: no join)")
+        ->type_name("LENGTH")
         ->delimiter(',');
-    command->add_option("--grain-tolerance", given->grain_tolerance, "Degrees a piece may be turned off the warp; 0")
-        ->check(CLI::Range(0.0, 28.0));
+    command->add_option("--grain-tolerance", given->grain_tolerance, "By how much a piece may be turned off the warp")
+        ->capture_default_str()
+        ->type_name("DEGREES")
+        ->check(within(0.0, 28.0));
     command->add_flag("--one-way", given->one_way, "Never turn a piece by half a turn: cloth with a nap or a print");
     command->add_flag("--flip", given->flip, "The cloth has no right side: pieces may be laid face down");
-    command->add_option("--effort", given->effort, "Rounds of the search; 40. More is slower and a little shorter")
-        ->check(CLI::Range(0, 100000));
+    command
+        ->add_option("--effort", given->effort, "Rounds of the search; more is slower and the marker a little shorter")
+        ->capture_default_str()
+        ->type_name("N")
+        ->check(within(0, 100000));
     add_format_option(*command, given->formats);
-    command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core. The result is the same")
-        ->check(CLI::Range(0, 1024));
+    command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core; the result is the same")
+        ->capture_default_str()
+        ->type_name("N")
+        ->check(within(0, 1024));
     command->add_flag("--force", given->force, "Replace the markers in the folder");
     command->add_flag("--json", given->json, "Print marker.json on stdout instead of the table");
     command->add_flag("--quiet", given->quiet, "Say nothing where all is well");
     command->footer(
-        "Exit codes: 0 all laid, 1 some pieces do not fit the roll (the others are laid), 2 usage, 3 unusable input.\n"
-        "Example: ripstop nest plan --roll 1500mm --roll-length 100m");
+        "Examples:\n"
+        "  ripstop nest cut-plan --roll 1500mm\n"
+        "  ripstop nest cut-plan --roll 1500mm --roll-length 100m --force     with joins, in place of the last\n"
+        "  ripstop nest cut-plan --one-way --effort 400 -o marker             cloth with a nap, a longer search\n\n"
+        "Exit codes: 0 all laid, 1 some pieces do not fit the roll (the others are laid), 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

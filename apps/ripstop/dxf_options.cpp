@@ -47,26 +47,31 @@ std::string stated_date() {
 
 DxfFlags add_dxf_options(CLI::App& command, PieceFileOptions& given, const char* flag) {
     std::string dialects;
-    for (const DxfDialect& dialect : dxf_dialects())
+    std::vector<std::string> names;
+    for (const DxfDialect& dialect : dxf_dialects()) {
+        names.emplace_back(dialect.name);
         dialects += fmt::format("\n{:<7}{}", dialect.name, dialect.description);
+    }
     DxfFlags flags;
-    flags.dialect = command.add_option(flag, given.dialect, "Of the DXF files:" + dialects)
+    flags.dialect = command.add_option(flag, given.dialect, "Whose DXF it is:" + dialects)
                         ->capture_default_str()
-                        ->check(known([](const std::string& name) { dxf_dialect_named(name); }))
+                        ->type_name("NAME")
+                        ->check(known([](const std::string& name) { dxf_dialect_named(name); }, names))
                         ->group("DXF");
     flags.grain_axis = command
                            .add_option("--grain-axis", given.grain_axis,
-                                       "Along which the warp runs in the DXF: x or y (default: x; in the dialect "
-                                       "clo: y)")
-                           ->check(CLI::IsMember({"x", "y"}))
+                                       "Along which axis the warp runs (default x; in the dialect clo y)")
+                           ->type_name("WORD")
+                           ->check(one_of({"x", "y"}))
                            ->group("DXF");
     const auto read_date = [](const std::string& text) {
         if (!is_date(text)) throw InputError(fmt::format("\"{}\" is no date, expected YYYY-MM-DD", text));
     };
     flags.date = command
                      .add_option("--date", given.date,
-                                 "YYYY-MM-DD, the creation date in PDF and in dialects that state one (else "
-                                 "SOURCE_DATE_EPOCH, else none)")
+                                 "The creation date in PDF and in dialects that state one (else SOURCE_DATE_EPOCH, "
+                                 "else none)")
+                     ->type_name("YYYY-MM-DD")
                      ->check(known(read_date))
                      ->group("DXF");
     return flags;

@@ -21,13 +21,18 @@ bool has(const std::vector<std::string>& formats, const std::string& name) {
 
 CLI::Option* add_format_option(CLI::App& command, std::vector<std::string>& formats) {
     std::string described;
-    for (const PieceFormat& format : piece_formats())
+    std::vector<std::string> names;
+    for (const PieceFormat& format : piece_formats()) {
+        names.push_back(format.name);
         described += fmt::format("\n{:<6}{}", format.name, format.description);
+    }
     return command
-        .add_option("--format,--formats", formats,
-                    fmt::format("What to write, several with commas ({}):{}", fmt::join(formats, ","), described))
+        .add_option(
+            "--format,--formats", formats,
+            fmt::format("What to write, several with commas (default {}):{}", fmt::join(formats, ","), described))
+        ->type_name("FORMATS")
         ->delimiter(',')
-        ->check(known([](const std::string& name) { piece_format_named(name); }));
+        ->check(known([](const std::string& name) { piece_format_named(name); }, names));
 }
 
 void add_format_options(CLI::App& command, FormatArguments& given, const char* dialect) {
@@ -36,14 +41,19 @@ void add_format_options(CLI::App& command, FormatArguments& given, const char* d
         command
             .add_option(
                 "--paper", given.files.paper,
-                "PDF: roll (a page a piece), how wide the roll is (914mm), or sheets: a4 ... a0, letter, tabloid")
+                "Of the PDF: roll (a page a piece), how wide the roll is (914mm), or sheets: a4 … a0, letter, tabloid")
             ->capture_default_str()
-            ->check(known([](const std::string& name) { paper_named(name); }))
+            ->type_name("PAPER")
+            ->check(known([](const std::string& name) { paper_named(name); },
+                          {"roll", "a4", "a3", "a2", "a1", "a0", "letter", "tabloid"}))
             ->group("Cut files");
     const CLI::Option* frame =
         command
-            .add_option("--frame", given.frame,
-                        "HPGL: length of a frame, for plotters that count to 32,767 (else HP-GL/2: all in one)")
+            .add_option(
+                "--frame", given.frame,
+                "Of the HPGL: length of a frame, as 600mm, for plotters that count to 32,767 (else HP-GL/2: all in "
+                "one)")
+            ->type_name("LENGTH")
             ->group("Cut files");
     const DxfFlags dxf = add_dxf_options(command, given.files, dialect);
     given.meant = {{paper, {"pdf"}},

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "commands.h"
+#include "help.h"
 #include "ripstop/base/error.h"
 #include "ripstop/numeric/symmetric_solver.h"
 #include "ripstop/remesh/remesh_disk.h"
@@ -14,27 +15,6 @@
 
 namespace ripstop::cli {
 namespace {
-
-/// One sentence, and where to read on. A word where a command belongs is named, with the commands there are.
-std::string usage_message(const CLI::App* app, const CLI::Error& error) {
-    std::string path = app->get_name();
-    while (!app->get_subcommands().empty()) {
-        app = app->get_subcommands().front();
-        path += " " + app->get_name();
-    }
-    std::string commands;
-    for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
-        commands += (commands.empty() ? "" : ", ") + command->get_name();
-    std::string text = error.what();
-    if (!commands.empty()) {
-        const std::vector<std::string> words = app->remaining();
-        const bool is_word = !words.empty() && words.front().rfind('-', 0) != 0;
-        if (words.empty()) text = "a command is missing; known: " + commands;
-        if (!words.empty())
-            text = (is_word ? "no command \"" : "no option \"") + words.front() + "\"; known commands: " + commands;
-    }
-    return fmt::format("ripstop: {}\n`{} --help` tells more\n", text, path);
-}
 
 std::string built_with() {
     return numeric_libraries() + (can_remesh() ? "\nmeshes made by CGAL (GPL-3): the program as built is under the GPL"
@@ -53,16 +33,19 @@ int arrived(int code) {
 
 int main(int argc, char** argv) {
     using namespace ripstop;
-    CLI::App app("Ripstop turns a 3D envelope divided into tiles by its seams into flat cut patterns.", "ripstop");
+    CLI::App app("Ripstop turns a 3D envelope divided into tiles by its seams into flat cut patterns", "ripstop");
     app.set_version_flag("--version",
-                         fmt::format("ripstop {}\nsources Apache-2.0; built with {}", version, cli::built_with()));
+                         fmt::format("ripstop {}\nsources Apache-2.0; built with {}", version, cli::built_with()),
+                         "Print version, licence and libraries");
+    app.formatter(cli::help_pages());
+    app.set_help_flag("-h,--help", "Print this page");
     app.require_subcommand(1);
     app.failure_message(cli::usage_message);
     app.footer(
         "Examples:\n"
         "  ripstop design natural -o envelope.obj       an envelope to try things on\n"
-        "  ripstop check envelope.3dm                   what was understood of a model, and what is wrong with it\n"
-        "  ripstop flatten envelope.3dm -o cut-plan     the patterns and the report\n"
+        "  ripstop check envelope.obj                   what was understood of a model, and what is wrong with it\n"
+        "  ripstop flatten envelope.obj -o cut-plan     the patterns and the report\n"
         "  ripstop export cut-plan --dialect gerber     the same patterns for another cutter\n"
         "`ripstop COMMAND --help` tells the options of each.\n\n"
         "Exit codes: 0 all manufacturable, 1 some not (all files written), 2 usage, 3 unusable input, 4 our fault.");

@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "known.h"
+#include "progress_bar.h"
 #include "ripstop/base/error.h"
-#include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/flatten/method.h"
 #include "ripstop/io/input_file.h"
@@ -21,16 +21,7 @@ namespace ripstop::cli {
 namespace {
 
 constexpr std::size_t shown_remarks = 12;
-
-/// CLI11's range lets "nan" through.
-CLI::Validator finite() {
-    return CLI::Validator(
-        [](const std::string& text) {
-            const std::optional<double> value = parse_double(text);
-            return value ? std::string() : "\"" + text + "\" is not a number";
-        },
-        "");
-}
+constexpr const char* surfaces = "Surfaces of CAD (STEP, IGES, BREP, Rhino)";
 
 /// Throws InputError where the file cannot be opened or read.
 Project read_project_file(const std::string& file) {
@@ -60,28 +51,38 @@ RemeshOptions remesh_options(const InputArguments& given) {
 }  // namespace
 
 CLI::Validator known_method() {
-    return known([](const std::string& name) {
+    std::vector<std::string> names;
+    for (const Method& method : methods()) names.emplace_back(method.name);
+    names.emplace_back("given");
+    const auto look_up = [](const std::string& name) {
         if (name == "given") return;
         try {
             method_named(name);
         } catch (const InputError& error) {
             throw InputError(std::string(error.what()) + ", given");
         }
-    });
+    };
+    return known(look_up, names);
 }
 
 CLI::Validator known_unit() {
-    return known([](const std::string& unit) { metres_per_unit(unit); });
+    return known([](const std::string& unit) { metres_per_unit(unit); }, {"mm", "cm", "m", "in", "ft"});
 }
 
 void add_meshing_options(CLI::App& command, std::string& chord, std::string& edge, std::string& tiles_are) {
-    command.add_option(
-        "--chord", chord,
-        "CAD surfaces: how far they may lie off their triangles, as 0.3mm (else lengths are kept to 0.01 %)");
-    command.add_option("--edge", edge, "CAD surfaces: how long the edges of triangles are at most, as 100mm");
-    command.add_option("--tiles", tiles_are, "CAD surfaces: each of its faces a tile, or each object")
+    command
+        .add_option("--chord", chord,
+                    "How far a surface may lie off its triangles, as 0.3mm (else lengths are kept to 0.01 %)")
+        ->type_name("LENGTH")
+        ->group(surfaces);
+    command.add_option("--edge", edge, "How long the edges of triangles are at most, as 100mm (else as --chord asks)")
+        ->type_name("LENGTH")
+        ->group(surfaces);
+    command.add_option("--tiles", tiles_are, "What a tile is: each face of a model, or each object of several faces")
         ->capture_default_str()
-        ->check(CLI::IsMember({"faces", "objects"}));
+        ->type_name("WORD")
+        ->check(one_of({"faces", "objects"}))
+        ->group(surfaces);
 }
 
 MeshingOptions meshing_of(const std::string& chord, const std::string& edge, const std::string& tiles_are) {
@@ -99,33 +100,51 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         formats += (formats.empty() ? "" : ", ") + std::string(format.extension);
     for (const CadFormat& format : cad_formats()) formats += ", " + std::string(format.extension);
     command.add_option("INPUT", given.file, "The envelope, one object, group, part or face a tile: " + formats)
+        ->type_name("FILE")
         ->required();
     command
         .add_option("--unit", given.unit,
-                    "Unit of the file: mm, cm, m, in, ft (else the project's, else the file's own, else metres)")
+                    "Unit of the file's numbers (else the project's, else the file's own, else metres)")
+        ->group("Input")
+        ->type_name("UNIT")
         ->check(known_unit());
-    command.add_option(
-        "--project", given.project,
-        "JSON with what the file cannot say: names, warp, corners, fabrics, seam types, tolerances (docs/project.md)");
-    command.add_option(
-        "--fabric", given.fabric,
-        "A preset or a JSON file for the tiles that have none of their own (else the project's, else isotropic)");
+    command
+        .add_option("--project", given.project,
+                    "JSON with what the file cannot say: names, warp, corners, fabrics, seam types, tolerances "
+                    "(docs/project.md)")
+        ->group("Input")
+        ->type_name("FILE");
+    command
+        .add_option("--fabric", given.fabric,
+                    "Of the tiles that have none of their own: isotropic, nylon, nylon-silicone, polyester or a JSON "
+                    "file (else the project's, else isotropic)")
+        ->group("Input")
+        ->type_name("FILE");
     command
         .add_option("--grain", given.grain,
                     "Turn the warp from each tile's longest axis, degrees counter-clockwise seen from outside")
-        ->check(CLI::Range(-360.0, 360.0))
-        ->check(finite());
-    command.add_option("--seam-tolerance", given.seam_tolerance,
-                       "Edges to be sewn together lie within this length, as 0.5mm (else the project's, else 0.5mm)");
+        ->group("Input")
+        ->type_name("DEGREES")
+        ->check(within(-360.0, 360.0));
+    command
+        .add_option("--seam-tolerance", given.seam_tolerance,
+                    "Edges to be sewn together lie within this length (else the project's, else 0.5mm)")
+        ->group("Input")
+        ->type_name("LENGTH");
     add_meshing_options(command, given.chord, given.edge, given.tiles_are);
     // One name at a time, else `--tile G01 envelope.obj` would take the input for a second name.
-    command.add_option("--tile", given.tiles, "Only the tiles of this name; * and ? stand for others; may be repeated")
+    command
+        .add_option("--tile", given.tiles,
+                    "Only the tiles of this name; * and ? stand for other letters; may be repeated")
+        ->group("Input")
+        ->type_name("NAME")
         ->allow_extra_args(false);
     command
         .add_option("--layer", given.layers,
-                    "Only what lies on the layers of this name (whole path, a::b; else the project's); * and ? as "
-                    "above; may be "
-                    "repeated")
+                    "Only what lies on the layers of this name (else the project's), a whole path as a::b; * and ? as "
+                    "above; may be repeated")
+        ->group("Input")
+        ->type_name("NAME")
         ->allow_extra_args(false);
 }
 
@@ -133,17 +152,23 @@ void add_remesh_option(CLI::App& command, InputArguments& given) {
     given.remesh = "auto";
     command
         .add_option("--remesh", given.remesh,
-                    "Mesh tiles anew: auto (those too coarse, too bad or too fine), never, or all with edges of this "
+                    "Mesh tiles anew: auto (those too coarse, too bad or too fine), never, or all with edges of a "
                     "length, as 50mm")
+        ->group("Flattening")
+        ->type_name("WORD")
         ->capture_default_str();
 }
 
 void add_method_option(CLI::App& command, InputArguments& given) {
     command.add_option("--method", given.method, "How to flatten; `ripstop methods` lists them")
         ->capture_default_str()
+        ->group("Flattening")
+        ->type_name("NAME")
         ->check(known_method());
-    command.add_flag("--keep-area", given.keep_area,
-                     "Hold the whole area exactly too (method seam-exact-area): more strain in the cloth");
+    command
+        .add_flag("--keep-area", given.keep_area,
+                  "Hold the whole area exactly too (method seam-exact-area): more strain in the cloth")
+        ->group("Flattening");
 }
 
 std::string method_of(const InputArguments& given) {
@@ -176,11 +201,14 @@ Input resolve(const InputArguments& given) {
 }
 
 void tell_unused(const std::vector<std::string>& unused) {
-    for (const std::string& sentence : unused) tell(fmt::format("ripstop: {}\n", sentence));
+    for (const std::string& sentence : unused) tell(fmt::format("Warning: {}\n", sentence));
 }
 
 EnvelopeInput read(const InputArguments& given, const Input& input, bool quiet) {
-    EnvelopeInput read = read_input(given.file, input.read);
+    EnvelopeInput read = [&] {
+        const Waiting waiting("Reading " + given.file.filename().string(), quiet);
+        return read_input(given.file, input.read);
+    }();
     for (std::size_t i = 0; !quiet && i < read.remarks.size(); ++i) {
         if (i == shown_remarks) {
             tell(fmt::format("Note: and {} more; report.json has them all\n", read.remarks.size() - i));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "known.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/units.h"
 
@@ -14,7 +15,7 @@ double length_within(const std::string& text, const char* option, double least, 
     const double length = parse_length(text, option);
     if (!(length >= least && length <= most))
         throw InputError(
-            fmt::format("{} {}: expected {:g} to {:g} mm", option, text, least / millimetre, most / millimetre));
+            fmt::format("{} is {}, expected {:g} to {:g} mm", option, text, least / millimetre, most / millimetre));
     return length;
 }
 
@@ -23,22 +24,29 @@ double length_within(const std::string& text, const char* option, double least, 
 void add_piece_options(CLI::App& command, PieceArguments& given) {
     command
         .add_option("--revision", given.revision, "Written on every piece (else the first letters of the input's hash)")
+        ->type_name("TEXT")
         ->group("Pieces");
     command
         .add_option("--corners", given.corners,
                     "How the cut line goes round a corner between two seams; hems are always folded back")
         ->capture_default_str()
-        ->check(CLI::IsMember({"mitre", "square", "fold"}))
+        ->type_name("WORD")
+        ->check(one_of({"mitre", "square", "fold"}))
         ->group("Pieces");
     command
         .add_option("--notch-spacing", given.notch_spacing,
-                    "Between match marks on a straight seam, e.g. 500mm (default 750mm; a third of it on curves)")
+                    "Between match marks on a straight seam, a third of it on curves (default 750mm)")
+        ->type_name("LENGTH")
         ->group("Pieces");
-    command.add_option("--notch-depth", given.notch_depth, "Of the cut, never over 0.4 of the allowance (default 6mm)")
+    command
+        .add_option("--notch-depth", given.notch_depth,
+                    "How deep a notch is cut, never over 0.4 of the allowance (default 6mm)")
+        ->type_name("LENGTH")
         ->group("Pieces");
     command
         .add_option("--simplify", given.simplify,
-                    "By how much the sew line may leave out points of the mesh (default 0.05mm)")
+                    "How far the sew line may run beside the mesh's edge, to need fewer points (default 0.05mm)")
+        ->type_name("LENGTH")
         ->group("Pieces");
 }
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
+#include <utility>
 
 #include "tell.h"
 
@@ -19,15 +21,21 @@ struct State {
     int tenths = 0;
 };
 
+std::string duration(double seconds) {
+    if (seconds < 100) return fmt::format("{:.0f} s", seconds);
+    return seconds < 6000 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+}
+
 void draw(State& state, double fraction, const std::string& what) {
     const auto now = Clock::now();
     if (fraction < 1 && now - state.drawn < std::chrono::milliseconds(50)) return;
     state.drawn = now;
     const double spent = std::chrono::duration<double>(now - state.start).count();
+    fraction = std::clamp(fraction, 0.0, 1.0);
     const int width = 32;
     const int full = static_cast<int>(fraction * width);
-    tell(fmt::format("\r\033[K[{:#>{}}{:.>{}}] {:3.0f} %  {:.0f} s left  {:.24}", "", full, "", width - full,
-                     100 * fraction, fraction > 0 ? spent / fraction - spent : 0, what));
+    tell(fmt::format("\r\033[K[{:#>{}}{:.>{}}] {:3.0f} %  {} left  {:.24}", "", full, "", width - full, 100 * fraction,
+                     duration(fraction > 0 ? spent / fraction - spent : 0), what));
     if (fraction >= 1) tell("\r\033[K");
 }
 
@@ -46,6 +54,36 @@ Progress progress_bar(bool quiet) {
     if (isatty(STDERR_FILENO))
         return [state](double fraction, const std::string& what) { draw(*state, fraction, what); };
     return [state](double fraction, const std::string& what) { line(*state, fraction, what); };
+}
+
+Waiting::Waiting(std::string what, bool quiet) : what_(std::move(what)) {
+    if (!quiet) thread_ = std::thread([this] { tell_how_long(); });
+}
+
+Waiting::~Waiting() {
+    if (!thread_.joinable()) return;
+    {
+        const std::lock_guard lock(guard_);
+        done_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void Waiting::tell_how_long() {
+    const auto start = Clock::now();
+    const bool is_terminal = isatty(STDERR_FILENO) != 0;
+    std::unique_lock lock(guard_);
+    const auto ends_within = [&](Clock::duration time) {
+        return changed_.wait_for(lock, time, [this] { return done_; });
+    };
+    if (ends_within(is_terminal ? std::chrono::milliseconds(500) : std::chrono::milliseconds(2000))) return;
+    if (!is_terminal) return tell(what_ + " …\n");
+    do
+        tell(fmt::format("\r\033[K{}, {}", what_,
+                         duration(std::chrono::duration<double>(Clock::now() - start).count())));
+    while (!ends_within(std::chrono::milliseconds(500)));
+    tell("\r\033[K");
 }
 
 }  // namespace ripstop::cli

@@ -122,7 +122,7 @@ TEST(CheckCommand, WritesJsonThatItsSchemaAccepts) {
 
 TEST(CheckCommand, ShowsAnExample) {
     const Workshop workshop;
-    EXPECT_THAT(workshop.ripstop("check --help").out, HasSubstr("Example: ripstop check envelope.obj"));
+    EXPECT_THAT(workshop.ripstop("check --help").out, HasSubstr("Examples:\n  ripstop check envelope.obj"));
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(CompareCommand, KeepsASheetThatExistsUnlessForced) {
     workshop.write("sheet.svg", "mine");
     const ProgramRun refused = workshop.ripstop("compare tile.obj --unit m --method lscm --sheet sheet.svg");
     EXPECT_EQ(refused.code, 3);
-    EXPECT_THAT(refused.err, HasSubstr("sheet.svg: exists; give another name or --force"));
+    EXPECT_THAT(refused.err, HasSubstr("sheet.svg: exists; give another name, or --force to replace it"));
     EXPECT_EQ(workshop.read("sheet.svg"), "mine");
     EXPECT_EQ(workshop.ripstop("compare tile.obj --unit m --method lscm --sheet sheet.svg --force").code, 0);
     EXPECT_THAT(workshop.read("sheet.svg"), StartsWith("<svg"));

@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-using ::testing::ContainsRegex;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -35,12 +35,18 @@ TEST(Completion, OffersCommandsOptionsAndTheirWords) {
     EXPECT_THAT(offered(workshop, "design n"), HasSubstr(" natural "));
     EXPECT_THAT(offered(workshop, "design natural --go"), HasSubstr(" --gores "));
     EXPECT_THAT(offered(workshop, "completion z"), HasSubstr(" zsh "));
+    EXPECT_EQ(offered(workshop, "validate x.dxf --unit ''"), " mm cm m in ft \n");
+    EXPECT_THAT(offered(workshop, "compare x.obj --method seam"), HasSubstr(" seam-exact "));
 }
 
 TEST(Completion, OffersFilesWhereTheyBelong) {
     const Workshop workshop;
     std::ofstream(workshop.path("envelope.obj")) << "x";
-    EXPECT_THAT(offered(workshop, "flatten env"), HasSubstr(" envelope.obj "));
+    std::ofstream(workshop.path("a shop.json")) << "x";
+    EXPECT_EQ(offered(workshop, "flatten env"), " envelope.obj \n");
+    EXPECT_EQ(offered(workshop, "flatten envelope.obj --project a"), " a shop.json \n");
+    EXPECT_EQ(offered(workshop, "flatten envelope.obj --grain ''"), "  \n") << "a number is not to be guessed";
+    EXPECT_THAT(offered(workshop, "methods ''"), Not(HasSubstr("envelope.obj")));
 }
 
 TEST(Completion, IsMadeForZshAndFishAndNoOtherShell) {
@@ -52,6 +58,41 @@ TEST(Completion, IsMadeForZshAndFishAndNoOtherShell) {
     EXPECT_EQ(workshop.ripstop("completion tcsh").code, 2);
 }
 
+TEST(Completion, IsTakenByFish) {
+    if (std::system("command -v fish > /dev/null") != 0) GTEST_SKIP() << "no fish to ask";
+    const Workshop workshop;
+    std::ofstream(workshop.path("ripstop.fish")) << workshop.ripstop("completion fish").out;
+    const auto offers = [&workshop](const std::string& line) {
+        return testing::run_command("cd '" + workshop.path("") +
+                                    "' && HOME=. fish -c 'source ripstop.fish; complete -C \"" + line + "\"'")
+            .output;
+    };
+    EXPECT_THAT(offers("ripstop fl"), HasSubstr("flatten\tFlatten every tile"));
+    EXPECT_THAT(offers("ripstop flatten --corners s"), HasSubstr("square"));
+    EXPECT_THAT(offers("ripstop design natural --go"), HasSubstr("--gores"));
+    EXPECT_EQ(offers("ripstop completion "), "bash\nfish\nzsh\n");
+}
+
+// On a terminal of its own, which zsh asks for before it completes.
+TEST(Completion, IsTakenByZsh) {
+    if (std::system("command -v zsh > /dev/null") != 0) GTEST_SKIP() << "no zsh to ask";
+    const Workshop workshop;
+    std::ofstream(workshop.path("_ripstop")) << workshop.ripstop("completion zsh").out;
+    std::ofstream(workshop.path("ask.zsh")) << R"(zmodload zsh/zpty || exit 77
+zpty z zsh -f -i
+zpty -w z "fpath=(\$PWD \$fpath); autoload -U compinit; compinit -u -d dump; ripstop() { print -r -- \"\$@\" > typed.txt; }"
+zpty -w z "zle-line-init() { : > ready; }; zle -N zle-line-init"
+until [ -e ready ]; do sleep 0.05; done
+zpty -w -n z $'ripstop fl\tenv --corn\tsq\t\n'
+zpty -w z exit
+zpty -r z all 'no such thing' > /dev/null
+cat typed.txt
+)";
+    const auto asked = testing::run_command("cd '" + workshop.path("") + "' && timeout 60 zsh -f ask.zsh");
+    if (asked.code == 77) GTEST_SKIP() << "no zsh/zpty";
+    EXPECT_THAT(asked.output, EndsWith("flatten env --corners square\n"));
+}
+
 TEST(Manual, HasEveryCommandAndReadsWithoutWarning) {
     const Workshop workshop;
     const ProgramRun page = workshop.ripstop("manual");
@@ -61,12 +102,12 @@ TEST(Manual, HasEveryCommandAndReadsWithoutWarning) {
     EXPECT_THAT(page.out, HasSubstr("\\fB\\-\\-corners\\fR \\fImitre|square|fold\\fR"));
     if (std::system("command -v groff > /dev/null") != 0) GTEST_SKIP() << "no groff to read the page with";
     std::ofstream(workshop.path("ripstop.1")) << page.out;
-    EXPECT_EQ(
-        std::system(
-            ("cd '" + workshop.path("") + "' && groff -man -Tutf8 -ww ripstop.1 > page.txt 2> warnings.txt").c_str()),
-        0);
+    EXPECT_EQ(std::system(("cd '" + workshop.path("") +
+                           "' && groff -man -Tutf8 -P-cbou -ww ripstop.1 > page.txt 2> warnings.txt")
+                              .c_str()),
+              0);
     EXPECT_THAT(workshop.read("warnings.txt"), IsEmpty());
-    EXPECT_THAT(workshop.read("page.txt"), ContainsRegex("EXIT STATUS"));
+    EXPECT_THAT(workshop.read("page.txt"), HasSubstr("\nEXIT STATUS\n"));
 }
 
 }  // namespace

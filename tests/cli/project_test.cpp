@@ -128,7 +128,7 @@ TEST(ProjectFile, IsCheckedAgainstTheInput) {
     EXPECT_THAT(run.out, HasSubstr("note           shop.json: there is no seam between \"G01*\" and \"G05*\"\n"));
     EXPECT_THAT(run.out, Not(HasSubstr("G02*")));
     EXPECT_THAT(workshop.ripstop("flatten envelope.obj --project shop.json --propose none -o plan").err,
-                HasSubstr("ripstop: shop.json: there is no seam between \"G01*\" and \"G05*\"\n"));
+                HasSubstr("Warning: shop.json: there is no seam between \"G01*\" and \"G05*\"\n"));
 }
 
 TEST(ProjectFile, GivesTheLayersThatAreRead) {

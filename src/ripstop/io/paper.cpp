@@ -86,7 +86,7 @@ Paper paper_named(const std::string& name) {
     Paper wide = roll;
     wide.height = parse_length(name, "--paper");
     if (!(wide.height >= narrowest_roll && wide.height <= longest_page))
-        throw InputError("--paper " + name + ": a roll of paper is 200 mm to 5 m wide");
+        throw InputError("a roll of paper is 200 mm to 5 m wide, not " + name + "; give its width, as 914mm");
     wide.name = "roll " + format_fixed(wide.height / millimetre, 0) + " mm wide";
     return wide;
 }

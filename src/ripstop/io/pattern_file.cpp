@@ -11,6 +11,8 @@ PatternDrawing read_pattern_file(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     for (char& c : extension)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (std::error_code unknown; std::filesystem::is_directory(path, unknown))
+        throw InputError(path.string() + ": is a folder, expected a file; name the file in it");
     if (extension != ".dxf" && extension != ".svg")
         throw InputError(path.string() + ": no pattern file by its name, expected .dxf or .svg; export it as one");
     std::ifstream in = open_input(path);

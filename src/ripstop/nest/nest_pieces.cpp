@@ -43,8 +43,8 @@ struct Kind {
 
 class Nester {
   public:
-    Nester(const PieceSet& set, const OwnPieces& own, const NestOptions& options, double width)
-        : set_(set), own_(own), options_(options), width_(width), row_height_(width / rows_across) {}
+    Nester(const PieceSet& set, const OwnPieces& own, const NestOptions& options, double width, StepCounter& counter)
+        : set_(set), own_(own), options_(options), counter_(counter), width_(width), row_height_(width / rows_across) {}
 
     /// Lays one fabric and colour.
     Marker lay(const std::vector<Kind>& kinds, std::vector<Refusal>& refusals) {
@@ -186,8 +186,9 @@ class Nester {
         std::vector<double> lengths(found.size());
         parallel_for(options_.starts, options_.threads, [&](int start) {
             const auto s = static_cast<std::size_t>(start);
+            const auto count = [&] { counter_.done("a marker", static_cast<double>(copies.size())); };
             std::vector<PlacedItem> items =
-                search_order(strip_, contacts, copies, {options_.rounds, static_cast<std::uint32_t>(start + 1)});
+                search_order(strip_, contacts, copies, {options_.rounds, static_cast<std::uint32_t>(start + 1), count});
             slide_together(strip_, {base(), row_height_ / fine, fine}, items);
             for (const PlacedItem& item : items) lengths[s] = std::max(lengths[s], strip_.end(item));
             found[s] = placements_of(items);
@@ -245,6 +246,7 @@ class Nester {
     const PieceSet& set_;
     const OwnPieces& own_;
     const NestOptions& options_;
+    StepCounter& counter_;  ///< of items, once a round of a search
     double width_, row_height_;
     int profile_rows_ = 1;     ///< to a row
     std::vector<Kind> kinds_;  ///< of the batch
@@ -265,13 +267,15 @@ void add_kinds(const PieceSet& set, const OwnPieces& own, std::size_t piece, boo
 void require_sound(const NestOptions& options) {
     const auto is_length = [](double value) { return std::isfinite(value) && value > 0 && value < 1e6; };
     if (options.roll_width && !is_length(*options.roll_width))
-        throw InputError("a roll width of " + format_shortest(*options.roll_width) +
-                         " m; expected a length, as 1500mm");
-    if (!(options.gap >= 0) || options.gap > 1) throw InputError("a gap between pieces beyond 0 to 1 m");
+        throw InputError("the roll is " + format_shortest(*options.roll_width) +
+                         " m wide, expected a length above 0, as 1500mm");
+    if (!(options.gap >= 0) || options.gap > 1)
+        throw InputError("the gap between pieces is " + format_shortest(options.gap) + " m, expected 0 to 1 m, as 5mm");
     if (!(options.grain_tolerance >= 0) || options.grain_tolerance > 0.5)
         throw InputError("a grain tolerance beyond 0 to 28 degrees; the grain would mean nothing");
     for (const double length : options.part_lengths)
-        if (!is_length(length)) throw InputError("a roll length that is none; expected one as 100m");
+        if (!is_length(length))
+            throw InputError("a roll is " + format_shortest(length) + " m long, expected a length above 0, as 100m");
 }
 
 }  // namespace
@@ -290,15 +294,17 @@ Markers nest_pieces(const PieceSet& set, const NestOptions& options) {
         if (piece.outline().rows() < 3) continue;
         add_kinds(set, own, i, options.may_turn, cloths[{piece.fabric, piece.colour}]);
     }
+    StepCounter counter(copies * options.rounds * options.starts, options.progress);
     Markers result;
     for (const auto& [cloth, kinds] : cloths) {
         const double width = options.roll_width.value_or(set.fabric(cloth.first).roll_width);
-        Marker marker = Nester(set, own, options, width).lay(kinds, result.refusals);
+        Marker marker = Nester(set, own, options, width, counter).lay(kinds, result.refusals);
         if (marker.placements.empty()) continue;
         marker.fabric = cloth.first;
         marker.colour = cloth.second;
         result.markers.push_back(std::move(marker));
     }
+    if (options.progress) options.progress(1, "a marker");  // pieces that do not fit take no time
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "ripstop/base/progress.h"
 #include "ripstop/model/marker.h"
 #include "ripstop/model/pattern_piece.h"
 
@@ -19,6 +20,7 @@ struct NestOptions {
     int rounds = 40;  ///< of the search for a short marker; time grows with it
     int starts = 2;   ///< searches from different orders, the best of which counts
     int threads = 0;  ///< 0: one a core; never changes the result
+    Progress progress = {};
 };
 
 /// Lays every piece `quantity` times, and its mirror image `quantity_mirrored` times, each with the drawing of the piece

@@ -19,7 +19,7 @@ class Search {
     Search(const Strip& strip, const ContactTable& contacts, std::uint32_t seed)
         : strip_(strip), contacts_(contacts), random_(seed) {}
 
-    std::vector<PlacedItem> run(std::vector<int> kinds, int rounds) {
+    std::vector<PlacedItem> run(std::vector<int> kinds, int rounds, const std::function<void()>& after_round) {
         shuffle(kinds);
         begin(kinds);
         std::vector<PlacedItem> best = placed();
@@ -28,6 +28,7 @@ class Search {
             heat_ = first_heat * mean_area() * (1 - double(round) / rounds);
             for (int at = 0; at < count(); ++at) anneal(at);
             lay(items_, places_, 0, count());
+            if (after_round) after_round();
             std::vector<PlacedItem> found = placed();
             if (length(found) >= shortest) continue;
             shortest = length(found);
@@ -207,7 +208,7 @@ class Search {
 
 std::vector<PlacedItem> search_order(const Strip& strip, const ContactTable& contacts, std::vector<int> kinds,
                                      const OrderSearch& search) {
-    return Search(strip, contacts, search.seed).run(std::move(kinds), search.rounds);
+    return Search(strip, contacts, search.seed).run(std::move(kinds), search.rounds, search.after_round);
 }
 
 }  // namespace ripstop

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "ripstop/nest/contact_table.h"
@@ -11,6 +12,7 @@ namespace ripstop {
 struct OrderSearch {
     int rounds = 40;         ///< over the whole strip
     std::uint32_t seed = 1;  ///< another one, another search
+    std::function<void()> after_round = {};
 };
 
 /// Items, one for each of `kinds`, on a short marker, in the order they were laid in.

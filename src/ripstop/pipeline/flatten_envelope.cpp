@@ -1,11 +1,11 @@
 #include "ripstop/pipeline/flatten_envelope.h"
 
 #include <chrono>
-#include <mutex>
 #include <utility>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/parallel.h"
+#include "ripstop/base/progress.h"
 #include "ripstop/flatten/method.h"
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/judge.h"
@@ -24,23 +24,6 @@ Flattening given_flattening(const Tile& tile) {
     flat.summary = {Termination::converged, 0, 0, "came with the input"};
     return flat;
 }
-
-/// Reports the tiles done, one call at a time, from where the progress stands.
-class Counter {
-  public:
-    Counter(int count, double from, const Progress& progress) : count_(count), from_(from), progress_(progress) {}
-    void done(const std::string& tile) {
-        if (!progress_) return;
-        const std::lock_guard lock(guard_);
-        progress_(from_ + (1 - from_) * ++done_ / count_, tile);
-    }
-
-  private:
-    int count_, done_ = 0;
-    double from_;
-    const Progress& progress_;
-    std::mutex guard_;
-};
 
 constexpr double together_share = 0.9;  ///< of the progress, where all tiles are solved before any is judged
 
@@ -72,7 +55,7 @@ CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options
     std::vector<Flattening> flats;
     if (at_once) flats = flatten_together(*method, envelope, options);
     const double seconds_each = seconds_since(begun) / count;
-    Counter counter(count, at_once ? together_share : 0, options.progress);
+    StepCounter counter(count, options.progress, at_once ? together_share : 0);
     const std::vector<Likeness> likeness = find_equal_tiles(envelope.tiles);
     const bool copies = method && !at_once;
     std::vector<int> solved, copied;

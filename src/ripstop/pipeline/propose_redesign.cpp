@@ -117,7 +117,8 @@ std::optional<SplitProposal> propose_split(const FlatTile& tile, const Method& m
     return best;
 }
 
-bool add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits) {
+bool add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits,
+                   const Progress& progress) {
     std::vector<std::size_t> failing;
     long triangles = 0;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
@@ -126,16 +127,20 @@ bool add_proposals(CutPlan& plan, const Method& method, int threads, const Propo
         triangles += plan.tiles[i].tile.mesh.triangle_count();
     }
     if (static_cast<long>(failing.size()) > limits.kinds || triangles > limits.triangles) return false;
+    StepCounter counter(static_cast<int>(failing.size()), progress);
     parallel_for(static_cast<int>(failing.size()), threads, [&](int k) {
         FlatTile& tile = plan.tiles[failing[static_cast<std::size_t>(k)]];
         tile.proposal = propose_split(tile, method, plan.fabric_of(tile.tile), plan.tolerances_of(tile.tile));
+        counter.done("seams to draw in " + tile.tile.name);
     });
     return true;
 }
 
-std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& method, int threads) {
+std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& method, int threads,
+                                          const Progress& progress) {
     std::vector<std::optional<MergeProposal>> found(plan.seams.size());
-    parallel_for(static_cast<int>(plan.seams.size()), threads, [&](int i) {
+    StepCounter counter(static_cast<int>(plan.seams.size()), progress);
+    const auto try_seam = [&](int i) {
         const Seam& seam = plan.seams[static_cast<std::size_t>(i)];
         const FlatTile& a = plan.tiles[static_cast<std::size_t>(seam.a.tile)];
         const FlatTile& b = plan.tiles[static_cast<std::size_t>(seam.b.tile)];
@@ -151,6 +156,10 @@ std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& met
         } catch (const InputError&) {
             return;  // together they are no tile
         }
+    };
+    parallel_for(static_cast<int>(plan.seams.size()), threads, [&](int i) {
+        try_seam(i);
+        counter.done("tiles as one over " + plan.seams[static_cast<std::size_t>(i)].id);
     });
     std::vector<MergeProposal> merges;
     for (std::optional<MergeProposal>& merge : found)

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "ripstop/base/progress.h"
 #include "ripstop/flatten/method.h"
 #include "ripstop/model/cut_plan.h"
 
@@ -21,7 +22,8 @@ std::optional<SplitProposal> propose_split(const FlatTile& tile, const Method& m
 /// Neighbours sewn together by one seam along which their meshes have the same vertices, welded there, flattened and judged:
 /// the pairs that could be made as one tile, in the order of the seams. The piece must lie on the roll, its warp along it.
 /// Left out are pairs of two fabrics, those whose warps differ by more than 15 degrees and those with compensation. One flattening a seam.
-std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& method, int threads);
+std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& method, int threads,
+                                          const Progress& progress = {});
 
 /// How much may be tried unasked: where more fails, it is the design and not one seam.
 struct ProposeLimits {
@@ -31,6 +33,7 @@ struct ProposeLimits {
 
 /// Sets the proposals of the plan's failing tiles, the first of each kind. False where they are more than the limits and
 /// none was tried.
-bool add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits = {});
+bool add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits = {},
+                   const Progress& progress = {});
 
 }  // namespace ripstop

@@ -75,6 +75,8 @@ void write_pieces(const fs::path& file, const PieceSet& set) {
 PieceSet read_pieces_of(const fs::path& directory) {
     const fs::path file = directory / "cut" / "pieces.json";
     std::ifstream in(file, std::ios::binary);
+    if (std::error_code unknown; fs::exists(directory, unknown) && !fs::is_directory(directory, unknown))
+        throw InputError(directory.string() + ": is a file, expected a folder that `ripstop flatten` wrote; name that");
     if (!in)
         throw InputError(directory.string() +
                          ": no cut plan in it (cut/pieces.json cannot be opened), expected a folder that `ripstop "

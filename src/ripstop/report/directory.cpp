@@ -11,6 +11,7 @@
 #include "ripstop/report/order.h"
 #include "ripstop/report/output_file.h"
 #include "ripstop/report/picture.h"
+#include "ripstop/report/png_pictures.h"
 #include "ripstop/report/report_json.h"
 #include "ripstop/report/seam_picture.h"
 #include "ripstop/report/seam_tables.h"
@@ -35,8 +36,9 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
         write_file(dir / "flat" / "sewing.json", sewing_json(plan, stems));
     write_cut_files(dir / "cut", pieces, options.formats, options.files);
     write_pieces(dir / "cut" / "pieces.json", pieces);
+    if (options.pictures || options.png) fs::create_directory(dir / "pictures");
+    if (options.png) write_png_pictures(dir / "pictures", plan, pieces.pieces, strains, options.threads);
     if (options.pictures) {
-        fs::create_directory(dir / "pictures");
         for (std::size_t i = 0; i < plan.tiles.size(); ++i)
             write_file(dir / "pictures" / (stems[i] + ".svg"),
                        tile_picture(plan.tiles[i], plan.tolerances_of(plan.tiles[i].tile)));

@@ -11,6 +11,7 @@
 #include "ripstop/report/colour_scale.h"
 #include "ripstop/report/drawing.h"
 #include "ripstop/report/figures.h"
+#include "ripstop/report/seam_drift.h"
 #include "ripstop/report/seam_tables.h"
 
 namespace ripstop {
@@ -68,28 +69,6 @@ Extent extent_of(const FlatTile& tile) {
     if (!is_drawable(tile)) return {};
     const Points2 outline = tile.flattening.positions(tile.tile.boundary, Eigen::all);
     return {outline.colwise().minCoeff(), outline.colwise().maxCoeff()};
-}
-
-/// How far apart the sides are at s along the seam, in proportion between its notches [m].
-double drift_at(const SeamWalk& walk, double s) {
-    Notch before;
-    for (std::size_t i = 0; i <= walk.notches.size(); ++i) {
-        const Notch after = i < walk.notches.size() ? walk.notches[i] : Notch{walk.length, walk.mismatch()};
-        if (s <= after.at || i == walk.notches.size()) {
-            const double step = after.at - before.at;
-            return step > 0 ? before.drift + (s - before.at) / step * (after.drift - before.drift) : after.drift;
-        }
-        before = after;
-    }
-    return walk.mismatch();
-}
-
-/// From where to where a part lies on its edge, as shares. One that a seam begins with is at the edge's end.
-std::array<double, 2> share_of_edge(const SeamSide& run, std::size_t part, double drawn) {
-    const double share = std::min(1.0, run.parts[part].length / drawn);
-    if (run.parts.size() == 1) return {(1 - share) / 2, (1 + share) / 2};
-    if (part == 0) return {1 - share, 1};
-    return {0, share};
 }
 
 struct Strokes {

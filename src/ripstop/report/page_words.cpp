@@ -1,0 +1,185 @@
+#include "ripstop/report/page_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "ripstop/base/number_text.h"
+#include "ripstop/base/units.h"
+#include "ripstop/report/figures.h"
+
+namespace ripstop {
+namespace {
+
+struct Meaning {
+    std::string_view code, words, unit;
+};
+constexpr std::array meanings{Meaning{"isoperimetric", "no flat piece has this outline and this area", ""},
+                              Meaning{"stretch_bound", "more curved than the cloth can stretch", ""},
+                              Meaning{"unsolved", "no flattening was found", ""},
+                              Meaning{"uncertified", "the flattening is not certain", ""},
+                              Meaning{"flipped", "cloth turned over", ""},
+                              Meaning{"outline", "the outline meets itself", ""},
+                              Meaning{"overlap", "the piece lies on itself", ""},
+                              Meaning{"area", "area", "\u00a0%"},
+                              Meaning{"perimeter", "length of the outline", "\u00a0%"},
+                              Meaning{"chain", "length of an edge", "\u00a0%"},
+                              Meaning{"warp_strain", "strain along the warp", "\u00a0%"},
+                              Meaning{"weft_strain", "strain along the weft", "\u00a0%"},
+                              Meaning{"shear", "shear between the threads", "°"}};
+
+Meaning meaning_of(std::string_view code) {
+    for (const Meaning& meaning : meanings)
+        if (meaning.code == code) return meaning;
+    return {code, code, ""};
+}
+
+std::string counted(std::size_t number, const std::string& one) {
+    return page_figure(static_cast<double>(number), 0) + " " + one + (number == 1 ? "" : "s");
+}
+
+bool fails(const FlatTile& tile) {
+    return !tile.verdict.manufacturable();
+}
+
+std::string headline(const CutPlan& plan, std::size_t tiles, std::size_t seams) {
+    const std::size_t all = plan.tiles.size(), sewn = plan.walks.size();
+    if (plan.manufacturable())
+        return (all == 1 ? "The tile" : "All " + counted(all, "tile")) + " can be made" +
+               (sewn == 0   ? ""
+                : sewn == 1 ? ", and the seam fits"
+                            : ", and all " + counted(sewn, "seam") + " fit") +
+               ".";
+    std::string text;
+    if (tiles > 0) text = std::to_string(tiles) + " of " + counted(all, "tile") + " cannot be made as drawn";
+    if (seams > 0)
+        text += (tiles > 0 ? ", and " : "") + std::to_string(seams) + " of " + counted(sewn, "seam") +
+                (seams == 1 ? " does not fit" : " do not fit");
+    return (text.empty() ? "The tiles can be made, but the drawing has faults" : text) + ".";
+}
+
+/// One code of findings: how many tiles have it, and the worst of it.
+struct Kind {
+    std::string code;
+    std::set<const FlatTile*> tiles;
+    const FlatTile* tile = nullptr;
+    const Finding* worst = nullptr;
+    double excess = 0;
+};
+
+std::vector<Kind> kinds_of(const CutPlan& plan) {
+    std::vector<Kind> kinds;
+    for (const FlatTile& tile : plan.tiles)
+        for (const Finding& finding : tile.verdict.findings) {
+            if (!fails(tile)) continue;
+            auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.code == finding.code; });
+            if (kind == kinds.end()) kind = kinds.insert(kinds.end(), Kind{finding.code, {}});
+            kind->tiles.insert(&tile);
+            const double excess = std::abs(finding.value / (finding.limit != 0 ? finding.limit : 1));
+            if (kind->worst && !(excess > kind->excess)) continue;
+            kind->tile = &tile;
+            kind->worst = &finding;
+            kind->excess = excess;
+        }
+    std::stable_sort(kinds.begin(), kinds.end(),
+                     [](const Kind& a, const Kind& b) { return a.tiles.size() > b.tiles.size(); });
+    return kinds;
+}
+
+std::string reason(const Kind& kind) {
+    const Meaning meaning = meaning_of(kind.code);
+    const std::string unit(meaning.unit), &name = kind.tile->tile.name;
+    const std::string figures = unit.empty() ? ""
+                                             : ": " + short_figure(std::abs(kind.worst->value)) + unit + ", allowed " +
+                                                   short_figure(kind.worst->limit) + unit;
+    if (kind.tiles.size() == 1) return name + ": " + std::string(meaning.words) + figures + ".";
+    return counted(kind.tiles.size(), "tile") + ": " + std::string(meaning.words) + ". Worst " + name + figures + ".";
+}
+
+std::string seams_reason(const CutPlan& plan, std::size_t failing) {
+    std::size_t worst = plan.walks.size();
+    for (std::size_t i = 0; i < plan.walks.size(); ++i)
+        if (!plan.walks[i].ok && (worst == plan.walks.size() || plan.walks[i].drift_max > plan.walks[worst].drift_max))
+            worst = i;
+    return counted(failing, "seam") + ": the two sides differ in length. Worst " + plan.seams[worst].id + ": " +
+           short_figure(plan.walks[worst].drift_max / millimetre) + "\u00a0mm apart, allowed " +
+           short_figure(plan.walks[worst].limit / millimetre) + "\u00a0mm.";
+}
+
+std::string halves(const SplitProposal& proposal) {
+    const auto good = std::count_if(proposal.halves.begin(), proposal.halves.end(),
+                                    [](const Trial& half) { return half.verdict.findings.empty(); });
+    constexpr std::array words{"both halves are better, neither can be made yet", "one half can be made then",
+                               "both halves can be made then"};
+    return words[static_cast<std::size_t>(good)];
+}
+
+std::vector<std::string> redesign(const CutPlan& plan) {
+    constexpr std::size_t shown = 6;
+    std::vector<std::string> lines;
+    std::size_t count = 0;
+    for (const FlatTile& tile : plan.tiles)
+        if (tile.proposal && count++ < shown)
+            lines.push_back(tile.tile.name + ": draw a seam " + tile.proposal->direction + "; " +
+                            halves(*tile.proposal) + ".");
+    if (count > shown) lines.push_back("and " + std::to_string(count - shown) + " more; report.html shows them.");
+    if (!plan.merges.empty())
+        lines.push_back(counted(plan.merges.size(), "pair") +
+                        " of neighbours could be one tile; report.json names them.");
+    return lines;
+}
+
+}  // namespace
+
+std::string page_figure(double value, int decimals, bool is_signed) {
+    if (!std::isfinite(value)) return "–";
+    const std::string text = format_fixed(std::abs(value), decimals);
+    const bool is_zero = text.find_first_of("123456789") == std::string::npos;
+    std::string whole = text.substr(0, text.find('.'));
+    const std::string fraction = text.substr(whole.size());
+    if (whole.size() > 4)
+        for (int at = static_cast<int>(whole.size()) - 3; at > 0; at -= 3)
+            whole.insert(static_cast<std::size_t>(at), "\u202f");
+    const std::string sign = is_zero ? "" : value < 0 ? "−" : is_signed ? "+" : "";
+    return sign + whole + fraction;
+}
+
+std::string short_figure(double value) {
+    const double size = std::abs(value);
+    std::string text = page_figure(value, size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3);
+    if (text.find('.') == std::string::npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
+PageWords page_words(const CutPlan& plan) {
+    const auto tiles = static_cast<std::size_t>(std::count_if(plan.tiles.begin(), plan.tiles.end(), fails));
+    const auto seams = static_cast<std::size_t>(
+        std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return !walk.ok; }));
+    PageWords words;
+    words.word = plan.manufacturable() ? "Manufacturable." : "Not manufacturable as drawn.";
+    words.headline = headline(plan, tiles, seams);
+    words.redesign = redesign(plan);
+    if (plan.manufacturable()) return words;
+    for (const Kind& kind : kinds_of(plan)) words.why.push_back(reason(kind));
+    if (seams > 0) words.why.push_back(seams_reason(plan, seams));
+    for (const Finding& finding : plan.findings)
+        if (finding.code != "seam") words.why.push_back(finding.message);
+    return words;
+}
+
+std::string tile_word(const FlatTile& tile) {
+    if (!fails(tile)) return "can be made";
+    return tile.verdict.findings.empty() ? "not judged" : "cannot be made as drawn";
+}
+
+std::string seam_word(const SeamWalk& walk) {
+    if (!walk.ok) return "does not fit";
+    return walk.is_certain() ? "fits" : "fits, as far as the meshes can tell";
+}
+
+}  // namespace ripstop
