@@ -148,21 +148,28 @@ int count_openings(const WorkSurface& surface) {
     return openings;
 }
 
+/// With fillets in place of creases: there a first surface runs even, and where it is cut it does not fold.
+SpecialBody soften(SpecialShape shape) {
+    shape.joint_radius = std::max(shape.joint_radius, 1.5 * shape.edge_length);
+    return SpecialBody(shape, shape.edge_length);
+}
+
 }  // namespace
 
 std::vector<NamedMesh> design_special(const SpecialShape& shape) {
     require_valid(shape, "special shape");
     const SpecialBody body(shape);
     const double edge = shape.edge_length;
-    const TriangleMesh first = without_specks(body, march(body, 0.9 * edge));
+    const SpecialBody softened = soften(shape);
+    const TriangleMesh first = without_specks(body, march(softened, 0.9 * edge));
     require_one_body(body, first);
     require_mouth_within(body, first);
     WorkSurface surface(first);
-    relax(surface, body, {}, edge, 3);
+    relax(surface, softened, {}, edge, 3);
     set_poles(surface, body);
-    relax(surface, body, {}, edge, 2);
+    relax(surface, softened, {}, edge, 2);
     cut_creases(surface, body);
-    for (int round = 0; round < 3; ++round) {
+    for (int round = 0; round < 2; ++round) {
         straighten_creases(surface, body);
         relax(surface, body, draw_curves(surface, body), edge, 2);
     }

@@ -44,7 +44,7 @@ int nearest_seam(double angle, int count) {
 
 }  // namespace
 
-SpecialBody::SpecialBody(const SpecialShape& shape) : shape_(shape) {
+SpecialBody::SpecialBody(const SpecialShape& shape, double rounding) : shape_(shape), rounding_(rounding) {
     for (int p = 0; p < static_cast<int>(shape.primitives.size()); ++p) {
         const SpecialPrimitive& primitive = shape.primitives[at(p)];
         const int parts = primitive.kind != PrimitiveKind::cone ? 1 : primitive.top_radius > 0 ? 3 : 2;
@@ -87,11 +87,20 @@ int SpecialBody::face_shown(int primitive, const Vec3& x) const {
 }
 
 Level SpecialBody::solid_level(int primitive, const Vec3& x) const {
-    return face_level(face_shown(primitive, x), x);
+    const Level shown = face_level(face_shown(primitive, x), x);
+    if (!(rounding_ > 0 && shown.value > -rounding_) || faces_of_[at(primitive)].size() == 1) return shown;
+    double squares = 0;
+    Vec3 gradient = Vec3::Zero();
+    for (const int face : faces_of_[at(primitive)])
+        if (const Level level = face_level(face, x); level.value > -rounding_) {
+            squares += (level.value + rounding_) * (level.value + rounding_);
+            gradient += (level.value + rounding_) * level.gradient;
+        }
+    return {std::sqrt(squares) - rounding_, gradient / std::sqrt(squares)};
 }
 
 Level SpecialBody::surface_level(int face, const Vec3& x) const {
-    const Level own = face_level(face, x);
+    const Level own = rounding_ > 0 ? solid_level(faces_[at(face)].primitive, x) : face_level(face, x);
     const double radius = shape_.joint_radius;
     if (!(radius > 0)) return own;
     double squares = 0;

@@ -40,7 +40,8 @@ struct BodyCell {
 /// which is round where two surfaces meet at a right angle and leaves what is R away from the other surface as it is.
 class SpecialBody {
   public:
-    explicit SpecialBody(const SpecialShape& shape);
+    /// With `rounding` > 0 the edges of cones are rounded off, by about that radius [m].
+    explicit SpecialBody(const SpecialShape& shape, double rounding = 0);
 
     struct Face {
         int primitive;
@@ -82,6 +83,7 @@ class SpecialBody {
     double tube_angle(int primitive, const Vec3& local) const;
 
     SpecialShape shape_;
+    double rounding_;
     std::vector<Eigen::Matrix3d> frames_;  ///< rows: own x, y, z
     std::vector<Face> faces_;
     std::vector<std::vector<int>> faces_of_;

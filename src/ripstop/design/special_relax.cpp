@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ripstop/base/units.h"
 #include "ripstop/design/special_settle.h"
+#include "ripstop/geometry/triangle.h"
 
 namespace ripstop {
 namespace {
@@ -19,7 +21,8 @@ class Relaxation {
         : surface_(surface), body_(body), curves_(curves), edge_(edge) {}
 
     void split_long() {
-        for (int h = 0; h < surface_.half_edge_count(); ++h)
+        const int edges = surface_.half_edge_count();  // new ones wait for the next round
+        for (int h = 0; h < edges; ++h)
             if (surface_.is_edge(h) && surface_.length(h) > 4.0 / 3 * edge_) split_in_half(h);
     }
 
@@ -29,7 +32,10 @@ class Relaxation {
         ties.add(surface_.cell[at(h / 3)].face);
         ties.add(surface_.cell[at(surface_.twin(h) / 3)].face);
         if (surface_.curve(h) >= 0) ties.add(curves_[at(surface_.curve(h))]);
-        settle(body_, ties, surface_.length(h), place);
+        const Vec3 middle = place;
+        // Where the body turns sharply the nearest point may lie far off; a later round brings the vertex onto it.
+        if (!settle(body_, ties, surface_.length(h), place) || (place - middle).norm() > 0.4 * surface_.length(h))
+            place = middle;
         surface_.split(h, place);
     }
 
@@ -51,14 +57,28 @@ class Relaxation {
             if (surface_.is_edge(h) && surface_.curve(h) < 0) flip_if_better(h);
     }
 
+    /// Onto the body, whatever becomes of the triangles.
+    void settle_all() {
+        for (int v = 0; v < surface_.vertex_count(); ++v) {
+            if (!surface_.is_vertex(v) || surface_.is_fixed[at(v)]) continue;
+            surface_.leaving(v, around_);
+            settle(body_, ties_of(around_), edge_, surface_.position[at(v)]);
+        }
+    }
+
     void move_all() {
         for (int v = 0; v < surface_.vertex_count(); ++v)
             if (surface_.is_vertex(v) && !surface_.is_fixed[at(v)]) move(v);
     }
 
-    /// Whether an edge inside a tile joins two vertices of its seams.
+    /// Whether an edge inside a tile joins two vertices of its seams, and the corners it is split towards are wide.
     bool bridges(int h) {
         if (surface_.curve(h) >= 0) return false;
+        constexpr double wide = 35 * degree;
+        for (const int side : {h, surface_.twin(h)})
+            if (angle_at(surface_.position[at(surface_.opposite(side))], surface_.position[at(surface_.from(side))],
+                         surface_.position[at(surface_.to(side))]) < wide)
+                return false;
         for (const int v : {surface_.from(h), surface_.to(h)}) {
             surface_.leaving(v, near_);
             if (drawn_at(near_) == 0) return false;
@@ -243,6 +263,7 @@ double shape_quality(const SpecialBody& body, int face, const Vec3& a, const Vec
 void relax(WorkSurface& surface, const SpecialBody& body, const std::vector<BodyCurve>& curves, double edge,
            int rounds) {
     Relaxation relaxation(surface, body, curves, edge);
+    relaxation.settle_all();
     for (int round = 0; round < rounds; ++round) {
         relaxation.split_long();
         relaxation.collapse_short();
@@ -265,7 +286,7 @@ void straighten_creases(WorkSurface& surface, const SpecialBody& body) {
             for (int k = 0; k < 3; ++k) across[k] = face(surface.twin(3 * t + k) / 3);
             for (int k = 0; k < 3; ++k)
                 if (const int other = across[k];
-                    other == across[(k + 1) % 3] && other != face(t) &&
+                    other != face(t) && other == across[(k + 1) % 3] &&
                     shape_quality(body, face(t), surface.place(t, 0), surface.place(t, 1), surface.place(t, 2)) < 0.2)
                     surface.cell[at(t)].face = other;
         }

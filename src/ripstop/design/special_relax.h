@@ -16,8 +16,8 @@ void relax(WorkSurface& surface, const SpecialBody& body, const std::vector<Body
 /// Requires that no seams are cut yet.
 void straighten_creases(WorkSurface& surface, const SpecialBody& body);
 
-/// Splits every edge that runs inside a tile from one of its seams to another, so that each corner has an edge into its tile;
-/// then once more moves and flips.
+/// Splits every edge that runs inside a tile from one of its seams to another, so that each corner wider than 35
+/// degrees has an edge into its tile; then moves once more.
 void relax_corners(WorkSurface& surface, const SpecialBody& body, const std::vector<BodyCurve>& curves, double edge);
 
 /// 1 for an equilateral triangle that faces outwards, 0 for one of no area, -1 for one turned over:
