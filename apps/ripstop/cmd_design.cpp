@@ -133,7 +133,9 @@ void add_design(CLI::App& app) {
     CLI::App* shapes = app.add_subcommand("design", "Write an envelope to work on, by its shape");
     shapes->require_subcommand(1);
     shapes->footer(
-        "Example:\n  ripstop design natural -o envelope.obj\n`ripstop design natural --help` tells its options.");
+        "Examples:\n  ripstop design natural -o envelope.obj\n"
+        "  ripstop design special docs/special.example.json -o bear.obj\n"
+        "`ripstop design natural --help` and `ripstop design special --help` tell their options.");
     auto given = std::make_shared<Arguments>();
     CLI::App* natural = shapes->add_subcommand(
         "natural", "Write the natural shape of a hot-air balloon, which has no hoop tension, in gores of panels");

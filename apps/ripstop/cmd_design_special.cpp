@@ -6,6 +6,7 @@
 #include <string>
 
 #include "design_file.h"
+#include "progress_bar.h"
 #include "ripstop/base/units.h"
 #include "ripstop/design/special.h"
 #include "ripstop/design/tiles_summary.h"
@@ -50,8 +51,12 @@ void run(const Arguments& given) {
     require_design_file(given.file, given.force);
     std::ifstream in = open_input(given.shape, "the special shape");
     const SpecialShape shape = read_special_shape(in, given.shape.string());
-    const std::vector<NamedMesh> tiles = design_special(shape);
-    write_design_file(given.file, tiles);
+    const std::vector<NamedMesh> tiles = [&] {
+        const Waiting waiting("Writing " + given.file.filename().string(), false);
+        std::vector<NamedMesh> designed = design_special(shape);
+        write_design_file(given.file, designed);
+        return designed;
+    }();
     print_summary(shape, tiles);
     fmt::print("{}\n", given.file.string());
 }
@@ -61,20 +66,25 @@ void run(const Arguments& given) {
 void add_design_special(CLI::App& shapes) {
     auto given = std::make_shared<Arguments>();
     CLI::App* special = shapes.add_subcommand(
-        "special",
-        "A special shape: ellipsoids, tori, capsules and cones joined, cut along creases, sectors and rings");
-    special->add_option("FILE", given->shape, "The shape as JSON: docs/special.md")->required();
+        "special", "Write a special shape: ellipsoids, tori, capsules and cones, joined, in tiles by sector and ring");
+    special->add_option("SHAPE", given->shape, "What it is made of, as JSON (docs/special.md)")
+        ->type_name("FILE")
+        ->required();
     special
         ->add_option("-o,--output", given->file,
                      "The file to write, in metres, by its extension: .obj, .ply, .stl, .off; tile BODY-S03R02 is "
                      "primitive BODY, sector 3, ring 2 (OFF keeps no names)")
+        ->type_name("FILE")
         ->required();
     special->add_flag("--force", given->force, "Replace the file where it exists");
     special->footer(
-        "Example of a FILE, a sphere in 8 sectors by 4 rings with a mouth:\n"
-        "  {\"edge_mm\": 250, \"mouth_height_mm\": -2600, \"primitives\": [{\"name\": \"BODY\", \"type\": "
-        "\"ellipsoid\",\n   \"radii_mm\": [3000, 3000, 3000], \"sectors\": 8, \"rings\": 4}]}\n"
-        "Example: ripstop design special docs/special.example.json -o envelope.obj");
+        "SHAPE of a sphere in 8 sectors by 4 rings, open at the bottom:\n"
+        "  {\"edge_mm\": 250, \"mouth_height_mm\": -2700, \"primitives\": [{\"name\": \"BODY\",\n"
+        "   \"type\": \"ellipsoid\", \"radii_mm\": [3000, 3000, 3000], \"sectors\": 8, \"rings\": 4}]}\n\n"
+        "Examples:\n"
+        "  ripstop design special docs/special.example.json -o envelope.obj\n"
+        "  ripstop design special shape.json --force -o shape.ply\n\n"
+        "Exit codes: 0 written, 2 usage, 3 a shape or a file that cannot be.");
     special->callback([given] { run(*given); });
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "commands.h"
+#include "flight_options.h"
 #include "format_options.h"
 #include "known.h"
 #include "options.h"
@@ -16,12 +17,14 @@
 #include "ripstop/base/error.h"
 #include "ripstop/base/sha256.h"
 #include "ripstop/io/mesh_file.h"
+#include "ripstop/pipeline/compensate.h"
 #include "ripstop/pipeline/envelope_faults.h"
 #include "ripstop/pipeline/flatten_envelope.h"
 #include "ripstop/pipeline/propose_redesign.h"
 #include "ripstop/pipeline/strain_maps.h"
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/directory.h"
+#include "ripstop/report/inflated_text.h"
 #include "ripstop/report/png_pictures.h"
 #include "ripstop/report/proposals.h"
 #include "ripstop/report/report_json.h"
@@ -40,6 +43,8 @@ struct Arguments {
     bool propose_merges = false;
     PieceArguments pieces;
     FormatArguments files{DirectoryOptions{}.formats};
+    bool compensate = false;
+    FlightArguments flight;
 };
 
 /// Where no unit was given, the size tells whether metres were the right guess.
@@ -84,8 +89,27 @@ void tell_unpictured(const CutPlan& plan) {
                          failing));
 }
 
+/// Patterns that inflate to the drawn shape, and how they fly.
+CutPlan compensated(const Envelope& envelope, FlattenOptions flattening, const Flight& flight, bool quiet) {
+    if (flattening.method == "given")
+        throw CLI::ValidationError("--compensate", "patterns that came with the file cannot be corrected");
+    CompensateOptions options{std::exchange(flattening, {}), {flight.load, flight.rigging}, flight.tapes};
+    options.inflate.threads = options.flatten.threads;
+    options.flatten.progress = {};
+    options.progress = progress_bar(quiet);
+    CutPlan plan = compensate(envelope, options);
+    const std::vector<CompensationRound> rounds = plan.inflated->rounds;
+    const Waiting waiting("Inflating what is cut", quiet);
+    plan.inflated = inflate_plan(plan, options.inflate);
+    plan.inflated->rounds = rounds;
+    plan.inflated->sensitivity = measure_sensitivity(plan, options.inflate);
+    return plan;
+}
+
 ExitCode run(Arguments given) {
     choose_formats(given.files, false);
+    if (given.compensate && !given.input.tiles.empty())
+        throw CLI::ValidationError("--compensate", "only a whole envelope can be inflated; leave out --tile");
     const std::string method = method_of(given.input);
     PieceOptions pattern = piece_options(given.pieces);
     DirectoryOptions writing{given.force, given.reproducible};
@@ -100,7 +124,9 @@ ExitCode run(Arguments given) {
     if (unit_assumed && !given.quiet) print_assumed_size(envelope);
 
     FlattenOptions options{method, input.fabric, input.tolerances, given.jobs, progress_bar(given.quiet)};
-    CutPlan plan = flatten_envelope(envelope, options);
+    CutPlan plan = given.compensate
+                       ? compensated(envelope, options, flight_of(given.flight, input.read.project), given.quiet)
+                       : flatten_envelope(envelope, options);
     plan.input_file = given.input.file.filename().string();
     plan.input_sha256 = sha256_of_file(given.input.file);
     plan.unit = unit.name;
@@ -118,8 +144,9 @@ ExitCode run(Arguments given) {
     if (given.json)
         fmt::print("{}", report_json(plan, given.reproducible));
     else if (!given.quiet)
-        show(fmt::format("{}{}\n{}\n", tiles_table(plan), proposals_text(plan), given.directory.string()));
-    return plan.manufacturable() ? manufacturable : not_manufacturable;
+        show(fmt::format("{}{}\n{}{}\n", tiles_table(plan), proposals_text(plan),
+                         plan.inflated ? inflated_text(plan) + "\n" : "", given.directory.string()));
+    return plan.manufacturable() && (!plan.inflated || flies_as_drawn(plan)) ? manufacturable : not_manufacturable;
 }
 
 }  // namespace
@@ -156,13 +183,20 @@ void add_flatten(CLI::App& app) {
         ->add_flag("--propose-merges", given->propose_merges,
                    "Try every two neighbours as one tile and list those that could be made; flattens once more a seam")
         ->group("Flattening");
+    command
+        ->add_flag("--compensate", given->compensate,
+                   "Correct the patterns until they take the drawn shape when they are sewn and inflated; see "
+                   "`ripstop inflate --help`")
+        ->group("Flight");
+    add_flight_options(*command, given->flight);
     add_piece_options(*command, given->pieces);
     add_format_options(*command, given->files, "--dxf-dialect");
     command->footer(
         "Examples:\n"
         "  ripstop flatten envelope.obj --unit m --fabric nylon -o cut-plan\n"
         "  ripstop flatten envelope.obj --unit m --tile 'G01P*' -o gore-1      some tiles only\n"
-        "  ripstop flatten envelope.obj --unit m --project shop.json -o plan   with what a file cannot say\n\n"
+        "  ripstop flatten envelope.obj --unit m --project shop.json -o plan   with what a file cannot say\n"
+        "  ripstop flatten envelope.obj --fabric nylon --compensate --tapes meridians -o plan   for the shape in flight\n\n"
         "Exit codes: 0 all manufacturable, 1 some not (all files written), 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);

@@ -1,17 +1,17 @@
 /// ripstop inflate: the pieces of a cut plan sewn and filled with hot air, against the drawing.
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "commands.h"
 #include "flight_options.h"
+#include "known.h"
+#include "options.h"
 #include "progress_bar.h"
 #include "ripstop/pipeline/compensate.h"
 #include "ripstop/pipeline/inflate_plan.h"
 #include "ripstop/pipeline/read_cut_plan.h"
 #include "ripstop/pipeline/strain_maps.h"
+#include "ripstop/pipeline/tape_seams.h"
 #include "ripstop/report/inflated_files.h"
-#include "ripstop/report/inflated_says.h"
 #include "ripstop/report/inflated_text.h"
 #include "ripstop/report/report_json.h"
 #include "tell.h"
@@ -36,12 +36,18 @@ ExitCode run(const Arguments& given) {
     options.threads = given.jobs;
     options.progress = progress_bar(given.quiet);
     plan.inflated = inflate_plan(plan, options);
-    if (given.sensitivity) plan.inflated->sensitivity = measure_sensitivity(plan, options);
-    write_inflated(given.plan, plan, measure_strain_maps(plan, given.jobs), given.reproducible);
+    if (given.sensitivity) {
+        const Waiting waiting("Trying other cloth, tapes and air", given.quiet);
+        plan.inflated->sensitivity = measure_sensitivity(plan, options);
+    }
+    {
+        const Waiting waiting("Writing " + given.plan.string(), given.quiet);
+        write_inflated(given.plan, plan, measure_strain_maps(plan, given.jobs), given.reproducible);
+    }
     if (given.json)
         fmt::print("{}", report_json(plan, given.reproducible));
     else if (!given.quiet)
-        fmt::print("{}", inflated_text(plan));
+        show(inflated_text(plan));
     return flies_as_drawn(plan) ? manufacturable : not_manufacturable;
 }
 
@@ -50,23 +56,26 @@ ExitCode run(const Arguments& given) {
 void add_inflate(CLI::App& app) {
     auto given = std::make_shared<Arguments>();
     CLI::App* command = app.add_subcommand("inflate", "Sew the pieces, inflate them, compare with the drawn shape");
-    command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->required();
-    command->add_option("--project", given->project, "JSON whose `flight` says how it flies (docs/project.md)");
+    command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
+    command->add_option("--project", given->project, "JSON whose `flight` says how it flies (docs/project.md)")
+        ->type_name("FILE");
     add_flight_options(*command, given->flight);
     command->add_flag("--whole", given->whole, "Compute the whole envelope, also where its sectors are equal");
     command->add_flag("--sensitivity", given->sensitivity,
                       "Also with stiffer and softer cloth, longer and shorter tapes, hotter and colder air");
-    command->add_option("-j,--jobs", given->jobs, "Threads (0: one a core)")->check(CLI::Range(0, 1024));
+    command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core; the result is the same")->capture_default_str()
+        ->type_name("N")
+        ->check(within(0, 1024));
     command->add_flag("--json", given->json, "Print the report with what was found on stdout instead of the table");
     command->add_flag("--quiet", given->quiet, "No table, no progress");
     command->add_flag("--reproducible", given->reproducible, "Leave the seconds out of what is added to report.json");
     command->footer(
-        "Adds to PLAN: `inflated` in report.json, the shape in flight in report.html, inflated/envelope.obj.\n"
-        "Exit codes: 0 flies as drawn and is strong enough, 1 does not (all is written), 2 usage, 3 unusable input.\n"
+        "Adds to PLAN: `inflated` in report.json, the shape in flight in report.html, inflated/envelope.obj.\n\n"
         "Examples:\n"
-        "  ripstop inflate cut-plan                                      as its seam types say\n"
-        "  ripstop inflate cut-plan --tapes meridians --inside 110       load tapes up the envelope, hotter air\n"
-        "  ripstop flatten envelope.obj --compensate --tapes meridians -o cut-plan   patterns that take the drawn shape");
+        "  ripstop inflate cut-plan                                    load tapes as the seam types say\n"
+        "  ripstop inflate cut-plan --tapes meridians --inside 110     tapes up the envelope, hotter air\n"
+        "  ripstop inflate cut-plan --tapes meridians --sensitivity    and how sure that is\n\n"
+        "Exit codes: 0 flies as drawn and is strong enough, 1 does not (all is written), 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

@@ -17,6 +17,7 @@ void add_export(CLI::App& app);
 void add_validate(CLI::App& app);
 void add_nest(CLI::App& app);
 void add_diff(CLI::App& app);
+void add_inflate(CLI::App& app);
 void add_lift(CLI::App& app);
 void add_completion(CLI::App& app);
 void add_manual(CLI::App& app);

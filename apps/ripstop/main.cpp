@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
     cli::add_validate(app);
     cli::add_nest(app);
     cli::add_diff(app);
+    cli::add_inflate(app);
     cli::add_lift(app);
     cli::add_completion(app);
     cli::add_manual(app);

@@ -24,10 +24,6 @@ constexpr std::size_t shown_remarks = 12;
 constexpr const char* surfaces = "Surfaces of CAD (STEP, IGES, BREP, Rhino)";
 
 /// Throws InputError where the file cannot be opened or read.
-Project read_project_file(const std::string& file) {
-    std::ifstream in = open_input(file, "the project file");
-    return read_project(in, file);
-}
 
 /// What came flat is judged on the mesh it came with.
 RemeshOptions remesh_options(const InputArguments& given) {
@@ -178,9 +174,15 @@ std::string method_of(const InputArguments& given) {
     return "seam-exact-area";
 }
 
+std::optional<Project> project_of(const std::string& file) {
+    if (file.empty()) return std::nullopt;
+    std::ifstream in = open_input(file, "the project file");
+    return read_project(in, file);
+}
+
 Input resolve(const InputArguments& given) {
     Input input;
-    if (!given.project.empty()) input.read.project = read_project_file(given.project);
+    input.read.project = project_of(given.project);
     const auto& project = input.read.project;
     const std::string unit = !given.unit.empty() ? given.unit : project ? project->unit.value_or("") : "";
     if (!unit.empty()) input.read.unit = LengthUnit{unit, metres_per_unit(unit)};

@@ -48,6 +48,9 @@ void add_method_option(CLI::App& command, InputArguments& given);
 /// The method's name, `--keep-area` taken in. Throws a usage error where the method cannot keep the area.
 std::string method_of(const InputArguments& given);
 
+/// The project of a file; nothing where no name is given. Throws InputError.
+std::optional<Project> project_of(const std::string& file);
+
 /// Throws InputError.
 Input resolve(const InputArguments& given);
 
