@@ -14,6 +14,7 @@
 #include "ripstop/report/page_template.h"
 #include "ripstop/report/report_json.h"
 #include "support/flat_tiles.h"
+#include "support/inflated.h"
 
 namespace ripstop {
 namespace {
@@ -203,6 +204,34 @@ TEST(PageShapes, TellWhereASeamBeginsAndEndsWithinAnEdge) {
     EXPECT_NEAR(a["from"].get<double>(), 0.75, 1e-12);
     EXPECT_NEAR(a["to"].get<double>(), 0.5, 1e-12);
     EXPECT_NEAR(shapes.text["seams"][0]["b"]["from"].get<double>(), 0.25, 1e-12);
+}
+
+TEST(PageShapes, HoldWhereAnInflatedEnvelopeIsAndWhatItBears) {
+    const CutPlan plan = testing::inflated_plan();
+    const Shapes shapes(page_shapes(plan, {}, {}));
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        const InflatedTile& tile = plan.inflated->tiles[i];
+        const json& said = shapes.text["tiles"][i]["flight"];
+        const auto space = shapes.summed<std::uint16_t>(said["space"]["array"], 3);
+        ASSERT_EQ(space.size(), static_cast<std::size_t>(tile.positions.size()));
+        const double step = said["space"]["step_m"];
+        for (std::size_t v = 0; v < space.size(); ++v)
+            EXPECT_NEAR(said["space"]["lower_m"][v % 3].get<double>() + step * space[v],
+                        tile.positions(static_cast<Eigen::Index>(v / 3), static_cast<Eigen::Index>(v % 3)),
+                        0.51 * step);
+        const auto near = [](double value, double tolerance) {
+            return ::testing::Each(::testing::DoubleNear(value, tolerance));
+        };
+        EXPECT_THAT(shapes.map(said["deviation"]), near(0.010, 1e-5));
+        EXPECT_THAT(shapes.map(said["tension"]), near(20.4, 1e-3));
+        EXPECT_THAT(shapes.map(said["warp"]), near(20, 1e-3));
+        EXPECT_THAT(shapes.map(said["weft"]), near(5, 1e-3));
+        std::vector<double> states(tile.state.size(), 0);
+        states[0] = 1;
+        states[1] = 2;
+        EXPECT_EQ(shapes.map(said["state"]), states);
+    }
+    EXPECT_FALSE(Shapes(page_shapes(testing::two_tile_plan(), {}, {})).text["tiles"][0].contains("flight"));
 }
 
 class HtmlReport : public ::testing::Test {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/flat_tiles.h"
+#include "support/inflated.h"
 #include "support/outside.h"
 #include "support/seams.h"
 
@@ -196,7 +197,12 @@ TEST(ReportSchema, HoldsForWhatIsWrittenAndOnlyForThat) {
     plan.tiles[0].accuracy.energy = std::numeric_limits<double>::infinity();
     plan.tiles[0].flattening = {};
     const Json failed = report(plan);
-    EXPECT_EQ(schema_errors(python, {written, reproducible, failed, report(CutPlan{}), report(testing::sewn_plan())}),
+    CutPlan inflated = testing::inflated_plan();
+    const Json flown = report(inflated), flown_reproducible = Json::parse(report_json(inflated, true));
+    inflated.inflated->rounds = {{"as drawn", {}, 10, 400, 0, true}};
+    inflated.inflated->sensitivity = {{"cloth 20 % softer", {}, 10, 400}};
+    EXPECT_EQ(schema_errors(python, {written, reproducible, failed, report(CutPlan{}), report(testing::sewn_plan()),
+                                     flown, flown_reproducible, report(inflated)}),
               "");
     Json without = written, more = written, text = written;
     without["tiles"][1].erase("perimeter_error_pct");

@@ -17,7 +17,9 @@ using Json = nlohmann::ordered_json;
 constexpr double drawing_step = 0.01 * millimetre;
 constexpr double finest_strain = 1e-5;
 constexpr double finest_edge_error = 1e-6;
-constexpr double finest_tension = 1e-4;  // [N]
+constexpr double finest_tension = 1e-4;    // [N]
+constexpr double finest_deviation = 1e-5;  // [m]
+constexpr double finest_stress = 1e-3;     // [N/m]
 
 Json grid_json(const Eigen::MatrixXd& points, PackedArrays& arrays) {
     const GridPoints grid = on_grid(points);
@@ -64,6 +66,17 @@ void add_maps(Json& json, const FlatTile& tile, const StrainMap& strain, PackedA
         map_json((flat.array() / target_lengths(tile.tile).array() - 1).matrix(), finest_edge_error, arrays);
     const Eigen::VectorXd& tension = tile.flattening.seam_tension;
     if (tension.size() == flat.size()) json["tension"] = map_json(tension, finest_tension, arrays);
+}
+
+Json flight_json(const InflatedTile& tile, PackedArrays& arrays) {
+    std::vector<std::int16_t> states;
+    for (const ClothState state : tile.state) states.push_back(static_cast<std::int16_t>(state));
+    return {{"space", grid_json(tile.positions, arrays)},
+            {"deviation", map_json(tile.deviation, finest_deviation, arrays)},
+            {"tension", map_json(tile.tension.col(0), finest_stress, arrays)},
+            {"warp", map_json(tile.stress.col(0), finest_stress, arrays)},
+            {"weft", map_json(tile.stress.col(1), finest_stress, arrays)},
+            {"state", {{"array", arrays.add(states)}, {"step", 1}}}};
 }
 
 Json tile_json(const FlatTile& tile, const Tolerances& limits, const StrainMap& strain, PackedArrays& arrays) {
@@ -162,9 +175,11 @@ std::string page_shapes(const CutPlan& plan, const std::vector<PatternPiece>& pi
                         const std::vector<StrainMap>& strains) {
     PackedArrays arrays;
     Json tiles = Json::array();
-    for (std::size_t i = 0; i < plan.tiles.size(); ++i)
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         tiles.push_back(tile_json(plan.tiles[i], plan.tolerances_of(plan.tiles[i].tile),
                                   i < strains.size() ? strains[i] : StrainMap(), arrays));
+        if (plan.inflated) tiles.back()["flight"] = flight_json(plan.inflated->tiles[i], arrays);
+    }
     Json json = {{"tiles", tiles}, {"seams", seams_json(plan)}, {"pieces", pieces_json(plan, pieces, arrays)}};
     json["arrays"] = Json::array();
     for (const PackedArrays::Place& place : arrays.places()) json["arrays"].push_back({place.start, place.length});

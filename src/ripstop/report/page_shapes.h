@@ -19,6 +19,8 @@ namespace ripstop {
 ///              maps          warp, weft, shear [rad], area, edges: {array, step}, a number a triangle, -32768 for flipped ones
 ///              edge_error, tension [N]   the same, a number a boundary edge
 ///              strain_limit, shear_limit [rad]   what the tile's fabric stands
+///              flight        of an inflated plan: space as above; deviation [m], a number a vertex; tension, the larger principal
+///                            one, warp, weft [N/m] and state (`ClothState`), a number a triangle
 ///     seams[]  a, b          {tile, first, count, from, to}: a run of boundary edges; shares of the first and the last one
 ///     pieces[] tile, cut, sew, slits, grain, lines, labels: points in steps of 32 bits, 0.01 mm
 ///

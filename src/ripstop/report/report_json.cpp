@@ -7,6 +7,9 @@
 #include "ripstop/base/units.h"
 #include "ripstop/model/allowance.h"
 #include "ripstop/report/figures.h"
+#include "ripstop/report/inflated_json.h"
+#include "ripstop/report/json_figures.h"
+#include "ripstop/report/load_tapes.h"
 #include "ripstop/report/seam_tables.h"
 #include "ripstop/version.h"
 
@@ -14,19 +17,6 @@ namespace ripstop {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json figure(double value) {
-    return std::isfinite(value) ? Json(clean(value)) : Json(nullptr);
-}
-Json in_percent(double ratio) {
-    return figure(ratio / percent);
-}
-Json in_millimetres(double length) {
-    return figure(length / millimetre);
-}
-Json in_degrees(double angle) {
-    return figure(angle / degree);
-}
 
 Json fabric_json(const Fabric& fabric) {
     return {{"name", fabric.name},
@@ -130,10 +120,6 @@ Json certificate_json(const Certificate& certificate) {
     return {{"force_residual", figure(certificate.force_residual)},
             {"length_residual", figure(certificate.length_residual)},
             {"strict_minimum", certificate.strict_minimum}};
-}
-
-Json point_json(const Vec3& at) {
-    return {in_millimetres(at.x()), in_millimetres(at.y()), in_millimetres(at.z())};
 }
 
 Json findings_json(const std::vector<Finding>& findings) {
@@ -317,9 +303,18 @@ std::string report_json(const CutPlan& plan, bool reproducible) {
         tiles.push_back(tile_json(plan.tiles[i], stems[i], chains, reproducible));
         tiles.back()["fabric"] = plan.fabric_of(plan.tiles[i].tile).name;
         add_quantity(tiles.back(), plan, i, cut[i]);
+        if (plan.inflated) tiles.back()["inflated"] = inflated_tile_json(plan.inflated->tiles[i]);
     }
-    for (std::size_t i = 0; i < plan.walks.size(); ++i) seams.push_back(seam_json(plan.seams[i], plan.walks[i], plan));
-    const Json report = {
+    const std::vector<double> cut_lengths = tape_cut_lengths(plan);
+    const std::vector<int> tapes = plan.inflated ? tapes_of_seams(plan) : std::vector<int>(plan.seams.size(), -1);
+    for (std::size_t i = 0; i < plan.walks.size(); ++i) {
+        seams.push_back(seam_json(plan.seams[i], plan.walks[i], plan));
+        if (std::isfinite(cut_lengths[i])) seams.back()["tape_cut_mm"] = in_millimetres(cut_lengths[i]);
+        if (tapes[i] >= 0)
+            seams.back()["tape_force_max_n"] =
+                figure(plan.inflated->tapes[static_cast<std::size_t>(tapes[i])].force_max);
+    }
+    Json report = {
         {"ripstop", version},
         {"schema", report_schema},
         {"input",
@@ -335,6 +330,7 @@ std::string report_json(const CutPlan& plan, bool reproducible) {
         {"seams", seams},
         {"seam_types", seam_types_json(plan)},
         {"envelope", envelope_json(plan)}};
+    if (plan.inflated) report["inflated"] = inflated_json(plan, reproducible);
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

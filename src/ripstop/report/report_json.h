@@ -7,7 +7,7 @@
 namespace ripstop {
 
 /// Version of the keys of report.json: the first number changes when a key goes or changes its meaning.
-inline constexpr const char* report_schema = "1.2";
+inline constexpr const char* report_schema = "1.3";
 
 /// The text of report.json: what docs/report.schema.json describes. Every key carries its unit; figures have 12 significant
 /// digits; a figure that is not finite (the energy of a flipped tile, the errors of a failed one) is null. `reproducible`

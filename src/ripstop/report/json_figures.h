@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "ripstop/geometry/types.h"
+
+namespace ripstop {
+
+/// Figures of the reports, in the unit that their key names: 12 significant digits, null where not finite (`clean`).
+nlohmann::ordered_json figure(double value);
+nlohmann::ordered_json in_percent(double ratio);
+nlohmann::ordered_json in_millimetres(double length);  ///< of metres
+nlohmann::ordered_json in_degrees(double angle);       ///< of radians
+
+/// A place in millimetres: [x, y, z].
+nlohmann::ordered_json point_json(const Vec3& at);
+
+}  // namespace ripstop
