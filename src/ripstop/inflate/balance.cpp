@@ -124,7 +124,7 @@ void Balance::set_residual(double residual) {
 
 Vec3 Balance::point(const Element& element, int corner, const Points3& nodes) const {
     const Place& place = *element.places[static_cast<std::size_t>(corner)];
-    if (place.size() == 1 && place[0].turns == 0) return nodes.row(place[0].node);
+    if (place.size() == 1 && place[0].turns == 0) return Vec3(nodes.row(place[0].node)) + place.offset;
     return position(place, nodes, angle_);
 }
 

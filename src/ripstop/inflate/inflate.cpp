@@ -21,7 +21,7 @@ Points3 start_nodes(const SewnEnvelope& sewn, const std::vector<Points3>& start)
         for (Eigen::Index v = 0; v < start[i].rows(); ++v) {
             const Place& place = sewn.places[static_cast<std::size_t>(sewn.first_vertex[i] + v)];
             if (place.size() != 1 || place[0].turns != 0) continue;
-            const Vec3 at = Vec3(start[i].row(v)) - sewn.origin;
+            const Vec3 at = Vec3(start[i].row(v)) - sewn.origin - place.offset;
             for (int axis = 0; axis < 3; ++axis)
                 if (may_move(sewn.freedom[static_cast<std::size_t>(place[0].node)], axis))
                     nodes(place[0].node, axis) = at[axis];

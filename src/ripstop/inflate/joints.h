@@ -24,9 +24,11 @@ class Joints {
     const std::set<int>& on_axis() const { return on_axis_; }
 
   private:
-    bool replace(const PlacePart& single, const Place& by);
+    /// `one` has a single part.
+    bool replace(const Place& one, const Place& by);
 
     int sectors_;
+    double angle_;  ///< of a sector [rad]
     std::vector<Place> hangs_on_;  ///< of each point; empty: free
     std::set<int> on_axis_;
 };

@@ -101,14 +101,27 @@ class Seamstress {
         for (const FlatTile& tile : plan.tiles) sum += tile.tile.mesh.vertex_count();
         return sum;
     }
+    const Tile& tile_of(int tile) const { return plan_.tiles[static_cast<std::size_t>(tile)].tile; }
+    Vec3 drawn_point(int tile, const BoundaryPlace& place) const {
+        const Tile& there = tile_of(tile);
+        const auto i = static_cast<std::size_t>(place.edge);
+        const Vec3 from = there.mesh.positions.row(there.boundary[i]);
+        const Vec3 to = there.mesh.positions.row(there.boundary[(i + 1) % there.boundary.size()]);
+        return from + place.share * (to - from);
+    }
     static const SeamSide& side(const Seam& seam, bool second) { return second ? seam.b : seam.a; }
 
     Place on_mate(const Seam& seam, bool second, const SideVertex& each) const {
         return on_boundary(side(seam, !second).tile, place_on_side(plan_.tiles, seam, !second, each.along));
     }
     void join_to_edge(const Seam& seam, bool second, const SideVertex& each) {
-        const Place mate = on_mate(seam, second, each);
-        if (mate.size() > 1) joints_.join(point(side(seam, second).tile, each.vertex), mate);
+        const BoundaryPlace there = place_on_side(plan_.tiles, seam, !second, each.along);
+        const int tile = side(seam, second).tile, mate_tile = side(seam, !second).tile;
+        Place mate = on_boundary(mate_tile, there);
+        if (mate.size() < 2) return;
+        // An edge is a chord of the seam's curve: what hangs on it keeps its way off it.
+        mate.offset = Vec3(tile_of(tile).mesh.positions.row(each.vertex)) - drawn_point(mate_tile, there);
+        joints_.join(point(tile, each.vertex), mate);
     }
 
     const CutPlan& plan_;

@@ -15,8 +15,11 @@ struct PlacePart {
     int turns = 0;
 };
 
-/// A point of the sewn envelope: the sum of its parts, whose weights sum to 1.
-using Place = std::vector<PlacePart>;
+/// A point of the sewn envelope: the sum of its parts, whose weights sum to 1, and a way off that stays as it is.
+struct Place : std::vector<PlacePart> {
+    using std::vector<PlacePart>::vector;
+    Vec3 offset = Vec3::Zero();  ///< [m]
+};
 
 /// Along which axes a node may go: x 1, y 2, z 4.
 enum class Freedom : unsigned char { nowhere = 0, x = 1, y = 2, xy = 3, vertical = 4, xz = 5, yz = 6, everywhere = 7 };
@@ -62,6 +65,9 @@ struct SewnEnvelope {
     double floor = 0;                        ///< the mouth plane [m]
     double seam_gap = 0;                     ///< largest distance between two sides of a seam as drawn [m]
 };
+
+/// Turned by so many sectors of `angle` [rad] about the vertical axis.
+Vec3 turned(const Vec3& x, int turns, double angle);
 
 /// Where a place is, for nodes at `nodes`, `angle` [rad] a turn.
 Vec3 position(const Place& place, const Points3& nodes, double angle);
