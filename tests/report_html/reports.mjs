@@ -31,6 +31,17 @@ export const reports = {
             ripstop('design', 'natural', '-o', 'balloon.obj', '--gores', '24', '--panels', '15');
         return flattened('designed', 'balloon.obj', '--fabric', 'nylon');
     },
+    // A small balloon of few triangles, sewn and inflated with tapes up every gore.
+    inflated() {
+        const page = join(work, 'inflated', 'report.html');
+        if (!existsSync(dirname(page))) {
+            const size = ['--gores', '12', '--panels', '3', '--volume', '600', '--edge', '500mm'];
+            ripstop('design', 'natural', '-o', 'small.obj', ...size);
+            flattened('inflated', 'small.obj', '--fabric', 'nylon');
+            ripstop('inflate', 'inflated', '--tapes', 'meridians', '--quiet');
+        }
+        return existsSync(page) ? page : null;
+    },
     // A draped dress: panels that cannot be made, with seams proposed.
     dress: () => (existsSync(dress) ? flattened('dress', dress, '--unit', 'm') : null),
     // The same by a method that leaves seams unequal.

@@ -9,7 +9,7 @@ function bytesOf(id) {
     return bytes;
 }
 
-async function inflated(id) {
+async function unpacked(id) {
     const stream = new Blob([bytesOf(id)]).stream().pipeThrough(new DecompressionStream('deflate'));
     return new Response(stream).arrayBuffer();
 }
@@ -60,6 +60,8 @@ function tileOf(index, said, shape, arrays, fabrics) {
     const Vertex = shape.space && arrays.places[shape.space.array][1] / 6 < 65536 ? Uint16Array : Uint32Array;
     const maps = {};
     for (const [name, map] of Object.entries(shape.maps ?? {})) maps[name] = arrays.map(map);
+    const triangles = arrays.summed(Vertex, shape.triangles, 3);
+    const flight = shape.flight ? flightOf(shape.flight, triangles, arrays, maps) : null;
     return {
         index,
         said,
@@ -67,9 +69,10 @@ function tileOf(index, said, shape, arrays, fabrics) {
         ok: said.verdict.manufacturable,
         findings: said.verdict.findings,
         fabric: fabrics.get(said.fabric),
-        space: arrays.grid(shape.space, 3),
+        space: arrays.grid(shape.space, 3), // where it is shown: as drawn, in flight or between (envelope_shape.js)
+        flight, // where its vertices are in flight; null where it was not inflated
         flat: shape.flat ? arrays.grid(shape.flat, 2) : null,
-        triangles: arrays.summed(Vertex, shape.triangles, 3),
+        triangles,
         loop: arrays.summed(Vertex, shape.loop, 1),
         chains: shape.chains,
         maps,
@@ -79,6 +82,23 @@ function tileOf(index, said, shape, arrays, fabrics) {
         sides: [], // the seams along it: { seam, side }
         piece: null,
     };
+}
+
+// In flight, its figures beside the maps of the cloth: `flightTension` and the like. Of the deviation the mean of the corners.
+function flightOf(shape, triangles, arrays, maps) {
+    const { array, step } = shape.deviation;
+    const atVertices = arrays.of(Int16Array, array);
+    const deviation = new Int16Array(triangles.length / 3);
+    for (let t = 0; t < deviation.length; ++t) {
+        const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
+        deviation[t] = Math.round((atVertices[a] + atVertices[b] + atVertices[c]) / 3);
+    }
+    maps.flightDeviation = { values: deviation, step };
+    maps.flightTension = arrays.map(shape.tension);
+    maps.flightWarp = arrays.map(shape.warp);
+    maps.flightWeft = arrays.map(shape.weft);
+    maps.flightState = arrays.map(shape.state);
+    return arrays.grid(shape.space, 3);
 }
 
 function pieceOf(shape, arrays) {
@@ -93,7 +113,7 @@ function pieceOf(shape, arrays) {
 }
 
 export async function readModel() {
-    const [reportBuffer, buffer] = await Promise.all([inflated('ripstop-report'), inflated('ripstop-shapes')]);
+    const [reportBuffer, buffer] = await Promise.all([unpacked('ripstop-report'), unpacked('ripstop-shapes')]);
     const report = JSON.parse(new TextDecoder().decode(reportBuffer));
     const textLength = new DataView(buffer).getUint32(4, true);
     const shapes = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 8, textLength)));
@@ -114,7 +134,7 @@ export async function readModel() {
     for (const tile of tiles) tile.sides.sort((one, other) => one.first - other.first);
     for (const shape of shapes.pieces) tiles[shape.tile].piece = pieceOf(shape, arrays);
     const roll = document.getElementById('ripstop-roll').textContent
-        ? JSON.parse(new TextDecoder().decode(await inflated('ripstop-roll')))
+        ? JSON.parse(new TextDecoder().decode(await unpacked('ripstop-roll')))
         : null;
     return { report, tiles, seams, roll };
 }

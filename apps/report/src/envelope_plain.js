@@ -12,6 +12,8 @@ export function makeEnvelopePlain(shape, canvas) {
         waiting = false;
     let shades = null,
         table = null,
+        showChosen = () => [],
+        showMarked = () => [],
         chosen = [],
         marked = [],
         proposed = [];
@@ -110,17 +112,28 @@ export function makeEnvelopePlain(shape, canvas) {
     });
 
     return {
+        // After `shape.pose`.
+        repose() {
+            chosen = showChosen();
+            marked = showMarked();
+            request();
+        },
         recolour(map, palette) {
             shades = shadesOf(shape, map);
             table = paletteTable(palette);
             request();
         },
         choose(tiles, seam) {
-            chosen = seam ? seamLine(model, seam) : tiles.flatMap(outlineOf);
+            showChosen = () => (seam ? seamLine(model, seam) : tiles.flatMap(outlineOf));
+            chosen = showChosen();
             request();
         },
         mark(failingTiles, failingSeams) {
-            marked = [...failingTiles.flatMap(outlineOf), ...failingSeams.flatMap((seam) => seamLine(model, seam))];
+            showMarked = () => [
+                ...failingTiles.flatMap(outlineOf),
+                ...failingSeams.flatMap((seam) => seamLine(model, seam)),
+            ];
+            marked = showMarked();
             proposed = failingTiles.flatMap((tile) => proposalLine(shape, tile));
             request();
         },

@@ -2,18 +2,12 @@
 import {
     BufferAttribute,
     BufferGeometry,
-    DataTexture,
-    DoubleSide,
-    GLSL3,
     Group,
     LineBasicMaterial,
     LineSegments,
-    Mesh,
     PerspectiveCamera,
-    RawShaderMaterial,
     Raycaster,
     Scene,
-    Sphere,
     Vector2,
     Vector3,
     WebGLRenderer,
@@ -22,112 +16,8 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { clothArrays, clothMesh, paletteTexture, rimArrays, setShades, turnFacings } from './cloth_mesh.js';
 import { edgesDrawnOnce, outlineOf, pointedAt, proposalLine, seamLine, shadesOf } from './envelope_shape.js';
-import { paletteTable, places } from './palette.js';
-import { withOwnCorners } from './shared_corners.js';
-
-const vertexShader = `
-precision highp float;
-uniform mat4 modelViewMatrix, projectionMatrix;
-uniform sampler2D palette;
-uniform vec2 focus;
-in vec3 position, facing;
-in float shade, tile;
-flat out vec3 vColour;
-void main() {
-    vec4 view = modelViewMatrix * vec4(position, 1.0);
-    vec3 normal = mat3(modelViewMatrix) * facing;
-    vec3 cloth = texelFetch(palette, ivec2(int(shade + 0.5), 0), 0).rgb;
-    if (focus.x >= 0.0 && tile != focus.x && tile != focus.y) cloth = mix(cloth, vec3(0.93), 0.5);
-    // A little light from the viewer, so that shape can be seen and colours can still be read.
-    vColour = cloth * (0.76 + 0.24 * abs(dot(normal, normalize(view.xyz))));
-    gl_Position = projectionMatrix * view;
-}`;
-
-const fragmentShader = `
-precision mediump float;
-flat in vec3 vColour;
-out vec4 colour;
-void main() {
-    colour = vec4(vColour, 1.0);
-}`;
-
-function paletteTexture(id) {
-    const texture = new DataTexture(paletteTable(id), places.count, 1);
-    texture.needsUpdate = true;
-    return texture;
-}
-
-// The outward normals of triangles, in steps of 1/127.
-function facingOf(positions, index, t, into) {
-    const corner = (k) => 3 * index[3 * t + k];
-    const [a, b, c] = [corner(0), corner(1), corner(2)];
-    const e = [0, 1, 2].map((k) => positions[b + k] - positions[a + k]),
-        f = [0, 1, 2].map((k) => positions[c + k] - positions[a + k]);
-    const normal = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
-    const size = Math.hypot(...normal) || 1;
-    for (let k = 0; k < 3; ++k) into[c + k] = Math.round((127 * normal[k]) / size);
-}
-
-// Colour, tile and normal of a triangle stand at its last corner.
-function clothMesh({ positions, index, ids }, uniforms, sphere, offset) {
-    const geometry = new BufferGeometry();
-    const count = positions.length / 3;
-    geometry.setAttribute('position', new BufferAttribute(positions, 3));
-    geometry.setAttribute('tile', new BufferAttribute(new Uint16Array(count), 1));
-    geometry.setAttribute('shade', new BufferAttribute(new Uint16Array(count), 1));
-    geometry.setIndex(new BufferAttribute(index, 1));
-    geometry.setAttribute('facing', new BufferAttribute(new Int8Array(3 * count), 3, true));
-    ids.forEach((id, t) => {
-        geometry.attributes.tile.array[index[3 * t + 2]] = id;
-        facingOf(positions, index, t, geometry.attributes.facing.array);
-    });
-    geometry.boundingSphere = sphere;
-    const material = new RawShaderMaterial({
-        glslVersion: GLSL3,
-        vertexShader,
-        fragmentShader,
-        uniforms,
-        side: DoubleSide,
-        polygonOffset: true,
-        polygonOffsetFactor: offset,
-        polygonOffsetUnits: offset,
-    });
-    return new Mesh(geometry, material);
-}
-
-function clothArrays(shape) {
-    const { tiles } = shape.model;
-    const parts = tiles.map((tile) => withOwnCorners(tile.triangles, tile.space.length / 3));
-    const positions = new Float32Array(3 * parts.reduce((sum, part) => sum + part.copies.length, 0));
-    const index = new Uint32Array(3 * shape.triangleCount);
-    let first = 0;
-    parts.forEach((part, i) => {
-        const { space, firstTriangle } = tiles[i];
-        part.copies.forEach((vertex, v) => {
-            for (let k = 0; k < 3; ++k) positions[3 * (first + v) + k] = space[3 * vertex + k];
-        });
-        part.index.forEach((vertex, k) => {
-            index[3 * firstTriangle + k] = first + vertex;
-        });
-        first += part.copies.length;
-    });
-    return { positions, index, ids: shape.ids };
-}
-
-const rimArrays = ({ positions, ids }) => ({
-    positions,
-    ids,
-    index: Uint32Array.from({ length: positions.length / 3 }, (_, i) => i),
-});
-
-function setShades(mesh, shades) {
-    mesh.visible = shades !== null;
-    if (!shades) return;
-    const { index, attributes } = mesh.geometry;
-    for (let t = 0; t < shades.length; ++t) attributes.shade.array[index.array[3 * t + 2]] = shades[t];
-    attributes.shade.needsUpdate = true;
-}
 
 class WideLines {
     constructor(parent, colour, width, order, options = {}) {
@@ -154,10 +44,16 @@ class WideLines {
 }
 
 function thinLines(model) {
-    const points = new Float32Array(model.tiles.flatMap(edgesDrawnOnce));
+    const points = () => new Float32Array(model.tiles.flatMap(edgesDrawnOnce));
     const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(points, 3));
-    return new LineSegments(geometry, new LineBasicMaterial({ color: 0x6f7a85 }));
+    geometry.setAttribute('position', new BufferAttribute(points(), 3));
+    const lines = new LineSegments(geometry, new LineBasicMaterial({ color: 0x6f7a85 }));
+    lines.frustumCulled = false;
+    const place = () => {
+        geometry.attributes.position.array.set(points());
+        geometry.attributes.position.needsUpdate = true;
+    };
+    return { lines, place };
 }
 
 // Throws where the browser has no WebGL 2.
@@ -169,10 +65,11 @@ export function makeEnvelopeScene(shape, canvas) {
         group = new Group();
     scene.add(group);
     const uniforms = { palette: { value: null }, focus: { value: new Vector2(-1, -1) } };
-    const sphere = new Sphere(new Vector3(...shape.centre), shape.radius);
-    const cloth = clothMesh(clothArrays(shape), uniforms, sphere, 4);
-    const rim = clothMesh(rimArrays(shape.rim), uniforms, sphere, 1);
-    group.add(cloth, rim, thinLines(model));
+    const arrays = clothArrays(shape);
+    const cloth = clothMesh(arrays, uniforms, 4);
+    const rim = clothMesh(rimArrays(shape.rim), uniforms, 1);
+    const thin = thinLines(model);
+    group.add(cloth, rim, thin.lines);
     const failing = new WideLines(group, 0xa50f2d, 2.5, 1);
     const proposed = new WideLines(group, 0x111111, 3, 2, {
         dashed: true,
@@ -248,7 +145,18 @@ export function makeEnvelopeScene(shape, canvas) {
         return [((projected.x + 1) / 2) * canvas.clientWidth, ((1 - projected.y) / 2) * canvas.clientHeight];
     };
 
+    let showChosen = () => {},
+        showMarked = () => {};
     return {
+        // After `shape.pose`.
+        repose() {
+            arrays.place();
+            thin.place();
+            for (const mesh of [cloth, rim]) turnFacings(mesh.geometry);
+            showChosen();
+            showMarked();
+            request();
+        },
         recolour(map, palette) {
             uniforms.palette.value?.dispose();
             uniforms.palette.value = paletteTexture(palette);
@@ -259,18 +167,23 @@ export function makeEnvelopeScene(shape, canvas) {
         },
         choose(tiles, seam) {
             uniforms.focus.value.set(tiles[0]?.index ?? -1, tiles[1]?.index ?? tiles[0]?.index ?? -1);
-            const line = seam ? seamLine(model, seam) : tiles.flatMap(outlineOf);
             // Seams are short: they are seen through the cloth too.
             casing.material.depthTest = chosen.material.depthTest = !seam;
-            casing.show(line);
-            chosen.show(line);
+            showChosen = () => {
+                const line = seam ? seamLine(model, seam) : tiles.flatMap(outlineOf);
+                casing.show(line);
+                chosen.show(line);
+            };
+            showChosen();
             request();
         },
         mark(failingTiles, failingSeams) {
-            failing.show([
-                ...failingTiles.flatMap(outlineOf),
-                ...failingSeams.flatMap((seam) => seamLine(model, seam)),
-            ]);
+            showMarked = () =>
+                failing.show([
+                    ...failingTiles.flatMap(outlineOf),
+                    ...failingSeams.flatMap((seam) => seamLine(model, seam)),
+                ]);
+            showMarked();
             proposed.show(failingTiles.flatMap((tile) => proposalLine(shape, tile)));
             request();
         },

@@ -54,9 +54,7 @@ function inwardOf(tile) {
 }
 
 // A band along the inside of every boundary edge, for what is said of edges: two triangles each.
-function rimOf(tiles, edgeCount) {
-    const positions = new Float32Array(18 * edgeCount),
-        ids = new Uint16Array(2 * edgeCount);
+function placeRim(tiles, { positions, ids }) {
     let at = 0;
     for (const tile of tiles) {
         const { loop, space, frame } = tile;
@@ -78,7 +76,19 @@ function rimOf(tiles, edgeCount) {
             }
         }
     }
-    return { positions, ids };
+}
+
+// All that follows from where the tiles' vertices are.
+function placeTiles(shape) {
+    const { positions } = shape;
+    let at = 0;
+    for (const tile of shape.model.tiles) {
+        tile.frame = tileFrame(tile);
+        for (const vertex of tile.triangles)
+            for (let k = 0; k < 3; ++k) positions[at++] = tile.space[3 * vertex + k];
+    }
+    placeRim(shape.model.tiles, shape.rim);
+    shape.picking = null;
 }
 
 // Where a tile or a seam lies, which way it faces and how large it is.
@@ -116,34 +126,40 @@ export function makeEnvelopeShape(model) {
             upper[i % 3] = Math.max(upper[i % 3], tile.space[i]);
         }
     const turn = turned[upAxis(lower, upper)];
-    for (const tile of tiles)
-        for (let i = 0; i < tile.space.length; i += 3)
-            tile.space.set(turn([tile.space[i], tile.space[i + 1], tile.space[i + 2]]), i);
-
-    const positions = new Float32Array(9 * triangleCount),
-        ids = new Uint16Array(triangleCount);
+    const ids = new Uint16Array(triangleCount);
     const box = [turn(lower), turn(upper)];
-    let corner = 0;
+    let first = 0;
     for (const tile of tiles) {
-        tile.firstTriangle = corner / 3;
-        tile.frame = tileFrame(tile);
-        for (const vertex of tile.triangles) {
-            positions.set(tile.space.subarray(3 * vertex, 3 * vertex + 3), 3 * corner);
-            ids[Math.floor(corner++ / 3)] = tile.index;
-        }
+        for (const points of [tile.space, tile.flight ?? []])
+            for (let i = 0; i < points.length; i += 3) points.set(turn([points[i], points[i + 1], points[i + 2]]), i);
+        tile.drawn = tile.flight ? tile.space.slice() : tile.space;
+        tile.firstTriangle = first;
+        ids.fill(tile.index, first, (first += tile.triangles.length / 3));
     }
     const centre = box[0].map((value, k) => (value + box[1][k]) / 2);
-    return {
+    const shape = {
         model,
         triangleCount,
-        positions, // three corners a triangle
+        positions: new Float32Array(9 * triangleCount), // three corners a triangle
         ids, // the tile of each triangle
-        rim: rimOf(tiles, edgeCount),
+        rim: { positions: new Float32Array(18 * edgeCount), ids: new Uint16Array(2 * edgeCount) },
         centre,
         radius: farthest(tiles, centre) || 1,
-        pick: makePicking(positions),
         turn,
+        hasFlight: tiles.some((tile) => tile.flight),
+        // Moves the tiles to `share` of the way from where they are drawn to where they are in flight, or beyond.
+        pose(share) {
+            for (const { space, drawn, flight } of tiles)
+                for (let i = 0; flight && i < space.length; ++i) space[i] = drawn[i] + share * (flight[i] - drawn[i]);
+            placeTiles(shape);
+        },
+        pick(origin, direction) {
+            shape.picking ??= makePicking(shape.positions);
+            return shape.picking(origin, direction);
+        },
     };
+    placeTiles(shape);
+    return shape;
 }
 
 // The place in the palette of each of the shape's triangles, and of the band's.

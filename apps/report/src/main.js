@@ -4,9 +4,10 @@ import { html } from './dom.js';
 import { makeEnvelopeScene } from './envelope_scene.js';
 import { makeEnvelopeShape, placeOfChosen } from './envelope_shape.js';
 import { makeEnvelopePlain } from './envelope_plain.js';
+import { flightView, poseTools, poseWords } from './flight_view.js';
 import { legendView } from './legend.js';
 import { makeList } from './list.js';
-import { mapOf, mapsOf } from './maps.js';
+import { firstMap, mapOf, mapsOf } from './maps.js';
 import { paletteNames } from './palette.js';
 import { panelContent, spoken } from './panel.js';
 import { printWhole } from './paper.js';
@@ -38,11 +39,26 @@ function envelopeView(shape, holder) {
     }
 }
 
+const optionElement = ({ id, name }) => html('option', { value: id }, name);
+
+// The maps of the pieces and those of the flight apart, where there are both.
+function mapGroups(available) {
+    const groups = [
+        { name: 'As cut', options: available.filter((map) => !map.inFlight) },
+        { name: 'In flight', options: available.filter((map) => map.inFlight) },
+    ];
+    return groups.every((group) => group.options.length > 0) ? groups : available;
+}
+
 function selectBox(label, options, onchange) {
     const box = html(
         'select',
         { onchange: () => onchange(box.value) },
-        options.map(({ id, name }) => html('option', { value: id }, name)),
+        options.map((option) =>
+            option.options
+                ? html('optgroup', { label: option.name }, option.options.map(optionElement))
+                : optionElement(option),
+        ),
     );
     return html('label', { class: 'choice' }, html('span', {}, label), box);
 }
@@ -50,9 +66,10 @@ function selectBox(label, options, onchange) {
 function start(model) {
     const shape = makeEnvelopeShape(model);
     const available = mapsOf(model);
-    const preferred = failingTiles(model).length === 0 && failingSeams(model).length > 0 ? 'mismatch' : 'warp';
-    const first = available.find((map) => map.id === preferred) ?? available[0] ?? mapOf('edges');
-    const state = makeState({ map: first.id, palette: 'safe', chosen: null });
+    const first = firstMap(model, available);
+    const pose = first.inFlight ? 1 : 0;
+    const state = makeState({ map: first.id, palette: 'safe', chosen: null, pose, times: 1 });
+    shape.pose(state.now.pose);
 
     const choose = (kind, item, isSeen) => {
         state.change({ chosen: { kind, index: item.index } });
@@ -76,6 +93,7 @@ function start(model) {
     const list = makeList(model, state, { onTile, onSeam, onSearch });
     const holder = html('div', { class: 'holder' });
     const legendPlace = html('div', { class: 'legend-place' });
+    const posePlace = html('p', { class: 'pose-words' });
     const panel = html('section', { class: 'panel', 'aria-label': 'The piece', tabindex: '0' });
     const tip = makeTip();
     const live = html('p', { class: 'unseen', role: 'status' });
@@ -85,7 +103,7 @@ function start(model) {
         { class: 'hint' },
         'Click a tile or a seam. Drag turns, the wheel zooms. Keys: arrows go from tile to tile, with shift they turn; + and − zoom; Home shows all.',
     );
-    const mapChoice = selectBox('Colours show', available, (map) => state.change({ map }));
+    const mapChoice = selectBox('Colours show', mapGroups(available), (map) => state.change({ map }));
     mapChoice.querySelector('select').value = state.now.map;
     const tools = html(
         'div',
@@ -109,10 +127,11 @@ function start(model) {
                     'div',
                     { class: 'work' },
                     list.element,
-                    html('section', { class: 'space', 'aria-label': 'The envelope' }, tools, holder, legendPlace, hint),
+                    html('section', { class: 'space', 'aria-label': 'The envelope' }, tools, poseTools(shape, state), holder, posePlace, legendPlace, hint),
                     panel,
                 ),
                 printed,
+                flightView(model, onTile),
                 rollView(model, onTile),
                 tiles.element,
                 model.seams.length > 0 && seams.element,
@@ -165,7 +184,20 @@ function start(model) {
         view.recolour(mapOf(state.now.map), state.now.palette);
         legendPlace.replaceChildren(legendView(model, state.now));
     };
+    // Once a picture, however often the slider says that it was moved.
+    let isPosing = false;
+    const repose = () => {
+        posePlace.textContent = poseWords(state.now);
+        if (isPosing) return;
+        isPosing = true;
+        requestAnimationFrame(() => {
+            isPosing = false;
+            shape.pose(state.now.pose * state.now.times);
+            view.repose();
+        });
+    };
     state.listen((now, before) => {
+        if (now.pose !== before.pose || now.times !== before.times) return repose();
         if (now.map !== before.map || now.palette !== before.palette) recolour();
         if (now.chosen !== before.chosen) showChosen();
         showPanel();
@@ -186,6 +218,7 @@ function start(model) {
     view.mark(failingTiles(model), failingSeams(model));
     recolour();
     showPanel();
+    posePlace.textContent = poseWords(state.now);
     new ResizeObserver(() => {
         if (holder.clientWidth > 0 && !matchMedia('print').matches)
             view.resize(holder.clientWidth, holder.clientHeight);

@@ -1,6 +1,7 @@
 // The colour maps: what each shows of the cloth's triangles and of the edges, as shares of what is allowed.
 import { figure } from './format.js';
-import { placeOf, places } from './palette.js';
+import { flightLegend, flightMaps, tapePlaces } from './flight_maps.js';
+import { placeOf, places, roundedUp } from './palette.js';
 
 const flipped = -32768;
 const degree = Math.PI / 180;
@@ -71,6 +72,7 @@ export const maps = [
         positive: 'this edge is longer',
     },
     { id: 'tension', name: 'Tension along the seams', rim: 'tension', negative: 'pushed', positive: 'pulled' },
+    ...flightMaps,
 ];
 
 export const mapOf = (id) => maps.find((map) => map.id === id);
@@ -79,9 +81,18 @@ export const mapOf = (id) => maps.find((map) => map.id === id);
 export function mapsOf(model) {
     const has = (key) => model.tiles.some((tile) => tile.maps[key]);
     return maps.filter((map) => {
+        if (map.isThere) return map.isThere(model);
         if (map.cloth) return has(map.cloth);
         return map.rim === 'mismatch' ? model.seams.length > 0 : model.tiles.some((tile) => tile.tension);
     });
+}
+
+// What is shown first: how far an inflated envelope that can be made is off; else what may be wrong with the pieces.
+export function firstMap(model, available) {
+    const good = model.tiles.every((tile) => tile.ok);
+    const seams = model.seams.every((seam) => seam.ok);
+    const preferred = good && seams && model.report.inflated ? 'deviation' : good && !seams ? 'mismatch' : 'warp';
+    return available.find((map) => map.id === preferred) ?? available[0] ?? mapOf('edges');
 }
 
 export function clothValue(tile, key, triangle) {
@@ -97,6 +108,7 @@ export function clothPlaces(model, tile, map) {
     const shades = new Uint16Array(count).fill(places.unknown);
     const values = map.cloth && tile.maps[map.cloth];
     if (!values) return shades;
+    if (map.kinds) return Uint16Array.from(values.values, (value) => places[map.kinds[value]]);
     const scale = values.step / map.limit(tile, model);
     for (let t = 0; t < count; ++t)
         shades[t] = values.values[t] === flipped ? places.flipped : placeOf(values.values[t] * scale);
@@ -137,15 +149,14 @@ function steppedPlaces(map, limit, length) {
     return Uint16Array.from(map.values, (value) => placeOf((value * map.step) / limit));
 }
 
-// The largest tension of all seams, rounded up to 1, 2 or 5: nothing says what a seam may bear.
+// The largest tension of all seams, rounded up: nothing says what a seam may bear.
 export function tensionLimit(model) {
     model.tensionLimit ??= (() => {
         let largest = 1e-9;
         for (const tile of model.tiles)
             for (const value of tile.tension?.values ?? [])
                 largest = Math.max(largest, Math.abs(value) * tile.tension.step);
-        const decade = 10 ** Math.floor(Math.log10(largest));
-        return [1, 2, 5, 10].map((factor) => factor * decade).find((limit) => limit >= largest * (1 - 1e-9)) ?? largest;
+        return roundedUp(largest);
     })();
     return model.tensionLimit;
 }
@@ -154,12 +165,14 @@ export function tensionLimit(model) {
 export function rimPlaces(model, tile, map) {
     if (!map.rim) return null;
     if (map.rim === 'mismatch') return mismatchPlaces(tile);
+    if (map.rim === 'tapes') return tapePlaces(model, tile);
     if (map.rim === 'tension') return steppedPlaces(tile.tension, tensionLimit(model), tile.loop.length);
     return steppedPlaces(tile.edgeError, model.report.tolerances.length_pct / 100, tile.loop.length);
 }
 
 // What stands beside the colours.
 export function legend(model, map) {
+    if (map.inFlight) return flightLegend(model, map);
     if (map.id === 'mismatch') {
         const most = +(model.report.tolerances.length_pct * 10).toPrecision(4);
         return {

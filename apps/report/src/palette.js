@@ -1,6 +1,20 @@
-// Colours pinned to the tolerance: -1 to 1 is within it, beyond has colours of its own. A colour is a place in a table of 260:
-// below, 256 steps, above, flipped, nothing known.
-export const places = { below: 0, first: 1, steps: 256, above: 257, flipped: 258, unknown: 259, count: 260 };
+// Colours pinned to the tolerance: -1 to 1 is within it, beyond has colours of its own. A colour is a place in a table of 263:
+// below, 256 steps, above, flipped, nothing known; then the states of cloth in flight.
+export const places = {
+    below: 0,
+    first: 1,
+    steps: 256,
+    above: 257,
+    flipped: 258,
+    unknown: 259,
+    taut: 260,
+    wrinkled: 261,
+    slack: 262,
+    count: 263,
+};
+
+// Three that are told apart by lightness alone, in every palette.
+const states = { taut: '#f7f5ef', wrinkled: '#e8923a', slack: '#2f3f8f' };
 
 const palettes = {
     // Told apart by lightness and by blue against orange, which nearly everyone sees.
@@ -41,6 +55,7 @@ export function paletteTable(id) {
     set(places.above, channels(above));
     set(places.flipped, [0, 0, 0]);
     set(places.unknown, [230, 233, 237]);
+    for (const [state, colour] of Object.entries(states)) set(places[state], channels(colour));
     return table;
 }
 
@@ -53,4 +68,10 @@ export function placeOf(value) {
 
 export function cssColour(table, place) {
     return `rgb(${table[4 * place]} ${table[4 * place + 1]} ${table[4 * place + 2]})`;
+}
+
+// Up to 1, 2 or 5 times a power of ten: where a scale ends that nothing pins.
+export function roundedUp(largest) {
+    const decade = 10 ** Math.floor(Math.log10(largest));
+    return [1, 2, 5, 10].map((factor) => factor * decade).find((limit) => limit >= largest * (1 - 1e-9)) ?? largest;
 }

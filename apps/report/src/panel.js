@@ -109,6 +109,32 @@ function tilePanel(shape, tile, context) {
                 html('small', {}, `limit ${degrees((tile.limits.shear * 180) / Math.PI)}`),
             ),
         ),
+        said.inflated && [
+            html('h3', {}, 'In flight'),
+            html(
+                'dl',
+                { class: 'figures' },
+                pair(
+                    'Off the drawn shape',
+                    millimetres(said.inflated.deviation_rms_mm),
+                    html('small', {}, `at most ${signedMillimetres(said.inflated.deviation_max_mm, 1)}`),
+                ),
+                pair(
+                    'Tension',
+                    `up to ${figure(said.inflated.stress_max_n_per_m, 1)}\u00a0N/m`,
+                    html(
+                        'small',
+                        {},
+                        `along the warp ${figure(said.inflated.stress.warp_max_n_per_m, 1)}, the weft ${figure(said.inflated.stress.weft_max_n_per_m, 1)}`,
+                    ),
+                ),
+                pair(
+                    'Wrinkled',
+                    plainPercent(said.inflated.wrinkled_pct, 1),
+                    html('small', {}, `${plainPercent(said.inflated.slack_pct, 1)} slack`),
+                ),
+            ),
+        ],
         html('h3', {}, 'Sewn edges'),
         edgeList(model, tile, context.onSeam),
         said.note && html('p', { class: 'note' }, said.note),
@@ -211,6 +237,14 @@ function seamPanel(shape, seam, context) {
                 html('small', {}, `allowance ${short(said.allowance_a_mm)} and ${short(said.allowance_b_mm)} mm`),
             ),
         ),
+        said.tape_cut_mm !== undefined &&
+            html(
+                'dl',
+                { class: 'figures' },
+                pair('Load tape, cut', millimetres(said.tape_cut_mm), html('small', {}, 'at rest')),
+                said.tape_force_max_n !== undefined &&
+                    pair('In flight it bears', `up to ${figure(said.tape_force_max_n, 0)}\u00a0N`),
+            ),
         !said.certain &&
             html(
                 'p',

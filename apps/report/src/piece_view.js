@@ -130,8 +130,8 @@ function proposedSeam(shape, tile) {
             found = [0, 0];
         tile.loop.forEach((vertex, i) => {
             const next = tile.loop[(i + 1) % tile.loop.length];
-            const a = tile.space.subarray(3 * vertex, 3 * vertex + 3),
-                b = tile.space.subarray(3 * next, 3 * next + 3);
+            const a = tile.drawn.subarray(3 * vertex, 3 * vertex + 3),
+                b = tile.drawn.subarray(3 * next, 3 * next + 3);
             const along = [0, 1, 2].map((k) => b[k] - a[k]),
                 from = [0, 1, 2].map((k) => place[k] - a[k]);
             const dot = (one, other) => one.reduce((sum, value, k) => sum + value * other[k], 0);
@@ -163,11 +163,11 @@ function rings(shape, tile, frame) {
         const place = shape.turn(finding.at_mm.map((value) => value / 1000));
         let nearest = Infinity,
             vertex = 0;
-        for (let v = 0; 3 * v < tile.space.length; ++v) {
+        for (let v = 0; 3 * v < tile.drawn.length; ++v) {
             const away = Math.hypot(
-                tile.space[3 * v] - place[0],
-                tile.space[3 * v + 1] - place[1],
-                tile.space[3 * v + 2] - place[2],
+                tile.drawn[3 * v] - place[0],
+                tile.drawn[3 * v + 1] - place[1],
+                tile.drawn[3 * v + 2] - place[2],
             );
             if (away < nearest) [nearest, vertex] = [away, v];
         }

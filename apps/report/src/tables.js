@@ -49,6 +49,23 @@ const seamColumns = [
     { name: 'Allowed mm', value: (seam) => seam.said.limit_mm, show: (value) => figure(value, 2) },
 ];
 
+const flightColumns = [
+    {
+        name: 'Off drawn mm',
+        value: (tile) => tile.said.inflated.deviation_max_mm,
+        show: (value) => signedMillimetres(value, 1),
+    },
+    { name: 'Tension N/m', value: (tile) => tile.said.inflated.stress_max_n_per_m, show: (value) => figure(value, 1) },
+];
+const tapeColumns = [
+    { name: 'Tape cut mm', value: (seam) => seam.said.tape_cut_mm ?? 0, show: (value) => figure(value || NaN, 1) },
+    {
+        name: 'Tape bears N',
+        value: (seam) => seam.said.tape_force_max_n ?? -1,
+        show: (value) => figure(value < 0 ? NaN : value, 0),
+    },
+];
+
 const collator = new Intl.Collator('en', { numeric: true });
 
 // By size where figures have signs: the worst is what one looks for.
@@ -146,8 +163,15 @@ function table(id, title, items, columns, onItem) {
     };
 }
 
-export const tileTable = (model, onTile) => table('tiles', 'Tiles', model.tiles, tileColumns, onTile);
-export const seamTable = (model, onSeam) => table('seams', 'Seams', model.seams, seamColumns, onSeam);
+export function tileTable(model, onTile) {
+    const columns = model.report.inflated ? [...tileColumns, ...flightColumns] : tileColumns;
+    return table('tiles', 'Tiles', model.tiles, columns, onTile);
+}
+
+export function seamTable(model, onSeam) {
+    const hasTapes = model.seams.some((seam) => seam.said.tape_cut_mm !== undefined);
+    return table('seams', 'Seams', model.seams, hasTapes ? [...seamColumns, ...tapeColumns] : seamColumns, onSeam);
+}
 
 const row = (...cells) =>
     html(

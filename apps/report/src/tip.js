@@ -1,6 +1,6 @@
 // What the pointer is over, in words beside it.
 import { html } from './dom.js';
-import { degrees, percent } from './format.js';
+import { degrees, figure, percent, signedMillimetres } from './format.js';
 import { clothValue } from './maps.js';
 
 export function hoverWords({ tile, triangle, seam }) {
@@ -17,6 +17,16 @@ export function hoverWords({ tile, triangle, seam }) {
                 `shear ${degrees((value('shear') * 180) / Math.PI, 2)}, area ${percent(value('area') * 100)}`,
             ),
         );
+    if (value('flightTension') !== undefined)
+        words.push(
+            html(
+                'div',
+                {},
+                `in flight ${signedMillimetres(value('flightDeviation') * 1000, 1)} off, ${figure(value('flightTension'), 1)}\u00a0N/m, ${['taut', 'wrinkled', 'slack'][value('flightState')]}`,
+            ),
+        );
+    if (seam?.said.tape_force_max_n !== undefined)
+        words.push(html('div', {}, `load tape ${figure(seam.said.tape_force_max_n, 0)}\u00a0N`));
     return words;
 }
 

@@ -1,5 +1,6 @@
 // The verdict: can it be made, what is wrong, what to redesign.
 import { html } from './dom.js';
+import { says } from './flight_view.js';
 import { count, short } from './format.js';
 
 // What a finding's code means to a maker, and the unit of its figure.
@@ -19,6 +20,8 @@ const meanings = {
     shear: ['shear between the threads', '°'],
 };
 
+const mostSaid = 5; // of what is said of the flight; the section about it has all
+
 export function verdictWord(tile) {
     if (tile.ok) return 'can be made';
     return tile.findings.length === 0 ? 'not judged' : 'cannot be made as drawn';
@@ -28,6 +31,11 @@ export const failingTiles = (model) => model.tiles.filter((tile) => !tile.ok);
 export const failingSeams = (model) => model.seams.filter((seam) => !seam.ok);
 
 export const meaning = (code) => meanings[code]?.[0] ?? code;
+
+// True too where nothing was inflated.
+function fliesAsDrawn(said) {
+    return !said || (said.converged && said.safe && said.deviation_rms_mm <= said.deviation_limit_mm);
+}
 
 function headline(model) {
     const tiles = failingTiles(model),
@@ -85,6 +93,7 @@ function reasonLine(kind, onTile) {
 export function verdictView(model, { onTile, onSeam }) {
     const { report } = model;
     const good = report.envelope.manufacturable;
+    const flies = fliesAsDrawn(report.inflated);
     const seams = failingSeams(model);
     const proposals = model.tiles.filter((tile) => tile.said.proposal);
     const others = report.envelope.findings.filter((finding) => finding.code !== 'seam');
@@ -103,7 +112,7 @@ export function verdictView(model, { onTile, onSeam }) {
     const redesign = proposals.length > 0 || report.envelope.merges.length > 0;
     return html(
         'header',
-        { class: `verdict ${good ? 'good' : 'poor'}` },
+        { class: `verdict ${good && flies ? 'good' : 'poor'}` },
         html(
             'p',
             { class: 'file' },
@@ -113,8 +122,9 @@ export function verdictView(model, { onTile, onSeam }) {
         html(
             'h1',
             {},
-            html('span', { class: 'word' }, good ? 'Manufacturable. ' : 'Not manufacturable as drawn. '),
+            html('span', { class: good ? 'word can' : 'word' }, good ? 'Manufacturable. ' : 'Not manufacturable as drawn. '),
             headline(model),
+            !flies && html('span', { class: 'word' }, ' It does not fly as drawn.'),
         ),
         html(
             'div',
@@ -166,6 +176,19 @@ export function verdictView(model, { onTile, onSeam }) {
                                 {},
                                 `${count(report.envelope.merges.length, 'pair')} of neighbours could be one tile; report.json names them.`,
                             ),
+                    ),
+                ),
+            says(model).length > 0 &&
+                html(
+                    'section',
+                    { class: 'says' },
+                    html('h2', {}, html('a', { href: '#flight' }, 'In flight')),
+                    html(
+                        'ul',
+                        {},
+                        says(model)
+                            .slice(0, mostSaid)
+                            .map((sentence) => html('li', {}, sentence)),
                     ),
                 ),
         ),
