@@ -171,6 +171,9 @@ test('is on paper with its figures and how it is shown', options, async (t) => {
         for (const word of ['enlarged 5 times', 'Why it is off', 'Strength', 'Tape', 'Off the drawn shape'])
             assert.ok(text.includes(word), word);
         assert.ok(!text.includes('Differences'), 'without what only a screen can use');
+        const images = spawnSync('pdfimages', ['-list', '-f', '1', '-l', '1', paper], { encoding: 'utf8' }).stdout;
+        const [size, unit] = images.match(/ ([\d.]+)([KM])?B? +[\d.]+%$/m).slice(1);
+        assert.ok(size * { K: 1e3, M: 1e6 }[unit] > 30000, `with the envelope, a blank sheet has 4 kB: ${images}`);
     });
 });
 

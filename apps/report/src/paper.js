@@ -5,7 +5,16 @@ import { failingTiles } from './verdict.js';
 
 const mostPieces = 24;
 
+// The picture of the envelope as it is now, on a canvas of its own: one of WebGL is at times blank on paper.
+function copyOf({ canvas, drawNow }) {
+    drawNow();
+    const copy = html('canvas', { class: 'envelope-copy', width: canvas.width, height: canvas.height });
+    copy.getContext('2d').drawImage(canvas, 0, 0);
+    return copy;
+}
+
 export function printWhole(shape, view, tables, printed, context) {
+    let copy = null;
     window.addEventListener('beforeprint', () => {
         for (const table of tables) table.showWhole(true);
         for (const details of document.querySelectorAll('details')) details.open = true;
@@ -26,10 +35,12 @@ export function printWhole(shape, view, tables, printed, context) {
                   ]
                 : []),
         );
-        view.drawNow();
+        copy = copyOf(view);
+        view.canvas.after(copy);
     });
     window.addEventListener('afterprint', () => {
         for (const table of tables) table.showWhole(false);
         printed.replaceChildren();
+        copy?.remove();
     });
 }
