@@ -134,7 +134,7 @@ void add_design(CLI::App& app) {
     shapes->require_subcommand(1);
     shapes->footer(
         "Examples:\n  ripstop design natural -o envelope.obj\n"
-        "  ripstop design special docs/special.example.json -o bear.obj\n"
+        "  ripstop design special shape.json -o bear.obj\n"
         "`ripstop design natural --help` and `ripstop design special --help` tell their options.");
     auto given = std::make_shared<Arguments>();
     CLI::App* natural = shapes->add_subcommand(

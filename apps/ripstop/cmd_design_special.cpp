@@ -82,8 +82,8 @@ void add_design_special(CLI::App& shapes) {
         "  {\"edge_mm\": 250, \"mouth_height_mm\": -2700, \"primitives\": [{\"name\": \"BODY\",\n"
         "   \"type\": \"ellipsoid\", \"radii_mm\": [3000, 3000, 3000], \"sectors\": 8, \"rings\": 4}]}\n\n"
         "Examples:\n"
-        "  ripstop design special docs/special.example.json -o envelope.obj\n"
-        "  ripstop design special shape.json --force -o shape.ply\n\n"
+        "  ripstop design special shape.json -o bear.obj\n"
+        "  ripstop design special shape.json --force -o bear.ply\n\n"
         "Exit codes: 0 written, 2 usage, 3 a shape or a file that cannot be.");
     special->callback([given] { run(*given); });
 }

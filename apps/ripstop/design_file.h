@@ -8,8 +8,8 @@
 
 namespace ripstop::cli {
 
-/// Throws InputError unless a design can be written there: a known format, a folder that is there, and no file of that name
-/// unless `force`.
+/// Throws InputError unless a design can be written there: a known format, a folder that is there, and no file of that
+/// name unless `force`.
 void require_design_file(const std::filesystem::path& file, bool force);
 
 /// Writes the tiles beside it, then renames. Throws InputError where that fails.

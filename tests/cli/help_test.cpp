@@ -18,9 +18,9 @@ using testing::ProgramRun;
 using ::testing::StartsWith;
 using testing::Workshop;
 
-constexpr const char* commands[] = {"",        "flatten", "check",          "inspect",    "compare",
-                                    "methods", "design",  "design natural", "export",     "validate",
-                                    "nest",    "diff",    "lift",           "completion", "manual"};
+constexpr const char* commands[] = {"",       "flatten",        "check",          "inspect", "compare",  "methods",
+                                    "design", "design natural", "design special", "export",  "validate", "nest",
+                                    "diff",   "lift",           "completion",     "manual"};
 
 TEST(Help, SaysWhatACommandDoesHowItIsCalledAndGivesExamples) {
     const Workshop workshop;
@@ -62,6 +62,8 @@ TEST(Help, GivesExamplesThatRun) {
         if (command == "lift" || command == "completion" || command == "manual") continue;
         const Workshop workshop;
         workshop.write("shop.json", R"({"unit": "m"})");
+        workshop.write("shape.json", R"({"edge_mm": 400, "primitives": [{"name": "BODY", "type": "ellipsoid",
+            "radii_mm": [2000, 2000, 2000], "sectors": 6, "rings": 3}]})");
         const std::string design = "design natural --gores 12 --panels 6 --edge 600mm --volume 300 -o ";
         ASSERT_EQ(workshop.ripstop(design + "envelope.obj").code, 0);
         const bool needs_plans = command == "export" || command == "validate" || command == "nest" || command == "diff";

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "ripstop/design/special_levels.h"
-
 namespace ripstop {
 namespace {
 
@@ -50,12 +48,19 @@ SpecialBody::SpecialBody(const SpecialShape& shape, double rounding) : shape_(sh
         const int parts = primitive.kind != PrimitiveKind::cone ? 1 : primitive.top_radius > 0 ? 3 : 2;
         frames_.push_back(own_frame(primitive));
         ring_heights_.push_back(ring_heights(primitive));
+        balls_.push_back(ball_round(primitive, frames_.back()));
         faces_of_.emplace_back();
         for (int part = 0; part < parts; ++part) {
             faces_of_.back().push_back(static_cast<int>(faces_.size()));
             faces_.push_back({p, part});
         }
     }
+}
+
+double SpecialBody::least_level(int primitive, const Vec3& x) const {
+    const LevelBall& ball = balls_[at(primitive)];
+    const double beyond = (x - ball.middle).norm() - ball.radius;
+    return beyond > 0 ? ball.rise * beyond : -1e300;
 }
 
 Vec3 SpecialBody::local(int primitive, const Vec3& x) const {
@@ -113,7 +118,7 @@ Level SpecialBody::surface_level(int face, const Vec3& x) const {
     };
     add(own);
     for (int p = 0; p < static_cast<int>(faces_of_.size()); ++p)
-        if (p != faces_[at(face)].primitive) add(solid_level(p, x));
+        if (p != faces_[at(face)].primitive && least_level(p, x) < radius) add(solid_level(p, x));
     if (!(squares > 0)) return own;
     return {radius - std::sqrt(squares), gradient / std::sqrt(squares)};
 }
@@ -121,11 +126,13 @@ Level SpecialBody::surface_level(int face, const Vec3& x) const {
 int SpecialBody::owner(const Vec3& x) const {
     int nearest = 0;
     double least = solid_level(0, x).value;
-    for (int p = 1; p < static_cast<int>(faces_of_.size()); ++p)
+    for (int p = 1; p < static_cast<int>(faces_of_.size()); ++p) {
+        if (least_level(p, x) > least) continue;
         if (const double value = solid_level(p, x).value; value < least) {
             least = value;
             nearest = p;
         }
+    }
     return face_shown(nearest, x);
 }
 

@@ -3,18 +3,12 @@
 #include <utility>
 #include <vector>
 
-#include "ripstop/model/special_shape.h"
+#include "ripstop/design/special_levels.h"
 
 namespace ripstop {
 
-/// A function of space and its gradient at a point.
-struct Level {
-    double value = 0;
-    Vec3 gradient = Vec3::Zero();
-};
-
-/// A line on the body: what it is and where. Between two faces (`crease`, a < b), or seam `b` of primitive `a`: sector seam
-/// b lies before sector b, ring seam b before ring b, both counted from 0. The mouth has neither.
+/// A line on the body: what it is and where. Between two faces (`crease`, a < b), or seam `b` of primitive `a`: sector
+/// seam b lies before sector b, ring seam b before ring b, both counted from 0. The mouth has neither.
 struct BodyCurve {
     enum Kind { crease, sector, ring, mouth } kind = crease;
     int a = 0, b = 0;
@@ -31,9 +25,9 @@ struct BodyCell {
     bool operator==(const BodyCell&) const = default;
 };
 
-/// The union of primitives as level functions, negative inside. Each primitive is the intersection of its faces: one, or for
-/// a cone the side, the base and the top; its level is their maximum. Levels are zero exactly on the surface and rise by
-/// about one a metre near it; that of an ellipsoid with radii r is k (k - 1) / q, k = |x / r|, q = |x / r^2|.
+/// The union of primitives as level functions, negative inside. Each primitive is the intersection of its faces: one,
+/// or for a cone the side, the base and the top; its level is their maximum. Levels are zero exactly on the surface and
+/// rise by about one a metre near it; that of an ellipsoid with radii r is k (k - 1) / q, k = |x / r|, q = |x / r^2|.
 ///
 /// Joined sharply the body is the least level d_i. Joined by a fillet of radius R it is
 ///     R - sqrt(sum_i max(R - d_i, 0)^2)    (where some d_i < R, else the least)
@@ -79,12 +73,15 @@ class SpecialBody {
     std::pair<Vec3, Vec3> box() const;
 
   private:
+    /// No more than the level of a primitive at a point beyond the ball round it; far primitives need not be asked.
+    double least_level(int primitive, const Vec3& x) const;
     Vec3 local(int primitive, const Vec3& x) const;
     double tube_angle(int primitive, const Vec3& local) const;
 
     SpecialShape shape_;
     double rounding_;
     std::vector<Eigen::Matrix3d> frames_;  ///< rows: own x, y, z
+    std::vector<LevelBall> balls_;
     std::vector<Face> faces_;
     std::vector<std::vector<int>> faces_of_;
     std::vector<std::vector<double>> ring_heights_;

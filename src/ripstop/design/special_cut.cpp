@@ -43,7 +43,8 @@ class Cut {
             add_edge_ties(h, place, edge_ties);
             for (const int face : edge_ties.faces) tied.add(face);
             for (const BodyCurve& curve : edge_ties.curves) tied.add(curve);
-            // Where the cut runs along a curve that is there already, the two may not meet: then that curve goes before.
+            // Where the cut runs along a curve that is there already, the two may not meet: then that curve goes
+            // before.
             if (!settle(body_, tied, surface_.length(h), place)) settle(body_, edge_ties, surface_.length(h), place);
             surface_.split(h, place);
             sides_.push_back(0);

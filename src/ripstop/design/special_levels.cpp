@@ -122,6 +122,21 @@ std::pair<Vec3, Vec3> middle_and_reach(const SpecialPrimitive& p, const Eigen::M
     return {p.centre + p.length / 2 * axis, p.length / 2 * axis.cwiseAbs() + std::max(p.radius, p.top_radius) * across};
 }
 
+LevelBall ball_round(const SpecialPrimitive& p, const Eigen::Matrix3d& frame) {
+    switch (p.kind) {
+        case PrimitiveKind::ellipsoid:
+            return {p.centre, p.radii.maxCoeff(), p.radii.minCoeff() / p.radii.maxCoeff()};
+        case PrimitiveKind::torus:
+            return {p.centre, p.radius + p.tube_radius, 1};
+        case PrimitiveKind::capsule:
+            return {p.centre, p.length / 2 + p.radius, 1};
+        case PrimitiveKind::cone:
+            break;
+    }
+    return {p.centre + p.length / 2 * Vec3(frame.row(2)), std::hypot(p.length / 2, std::max(p.radius, p.top_radius)),
+            0};
+}
+
 Eigen::Matrix3d own_frame(const SpecialPrimitive& p) {
     const Vec3 z = p.axis.stableNormalized();
     const Vec3 towards = std::abs(z.x()) < 0.999 ? Vec3::UnitX() : Vec3::UnitY();

@@ -4,16 +4,16 @@
 
 namespace ripstop {
 
-/// Makes the triangles even, with edges about `edge` long: long edges are split, short ones collapsed, edges flipped and
-/// vertices moved to the middle of their triangles (Botsch and Kobbelt 2004), each new place on the body. Vertices on a
-/// curve move along it only, where curves meet they stay, and so do fixed ones. Nothing is done that leaves a triangle both
-/// poor and worse than before, so even slivers of no area mend. `curves` holds what the surface's half-edges count.
-/// Linear in the number of triangles.
+/// Makes the triangles even, with edges about `edge` long: long edges are split, short ones collapsed, edges flipped
+/// and vertices moved to the middle of their triangles (Botsch and Kobbelt 2004), each new place on the body. Vertices
+/// on a curve move along it only, where curves meet they stay, and so do fixed ones. Nothing is done that leaves a
+/// triangle both poor and worse than before, so even slivers of no area mend. `curves` holds what the surface's
+/// half-edges count. Linear in the number of triangles.
 void relax(WorkSurface& surface, const SpecialBody& body, const std::vector<BodyCurve>& curves, double edge,
            int rounds);
 
-/// Gives poor triangles that two sides of a crease meet in to the face across: a crease that runs to and fro gets straight.
-/// Requires that no seams are cut yet.
+/// Gives poor triangles that two sides of a crease meet in to the face across: a crease that runs to and fro gets
+/// straight. Requires that no seams are cut yet.
 void straighten_creases(WorkSurface& surface, const SpecialBody& body);
 
 /// Splits every edge that runs inside a tile from one of its seams to another, so that each corner wider than 35

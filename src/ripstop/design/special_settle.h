@@ -15,10 +15,11 @@ struct Ties {
     void add(const BodyCurve& curve);
 };
 
-/// Newton's method with the shortest steps J^+ r, each at most `reach` long, to the nearest point that is on everything at
-/// once, to 1e-11 m. False where it gets to none within four `reach` of the start; `place` then stays as it was.
+/// Newton's method with the shortest steps J^+ r, each at most `reach` long, to the nearest point that is on everything
+/// at once, to 1e-11 m. False where it gets to none within four `reach` of the start; `place` then stays as it was.
 ///
-/// Where surfaces meet in a sharp crease their faces alone say where it is; in a fillet it is where their levels are equal.
+/// Where surfaces meet in a sharp crease their faces alone say where it is; in a fillet it is where their levels are
+/// equal.
 bool settle(const SpecialBody& body, const Ties& ties, double reach, Vec3& place);
 
 }  // namespace ripstop

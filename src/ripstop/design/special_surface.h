@@ -8,9 +8,10 @@
 
 namespace ripstop {
 
-/// A closed triangulated surface that can be changed edge by edge. Half-edges as in `Adjacency`: 3 t + k runs from corner k of
-/// triangle t to corner k + 1. Removed triangles and vertices keep their numbers and are passed over (`is_triangle`).
-/// Each triangle knows its cell of the body and its tile, each half-edge the curve it is drawn on (-1: none).
+/// A closed triangulated surface that can be changed edge by edge. Half-edges as in `Adjacency`: 3 t + k runs from
+/// corner k of triangle t to corner k + 1. Removed triangles and vertices keep their numbers and are passed over
+/// (`is_triangle`). Each triangle knows its cell of the body and its tile, each half-edge the curve it is drawn on (-1:
+/// none).
 class WorkSurface {
   public:
     /// Requires a closed manifold mesh, consistently oriented.

@@ -10,17 +10,17 @@ namespace ripstop {
 
 enum class PrimitiveKind { ellipsoid, torus, capsule, cone };
 
-/// A solid of which a special shape is joined. Its own z runs along `axis`; its own x is what of the world's +x is square
-/// to the axis (of +y where the axis is along x), turned by `turn` about the axis.
+/// A solid of which a special shape is joined. Its own z runs along `axis`; its own x is what of the world's +x is
+/// square to the axis (of +y where the axis is along x), turned by `turn` about the axis.
 ///
 ///     ellipsoid  radii along its own x, y, z
 ///     torus      about its axis: `radius` of the circle that the tube's middle runs on, `tube_radius`
 ///     capsule    the points within `radius` of a segment of `length` along the axis, the centre in its middle
-///     cone       from a disk of `radius` round the centre to one of `top_radius` (0: a point) at `length` along the axis
+///     cone       from a disk of `radius` round the centre to one of `top_radius` (0: a point), `length` along the axis
 ///
-/// Seams: half-planes from the axis at equal angles, the first at its own x, make `sectors`; planes across the axis that
-/// divide its outline into equal lengths make `rings`, counted along the axis. The rings of a torus divide its tube at
-/// equal angles, from its outermost circle up. Flat ends of a cone have no rings.
+/// Seams: half-planes from the axis at equal angles, the first at its own x, make `sectors`; planes across the axis
+/// that divide its outline into equal lengths make `rings`, counted along the axis. The rings of a torus divide its
+/// tube at equal angles, from its outermost circle up. Flat ends of a cone have no rings.
 struct SpecialPrimitive {
     std::string name;
     PrimitiveKind kind = PrimitiveKind::ellipsoid;
@@ -49,9 +49,10 @@ struct SpecialShape {
 /// In the order of PrimitiveKind.
 inline constexpr const char* primitive_kind_names[] = {"ellipsoid", "torus", "capsule", "cone"};
 
-/// Throws InputError that begins with `place` unless there are 1 to 200 primitives with names of letters, digits, - and _,
-/// each once; every length is positive (joint and top radius: or 0) and below 1 km; each axis has a direction; sectors and
-/// rings are 1 to 1000; a torus has a hole; the edge length is at most half of what each primitive has to follow.
+/// Throws InputError that begins with `place` unless there are 1 to 200 primitives with names of letters, digits, - and
+/// _, each once; every length is positive (joint and top radius: or 0) and below 1 km; each axis has a direction;
+/// sectors and rings are 1 to 1000; a torus has a hole; the edge length is at most half of what each primitive has to
+/// follow.
 void require_valid(const SpecialShape& shape, const std::string& place);
 
 }  // namespace ripstop
