@@ -181,9 +181,9 @@ std::vector<NamedMesh> design_special(const SpecialShape& shape) {
                          " places, expected one; raise or lower it");
     relax(surface, body, curves, edge, 10);
     relax_corners(surface, body, curves, edge);
+    require_followed(surface, body);
     std::vector<NamedMesh> meshes = tile_meshes(surface, body, tiles);
     require_disks(meshes);
-    require_followed(surface, body);
     return meshes;
 }
 
