@@ -63,7 +63,8 @@ void add_inflate(CLI::App& app) {
     command->add_flag("--whole", given->whole, "Compute the whole envelope, also where its sectors are equal");
     command->add_flag("--sensitivity", given->sensitivity,
                       "Also with stiffer and softer cloth, longer and shorter tapes, hotter and colder air");
-    command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core; the result is the same")->capture_default_str()
+    command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core; the result is the same")
+        ->capture_default_str()
         ->type_name("N")
         ->check(within(0, 1024));
     command->add_flag("--json", given->json, "Print the report with what was found on stdout instead of the table");

@@ -9,8 +9,7 @@ double projected_area(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 /// Mean of P over the triangle, for heights above the floor.
 double mean_potential(const GasPressure& gas, const Vec3& z) {
-    return gas.base * z.sum() / 3 +
-           gas.rise * (z.squaredNorm() + z[0] * z[1] + z[1] * z[2] + z[2] * z[0]) / 12;
+    return gas.base * z.sum() / 3 + gas.rise * (z.squaredNorm() + z[0] * z[1] + z[1] * z[2] + z[2] * z[0]) / 12;
 }
 
 }  // namespace

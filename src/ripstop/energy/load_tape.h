@@ -8,9 +8,9 @@ namespace ripstop {
 
 /// How the energy of a tape between two points changes as they move: unknowns (ax, ay, az, bx, by, bz).
 struct TapeElement {
-    double energy = 0;                                                            ///< [J]
-    Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();   ///< [N]
-    Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();    ///< [N/m]
+    double energy = 0;                                                           ///< [J]
+    Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();  ///< [N]
+    Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();   ///< [N/m]
 };
 
 /// A straight piece of tape, rope or wire that pulls and never pushes, in Green strain:

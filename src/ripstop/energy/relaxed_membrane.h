@@ -10,9 +10,9 @@ using Mat99 = Eigen::Matrix<double, 9, 9>;
 
 /// How an energy changes as the corners of a triangle move in space: unknowns (ax, ay, az, bx, …, cz).
 struct SpaceElement {
-    double energy = 0;               ///< [J]
-    Vec9 gradient = Vec9::Zero();    ///< [N]
-    Mat99 hessian = Mat99::Zero();   ///< [N/m]
+    double energy = 0;              ///< [J]
+    Vec9 gradient = Vec9::Zero();   ///< [N]
+    Mat99 hessian = Mat99::Zero();  ///< [N/m]
 };
 
 /// A triangle of cloth cut flat and moved in space: F = Ds D^-1 (3 x 2), E = (F^T F - I) / 2, energy = A psi_r(E) with A = det D / 2.

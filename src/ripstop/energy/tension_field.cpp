@@ -101,8 +101,7 @@ ClothResponse TensionField::wrinkled(const Vector3d& strain) const {
     ClothResponse response{ClothState::wrinkled, ray.energy(), ray.eps / ray.Sc * ray.m,
                            ray.m * ray.m.transpose() / ray.Sc, phi};
     // How the tension turns with the strain; nothing where the energy is flat in phi to rounding.
-    const Vector3d l =
-        (ray.eps1 * ray.m + ray.eps * ray.m1) / ray.Sc - ray.eps * ray.Sc1 / (ray.Sc * ray.Sc) * ray.m;
+    const Vector3d l = (ray.eps1 * ray.m + ray.eps * ray.m1) / ray.Sc - ray.eps * ray.Sc1 / (ray.Sc * ray.Sc) * ray.m;
     if (const double curvature = ray.curvature(); curvature < 0) response.tangent -= l * l.transpose() / curvature;
     return response;
 }

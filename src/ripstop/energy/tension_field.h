@@ -10,10 +10,10 @@ namespace ripstop {
 /// What a cloth that cannot push bears at a strain: all per area of the cloth at rest, in its axes (1 warp, 2 weft).
 struct ClothResponse {
     ClothState state = ClothState::slack;
-    double energy = 0;                                   ///< [J/m2]
-    Eigen::Vector3d stress = Eigen::Vector3d::Zero();    ///< S11, S22, S12: second Piola-Kirchhoff [N/m]
-    Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();   ///< dS / de, positive semi-definite [N/m]
-    double direction = 0;                                ///< of the tension where wrinkled, from the warp [rad]
+    double energy = 0;                                  ///< [J/m2]
+    Eigen::Vector3d stress = Eigen::Vector3d::Zero();   ///< S11, S22, S12: second Piola-Kirchhoff [N/m]
+    Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();  ///< dS / de, positive semi-definite [N/m]
+    double direction = 0;                               ///< of the tension where wrinkled, from the warp [rad]
 };
 
 /// Orthotropic St. Venant-Kirchhoff cloth that wrinkles instead of pushing: the relaxed energy (Pipkin 1986; Steigmann 1990).

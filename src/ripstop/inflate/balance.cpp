@@ -13,7 +13,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int chunk = 256;           // elements a task
+constexpr int chunk = 256;  // elements a task
 
 int directions(Freedom freedom) {
     return may_move(freedom, 0) + may_move(freedom, 1) + may_move(freedom, 2);
@@ -32,15 +32,15 @@ void add_weight(double weight, int corners, const Vec3* points, SpaceElement& el
 /// A triangle of cloth, a triangle of a cap, or a piece of tape.
 struct Balance::Element {
     enum class Kind { cloth, cap, tape } kind = Kind::cloth;
-    int number = 0;   ///< in its own list
+    int number = 0;     ///< in its own list
     double weight = 0;  ///< [N]
     bool gas = false;
     std::vector<RelaxedMembrane> membrane = {};  ///< one, of cloth
     std::array<const Place*, 3> places = {};
     int corners = 3;
     std::vector<int> unknowns = {};
-    bool is_plain = false;      ///< each corner is a node free to go everywhere: the unknowns are its coordinates
-    Eigen::MatrixXd map = {};   ///< else: of the unknowns to the corners' coordinates
+    bool is_plain = false;     ///< each corner is a node free to go everywhere: the unknowns are its coordinates
+    Eigen::MatrixXd map = {};  ///< else: of the unknowns to the corners' coordinates
     int group = -1;
 };
 
@@ -57,7 +57,8 @@ Balance::Balance(const SewnEnvelope& sewn, const GasPressure& gas, int threads)
         const auto i = static_cast<std::size_t>(t);
         Element element{Element::Kind::cloth, static_cast<int>(t)};
         element.membrane.emplace_back(sewn.flat[i]);
-        element.weight = gravity * sewn.fabrics[static_cast<std::size_t>(sewn.fabric[i])].mass * element.membrane[0].area();
+        element.weight =
+            gravity * sewn.fabrics[static_cast<std::size_t>(sewn.fabric[i])].mass * element.membrane[0].area();
         element.gas = sewn.holds_gas[i] != 0;
         const auto at = [&](int k) { return &sewn.places[static_cast<std::size_t>(sewn.triangles(t, k))]; };
         add_element({at(0), at(1), at(2)}, std::move(element));
@@ -291,7 +292,8 @@ double Balance::volume(const Points3& nodes) const {
     const GasPressure one{1, 0, gas_.floor};
     double sum = 0;
     for (const Element& element : elements_)
-        if (element.gas) sum -= gas_energy(one, point(element, 0, nodes), point(element, 1, nodes), point(element, 2, nodes));
+        if (element.gas)
+            sum -= gas_energy(one, point(element, 0, nodes), point(element, 1, nodes), point(element, 2, nodes));
     return sewn_.sectors * sum;
 }
 

@@ -45,8 +45,8 @@ class Balance {
     double lift(const Points3& nodes) const;
     /// What the gas lifts by itself less `weight`: the vertical force of the gas on skin and caps, all sectors [N].
     double net_lift(const Points3& nodes) const;
-    double weight() const;                        ///< of cloth, tapes and valve, all sectors [N]
-    double volume(const Points3& nodes) const;    ///< within skin and caps, above the floor, all sectors [m3]
+    double weight() const;                      ///< of cloth, tapes and valve, all sectors [N]
+    double volume(const Points3& nodes) const;  ///< within skin and caps, above the floor, all sectors [m3]
     /// Masses with which explicit integration at a time step of 1 is stable: a node's stiffness by its elements unrelaxed and
     /// with every tape taut, times `safety`.
     Eigen::VectorXd fictitious_masses(const Points3& nodes, double safety) const;

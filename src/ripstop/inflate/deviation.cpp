@@ -81,8 +81,7 @@ void measure_deviation(const CutPlan& plan, int threads, Inflated& inflated) {
             const Points3& drawn = plan.tiles[static_cast<std::size_t>(i)].tile.mesh.positions;
             tile.deviation.resize(drawn.rows());
             for (Eigen::Index v = 0; v < drawn.rows(); ++v)
-                tile.deviation[v] =
-                    drawing.distance(tile.positions.row(v), drawn.row(v), static_cast<std::size_t>(i));
+                tile.deviation[v] = drawing.distance(tile.positions.row(v), drawn.row(v), static_cast<std::size_t>(i));
         }
     });
     Sum all;

@@ -15,9 +15,9 @@ struct EquilibriumOptions {
 };
 
 struct Equilibrium {
-    Points3 nodes;         ///< #N x 3 [m]
-    double energy = 0;     ///< Pi [J]
-    double residual = 0;   ///< root mean square of the forces out of balance, in the unit of `tolerance`
+    Points3 nodes;        ///< #N x 3 [m]
+    double energy = 0;    ///< Pi [J]
+    double residual = 0;  ///< root mean square of the forces out of balance, in the unit of `tolerance`
     double residual_max = 0;
     bool is_stable = false;  ///< the last matrix was positive definite without a shift: the energy rises every way
     SolveSummary summary;

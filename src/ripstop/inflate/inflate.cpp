@@ -167,15 +167,17 @@ std::vector<SafetyFactor> safety_factors(const Inflated& inflated, const CutPlan
         if (!(load > 0)) continue;
         const double factor = cloth.knock_down * strength / (limit_load * load);
         if (factor >= cloth.factor) continue;
-        cloth = {cloth.part, load, strength, cloth.knock_down, cloth.required, factor, "tile " + plan.tiles[i].tile.name};
+        cloth = {
+            cloth.part, load, strength, cloth.knock_down, cloth.required, factor, "tile " + plan.tiles[i].tile.name};
     }
     if (cloth.load > 0) factors.push_back(cloth);
     const auto add = [&](TapeKind kind, const char* part, double strength, double knock_down, double required) {
         SafetyFactor worst{part, 0, strength, knock_down, required};
         for (const InflatedTape& tape : inflated.tapes) {
             if (tape.kind != kind) continue;
-            const double own = kind == TapeKind::tie ? rigging.ties[static_cast<std::size_t>(tape.source)].material.strength
-                                                     : strength;
+            const double own = kind == TapeKind::tie
+                                   ? rigging.ties[static_cast<std::size_t>(tape.source)].material.strength
+                                   : strength;
             const double factor = knock_down * own / (limit_load * std::max(tape.force_max, 1e-12));
             if (worst.load > 0 && factor >= worst.factor) continue;
             worst.load = tape.force_max;

@@ -7,7 +7,8 @@
 
 namespace ripstop {
 
-Joints::Joints(int points, int sectors) : sectors_(sectors), angle_(2 * std::numbers::pi / sectors), hangs_on_(static_cast<std::size_t>(points)) {}
+Joints::Joints(int points, int sectors)
+    : sectors_(sectors), angle_(2 * std::numbers::pi / sectors), hangs_on_(static_cast<std::size_t>(points)) {}
 
 Place Joints::resolved(const Place& place) const {
     std::map<std::pair<int, int>, double> sum;
@@ -32,7 +33,8 @@ Place Joints::resolved(const Place& place) const {
 
 bool Joints::replace(const Place& one, const Place& by) {
     const PlacePart& single = one[0];
-    if (std::any_of(by.begin(), by.end(), [&](const PlacePart& part) { return part.node == single.node; })) return false;
+    if (std::any_of(by.begin(), by.end(), [&](const PlacePart& part) { return part.node == single.node; }))
+        return false;
     Place back = by;
     for (PlacePart& part : back) part.turns = (part.turns + sectors_ - single.turns) % sectors_;
     back.offset = turned(by.offset - one.offset, -single.turns, angle_);

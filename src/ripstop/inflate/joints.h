@@ -28,7 +28,7 @@ class Joints {
     bool replace(const Place& one, const Place& by);
 
     int sectors_;
-    double angle_;  ///< of a sector [rad]
+    double angle_;                 ///< of a sector [rad]
     std::vector<Place> hangs_on_;  ///< of each point; empty: free
     std::set<int> on_axis_;
 };

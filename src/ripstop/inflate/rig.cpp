@@ -188,17 +188,22 @@ void add_rigging(const CutPlan& plan, const Rigging& rigging, const Symmetry& sy
     const std::set<int> mouth = has_mouth ? openings.front().nodes : std::set<int>{};
     sewn.floor = has_mouth ? openings.front().height : sewn.nodes.col(2).minCoeff();
 
-    const std::vector<TapeEnd> ends =
-        add_load_tapes(plan, rigging, symmetry, tape_factors, place_of, mouth, sewn);
+    const std::vector<TapeEnd> ends = add_load_tapes(plan, rigging, symmetry, tape_factors, place_of, mouth, sewn);
     const bool enough = ends.size() * static_cast<std::size_t>(symmetry.sectors) >= 3;
     if (rigging.mouth == MouthHold::wires && !enough)
-        throw InputError("the mouth cannot hang on wires: fewer than three load tapes end at it; give its seams a type with a "
-                         "tape, or hold its edge");
+        throw InputError(
+            "the mouth cannot hang on wires: fewer than three load tapes end at it; give its seams a type with a "
+            "tape, or hold its edge");
     if (rigging.mouth == MouthHold::wires || (rigging.mouth == MouthHold::automatic && enough)) {
         for (std::size_t i = 0; i < ends.size(); ++i) {
             const int frame = add_held_node(ends[i].at + rigging.wire_length * ends[i].run, sewn);
-            sewn.tapes.push_back({TapeKind::wire, ends[i].place, {{frame, 1, 0}}, rigging.wire_length,
-                                  rigging.wire.stiffness, rigging.wire.mass, static_cast<int>(i)});
+            sewn.tapes.push_back({TapeKind::wire,
+                                  ends[i].place,
+                                  {{frame, 1, 0}},
+                                  rigging.wire_length,
+                                  rigging.wire.stiffness,
+                                  rigging.wire.mass,
+                                  static_cast<int>(i)});
         }
     } else {
         hold(has_mouth ? mouth : lowest_nodes(sewn), sewn);

@@ -134,13 +134,14 @@ void require_flat(const CutPlan& plan) {
     for (const FlatTile& tile : plan.tiles) {
         const TriangleMesh& mesh = tile.tile.mesh;
         if (tile.flattening.positions.rows() != mesh.vertex_count() || !tile.flattening.positions.allFinite())
-            throw InputError(fmt::format("tile {}: has no flat positions, so there is no piece to sew; flatten it first",
-                                         tile.tile.name));
+            throw InputError(fmt::format(
+                "tile {}: has no flat positions, so there is no piece to sew; flatten it first", tile.tile.name));
         for (int t = 0; t < mesh.triangle_count(); ++t)
             if (!(flat_edges(mesh.triangles, tile.flattening.positions, t).determinant() > 0))
-                throw InputError(fmt::format("tile {}: triangle {} is flipped or without area on the cloth, so the piece "
-                                             "cannot be sewn; redesign the tile or flatten it by another method",
-                                             tile.tile.name, t + 1));
+                throw InputError(
+                    fmt::format("tile {}: triangle {} is flipped or without area on the cloth, so the piece "
+                                "cannot be sewn; redesign the tile or flatten it by another method",
+                                tile.tile.name, t + 1));
     }
 }
 
@@ -169,7 +170,8 @@ class Skin {
             place.emplace();
             const TriangleMesh& mesh = plan_.tiles[static_cast<std::size_t>(tiles_[k])].tile.mesh;
             const int t = found->point.triangle;
-            const Vec2 share = lay_flat(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)).inverse() * found->point.local;
+            const Vec2 share =
+                lay_flat(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)).inverse() * found->point.local;
             for (int c = 0; c < 3; ++c) {
                 PlacePart part = sewn_.point(tiles_[k], mesh.triangles(t, c))[0];
                 part.weight = c == 0 ? 1 - share.sum() : share[c - 1];
@@ -200,9 +202,10 @@ void join_diaphragms(const CutPlan& plan, const std::vector<char>& is_inside, Se
                 joined += sewn.joints().join(sewn.point(static_cast<int>(i), vertex), *there);
         }
         if (joined == 0)
-            throw InputError(fmt::format("diaphragm {}: its edge lies nowhere within {:.0f} mm of the skin; draw it to the "
-                                         "skin it is sewn to",
-                                         tile.name, 1000 * on_skin));
+            throw InputError(
+                fmt::format("diaphragm {}: its edge lies nowhere within {:.0f} mm of the skin; draw it to the "
+                            "skin it is sewn to",
+                            tile.name, 1000 * on_skin));
     }
 }
 
@@ -226,9 +229,10 @@ std::vector<SewnTape> find_ties(const CutPlan& plan, const std::vector<InnerTie>
             const Vec3& end = second ? ties[i].to : ties[i].from;
             const std::optional<Place> there = skin.nearest(end, on_skin);
             if (!there)
-                throw InputError(fmt::format("tie {}: its end at ({:.3f}, {:.3f}, {:.3f}) m is further than {:.0f} mm "
-                                             "from the skin; move it onto a tile",
-                                             ties[i].name, end.x(), end.y(), end.z(), 1000 * on_skin));
+                throw InputError(
+                    fmt::format("tie {}: its end at ({:.3f}, {:.3f}, {:.3f}) m is further than {:.0f} mm "
+                                "from the skin; move it onto a tile",
+                                ties[i].name, end.x(), end.y(), end.z(), 1000 * on_skin));
             (second ? tape.b : tape.a) = *there;
         }
         tape.rest = ties[i].length > 0 ? ties[i].length : (ties[i].to - ties[i].from).norm();
@@ -347,7 +351,8 @@ double largest_gap(const CutPlan& plan, const Symmetry& symmetry, const SewnEnve
         const Points3& x = plan.tiles[i].tile.mesh.positions;
         for (Eigen::Index v = 0; v < x.rows(); ++v) {
             const Place& place = sewn.places[static_cast<std::size_t>(sewn.first_vertex[i] + v)];
-            most = std::max(most, (position(place, sewn.nodes, symmetry.angle()) + sewn.origin - Vec3(x.row(v))).norm());
+            most =
+                std::max(most, (position(place, sewn.nodes, symmetry.angle()) + sewn.origin - Vec3(x.row(v))).norm());
         }
     }
     return most;

@@ -16,7 +16,7 @@ enum class RestState {
 
 struct SewOptions {
     Rigging rigging = {};
-    Symmetry symmetry = {};                 ///< none unless given
+    Symmetry symmetry = {};  ///< none unless given
     RestState rest = RestState::as_cut;
     double stiffer = 1;  ///< cloth and tapes are so much stiffer than they are
 };

@@ -59,7 +59,8 @@ InnerTie tie_of(const json& value, double metres_per_unit, const std::string& pl
     require_known_keys(value, {"name", "from", "to", "length_mm", "stiffness_n", "strength_n", "mass_g_per_m"}, place);
     const std::optional<std::string> name = text_at(value, "name", place);
     const std::optional<Vec3> from = point_at(value, "from", place), to = point_at(value, "to", place);
-    if (!name || !from || !to) throw InputError(place + ": expected a name and two points on the envelope, from and to");
+    if (!name || !from || !to)
+        throw InputError(place + ": expected a name and two points on the envelope, from and to");
     InnerTie tie{*name, *from * metres_per_unit, *to * metres_per_unit};
     take_number(value, "length_mm", millimetre, 1, 1e6, place, tie.length);
     take_material(value, place, tie.material);
@@ -69,11 +70,11 @@ InnerTie tie_of(const json& value, double metres_per_unit, const std::string& pl
 }  // namespace
 
 Flight read_flight(const json& value, double metres_per_unit, const std::string& place) {
-    require_known_keys(value,
-                       {"inside_c", "outside_c", "altitude_m", "extra_pressure_pa", "mouth_plane_mm", "tapes",
-                        "load_tape", "foreshortening_pct", "wire", "wire_length_mm", "mouth", "crown_ring",
-                        "crown_closed", "ties", "diaphragms"},
-                       place);
+    require_known_keys(
+        value,
+        {"inside_c", "outside_c", "altitude_m", "extra_pressure_pa", "mouth_plane_mm", "tapes", "load_tape",
+         "foreshortening_pct", "wire", "wire_length_mm", "mouth", "crown_ring", "crown_closed", "ties", "diaphragms"},
+        place);
     Flight flight;
     Air& air = flight.load.air;
     take_number(value, "inside_c", 1, -90, 300, place, air.inside);
@@ -97,9 +98,8 @@ Flight read_flight(const json& value, double metres_per_unit, const std::string&
     take_number(value, "foreshortening_pct", percent, 0, 20, place, rigging.foreshortening);
     take_number(value, "wire_length_mm", millimetre, 10, 1e5, place, rigging.wire_length);
     take_choice<MouthHold, 3>(
-        value, "mouth",
-        {{{"automatic", MouthHold::automatic}, {"edge", MouthHold::edge}, {"wires", MouthHold::wires}}}, place,
-        rigging.mouth);
+        value, "mouth", {{{"automatic", MouthHold::automatic}, {"edge", MouthHold::edge}, {"wires", MouthHold::wires}}},
+        place, rigging.mouth);
     take_flag(value, "crown_ring", place, rigging.crown_ring);
     take_flag(value, "crown_closed", place, rigging.crown_closed);
     if (const auto ties = value.find("ties"); ties != value.end()) {

@@ -27,17 +27,19 @@ Json tile_json(const Tile& tile, const std::string& file, bool edges_on_curve, i
     for (const Chain& chain : tile.chains)
         chains.push_back({{"first", chain.vertices.front()}, {"finish", type_json(chain.finish)}});
     Json object = {{"name", tile.name},
-                 {"file", file},
-                 {"fabric", fabric},
-                 {"warp", {tile.grain.direction.x(), tile.grain.direction.y(), tile.grain.direction.z()}},
-                 {"warp_source", tile.grain.source},
-                 {"edges_on_curve", edges_on_curve},
-                 {"chains", chains}};
+                   {"file", file},
+                   {"fabric", fabric},
+                   {"warp", {tile.grain.direction.x(), tile.grain.direction.y(), tile.grain.direction.z()}},
+                   {"warp_source", tile.grain.source},
+                   {"edges_on_curve", edges_on_curve},
+                   {"chains", chains}};
     if (tile.curve_lengths.size() > 0) object["curve_lengths_m"] = numbers_json(tile.curve_lengths);
     const Compensation& longer = tile.compensation;
     if (longer.any())
-        object["compensation"] = {{"warp", longer.warp}, {"weft", longer.weft}, {"chains", longer.chains},
-                                {"for_flight", longer.strain.rows() > 0}};
+        object["compensation"] = {{"warp", longer.warp},
+                                  {"weft", longer.weft},
+                                  {"chains", longer.chains},
+                                  {"for_flight", longer.strain.rows() > 0}};
     if (tile.grain.field.rows() > 0) {
         object["warp_field"] = Json::array();
         for (Eigen::Index t = 0; t < tile.grain.field.rows(); ++t)
@@ -74,7 +76,8 @@ class Reader {
     int whole(const char* key, double most) const { return whole(number(key), key, most); }
     bool flag(const char* key) const {
         const auto found = value_.find(key);
-        if (found == value_.end() || !found->is_boolean()) refuse(std::string(key) + " is missing, expected true or false");
+        if (found == value_.end() || !found->is_boolean())
+            refuse(std::string(key) + " is missing, expected true or false");
         return *found;
     }
     std::string text(const char* key) const {
@@ -188,8 +191,8 @@ std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& fil
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         const FlatTile& tile = plan.tiles[i];
         const auto fabric = std::find(fabrics.begin(), fabrics.end(), plan.fabric_of(tile.tile));
-        tiles.push_back(tile_json(tile.tile, files[i], tile.flattening.edges_on_curve,
-                                  static_cast<int>(fabric - fabrics.begin())));
+        tiles.push_back(
+            tile_json(tile.tile, files[i], tile.flattening.edges_on_curve, static_cast<int>(fabric - fabrics.begin())));
     }
     for (const Seam& seam : plan.seams)
         seams.push_back({{"id", seam.id},
@@ -200,18 +203,18 @@ std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& fil
                          {"a", side_json(seam.a)},
                          {"b", side_json(seam.b)}});
     const Json object = {{"schema", "1.0"},
-                       {"input", plan.input_file},
-                       {"fabrics", cloths},
-                       {"tolerances",
-                        {{"area", plan.tolerances.area},
-                         {"length", plan.tolerances.length},
-                         {"strain", plan.tolerances.strain},
-                         {"shear_rad", plan.tolerances.shear},
-                         {"strain_for_all", plan.tolerances.strain_for_all},
-                         {"shear_for_all", plan.tolerances.shear_for_all}}},
-                       {"tiles", tiles},
-                       {"seams", seams},
-                       {"tape_factors", plan.tape_factors}};
+                         {"input", plan.input_file},
+                         {"fabrics", cloths},
+                         {"tolerances",
+                          {{"area", plan.tolerances.area},
+                           {"length", plan.tolerances.length},
+                           {"strain", plan.tolerances.strain},
+                           {"shear_rad", plan.tolerances.shear},
+                           {"strain_for_all", plan.tolerances.strain_for_all},
+                           {"shear_for_all", plan.tolerances.shear_for_all}}},
+                         {"tiles", tiles},
+                         {"seams", seams},
+                         {"tape_factors", plan.tape_factors}};
     return object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -31,13 +31,13 @@ enum class MouthHold {
 
 /// What is beside the cloth when an envelope flies: tapes, wires, ties, rings.
 struct Rigging {
-    TapeMaterial load_tape = {};    ///< of the seams whose type takes one (`SeamType::tape`)
-    double foreshortening = 0;      ///< load tapes are shorter than their seams by this ratio, in [0, 0.2]
+    TapeMaterial load_tape = {};              ///< of the seams whose type takes one (`SeamType::tape`)
+    double foreshortening = 0;                ///< load tapes are shorter than their seams by this ratio, in [0, 0.2]
     TapeMaterial wire = {500e3, 10e3, 0.05};  ///< a flying wire
-    double wire_length = 3;         ///< from mouth to burner frame, along the run of the tape [m]
+    double wire_length = 3;                   ///< from mouth to burner frame, along the run of the tape [m]
     MouthHold mouth = MouthHold::automatic;
-    bool crown_ring = true;         ///< the edge of the opening at the top keeps its place in plan and rises and sinks freely
-    bool crown_closed = true;       ///< a parachute valve of the same cloth closes it: it takes the pressure there
+    bool crown_ring = true;  ///< the edge of the opening at the top keeps its place in plan and rises and sinks freely
+    bool crown_closed = true;  ///< a parachute valve of the same cloth closes it: it takes the pressure there
     std::vector<InnerTie> ties = {};
     std::vector<std::string> diaphragms = {};  ///< globs of tiles inside the envelope, with gas on both sides
 };

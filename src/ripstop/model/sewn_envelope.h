@@ -51,19 +51,19 @@ struct SewnEnvelope {
     std::vector<int> first_vertex;  ///< of each tile of the plan, in `places`
     std::vector<Place> places;      ///< of every vertex of every tile
 
-    Triangles triangles;            ///< #F x 3 into `places`: the tiles of one sector
-    std::vector<Mat22> flat;        ///< of each triangle: its edges b - a, c - a as cut [m]
-    std::vector<int> tile;          ///< of each triangle
-    std::vector<int> fabric;        ///< of each triangle, in `fabrics`
-    std::vector<char> holds_gas;    ///< of each triangle: gas on its inner side only
+    Triangles triangles;          ///< #F x 3 into `places`: the tiles of one sector
+    std::vector<Mat22> flat;      ///< of each triangle: its edges b - a, c - a as cut [m]
+    std::vector<int> tile;        ///< of each triangle
+    std::vector<int> fabric;      ///< of each triangle, in `fabrics`
+    std::vector<char> holds_gas;  ///< of each triangle: gas on its inner side only
     std::vector<Fabric> fabrics;
 
     std::vector<std::array<Place, 3>> caps;  ///< triangles that close an opening against the gas, without stiffness
     double cap_mass = 0;                     ///< [kg/m2]
     std::vector<SewnTape> tapes;
-    std::vector<int> held;                   ///< nodes whose reaction is what hangs below
-    double floor = 0;                        ///< the mouth plane [m]
-    double seam_gap = 0;                     ///< largest distance between two sides of a seam as drawn [m]
+    std::vector<int> held;  ///< nodes whose reaction is what hangs below
+    double floor = 0;       ///< the mouth plane [m]
+    double seam_gap = 0;    ///< largest distance between two sides of a seam as drawn [m]
 };
 
 /// Turned by so many sectors of `angle` [rad] about the vertical axis.

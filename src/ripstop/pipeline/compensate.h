@@ -14,9 +14,9 @@ struct CompensateOptions {
     FlattenOptions flatten = {};
     InflatePlanOptions inflate = {};
     TapedSeams tapes = TapedSeams::by_type;
-    int elastic_steps = 2;        ///< rounds that cut the cloth for the strain it has in flight
-    int displacements = 8;        ///< at most so many rounds after these that move the target against the deviation
-    double relaxation = 0.7;      ///< by this share of the deviation; halved where a round makes it worse
+    int elastic_steps = 2;    ///< rounds that cut the cloth for the strain it has in flight
+    int displacements = 8;    ///< at most so many rounds after these that move the target against the deviation
+    double relaxation = 0.7;  ///< by this share of the deviation; halved where a round makes it worse
     Progress progress = {};
 };
 

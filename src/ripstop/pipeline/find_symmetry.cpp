@@ -1,14 +1,13 @@
 #include "ripstop/pipeline/find_symmetry.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <Eigen/LU>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <tuple>
 
-#include "ripstop/energy/deformation.h"
 #include "ripstop/measure/equal_tiles.h"
 
 namespace ripstop {
@@ -37,8 +36,8 @@ bool is_cut_alike(const FlatTile& one, const FlatTile& other, const std::vector<
     for (Eigen::Index t = 0; t < triangles.rows(); ++t)
         for (int k = 0; k < 3; ++k) {
             const int a = triangles(t, k), b = triangles(t, (k + 1) % 3);
-            const double there = (u.row(vertex[static_cast<std::size_t>(a)]) - u.row(vertex[static_cast<std::size_t>(b)]))
-                                     .squaredNorm();
+            const double there =
+                (u.row(vertex[static_cast<std::size_t>(a)]) - u.row(vertex[static_cast<std::size_t>(b)])).squaredNorm();
             if (!(std::abs((w.row(a) - w.row(b)).squaredNorm() - there) <= same_cloth)) return false;
         }
     return true;
@@ -80,12 +79,13 @@ Symmetry with_sectors(const CutPlan& plan, const std::vector<Likeness>& likeness
         if (like.mirrored || like.vertex.empty()) return whole(plan);
         const double turn = std::atan2(like.motion.linear()(1, 0), like.motion.linear()(0, 0));
         const int turns = (static_cast<int>(std::lround(turn / angle)) % sectors + sectors) % sectors;
-        const Eigen::Isometry3d motion = Eigen::Translation3d(axis) *
-                                         Eigen::AngleAxisd(turns * angle, Vec3::UnitZ()) * Eigen::Translation3d(-axis);
+        const Eigen::Isometry3d motion =
+            Eigen::Translation3d(axis) * Eigen::AngleAxisd(turns * angle, Vec3::UnitZ()) * Eigen::Translation3d(-axis);
         const auto& first = plan.tiles[static_cast<std::size_t>(like.to)];
         const Points3 &x = first.tile.mesh.positions, &there = plan.tiles[i].tile.mesh.positions;
         for (Eigen::Index v = 0; v < there.rows(); ++v)
-            if ((motion * Vec3(x.row(like.vertex[static_cast<std::size_t>(v)])) - Vec3(there.row(v))).norm() > same_place)
+            if ((motion * Vec3(x.row(like.vertex[static_cast<std::size_t>(v)])) - Vec3(there.row(v))).norm() >
+                same_place)
                 return whole(plan);
         if (!is_cut_alike(first, plan.tiles[i], like.vertex)) return whole(plan);
         symmetry.tiles[i] = {like.to, turns, like.vertex};

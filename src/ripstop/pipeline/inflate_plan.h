@@ -7,8 +7,8 @@ namespace ripstop {
 struct InflatePlanOptions {
     LoadCase load = {};
     Rigging rigging = {};
-    bool use_symmetry = true;               ///< compute one of equal sectors
-    bool find_causes = true;                ///< inflate it twice more, cut without error, to tell the causes of a deviation apart
+    bool use_symmetry = true;  ///< compute one of equal sectors
+    bool find_causes = true;   ///< inflate it twice more, cut without error, to tell the causes of a deviation apart
     int threads = 0;
     Progress progress = {};
 };

@@ -30,8 +30,9 @@ void cut_boundary(Tile& tile, const std::vector<int>& corners, const std::filesy
     std::size_t from = 0;
     for (std::size_t c = 0; c < corners.size(); ++c) {
         const bool is_last = c + 1 == corners.size();
-        const auto next = is_last ? loop.end() - 1
-                                  : std::find(loop.begin() + static_cast<std::ptrdiff_t>(from), loop.end(), corners[c + 1]);
+        const auto next = is_last
+                              ? loop.end() - 1
+                              : std::find(loop.begin() + static_cast<std::ptrdiff_t>(from), loop.end(), corners[c + 1]);
         if (next == loop.end()) refuse(file, "the corners of flat/sewing.json do not follow its boundary");
         const std::size_t to = static_cast<std::size_t>(next - loop.begin());
         tile.chains[c].vertices.assign(loop.begin() + static_cast<std::ptrdiff_t>(from),
@@ -42,7 +43,8 @@ void cut_boundary(Tile& tile, const std::vector<int>& corners, const std::filesy
 
 void read_mesh(const std::filesystem::path& file, const std::vector<int>& corners, FlatTile& flat) {
     CadModel model = read_model(file);
-    if (model.surfaces.size() != 1 || !model.surfaces[0].drawn) refuse(file, "does not hold one tile with flat positions");
+    if (model.surfaces.size() != 1 || !model.surfaces[0].drawn)
+        refuse(file, "does not hold one tile with flat positions");
     Tile& tile = flat.tile;
     tile.mesh = std::move(model.surfaces[0].mesh);
     flat.flattening.positions = *model.surfaces[0].drawn;
@@ -59,9 +61,11 @@ void require_sides(const CutPlan& plan, const std::filesystem::path& file) {
     for (const Seam& seam : plan.seams)
         for (const SeamSide* side : {&seam.a, &seam.b}) {
             const Tile& tile = plan.tiles[static_cast<std::size_t>(side->tile)].tile;
-            if (side->chain >= std::ssize(tile.chains)) refuse(file, "seam " + seam.id + " is on a chain that is not there");
+            if (side->chain >= std::ssize(tile.chains))
+                refuse(file, "seam " + seam.id + " is on a chain that is not there");
             for (const SeamPart& part : side->parts)
-                if (part.edge >= std::ssize(tile.boundary)) refuse(file, "seam " + seam.id + " is on an edge that is not there");
+                if (part.edge >= std::ssize(tile.boundary))
+                    refuse(file, "seam " + seam.id + " is on an edge that is not there");
         }
 }
 
@@ -71,9 +75,10 @@ CutPlan read_cut_plan(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / "flat" / "sewing.json";
     std::ifstream in(file, std::ios::binary);
     if (!in)
-        throw InputError(folder.string() +
-                         ": is no cut plan that can be sewn, flat/sewing.json is not in it; give a folder that `ripstop "
-                         "flatten` wrote");
+        throw InputError(
+            folder.string() +
+            ": is no cut plan that can be sewn, flat/sewing.json is not in it; give a folder that `ripstop "
+            "flatten` wrote");
     Sewing sewing = read_sewing(in, file.string());
     CutPlan& plan = sewing.plan;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
@@ -82,8 +87,7 @@ CutPlan read_cut_plan(const std::filesystem::path& folder) {
     for (FlatTile& tile : plan.tiles) {
         tile.accuracy = measure_accuracy(tile.tile, tile.flattening.positions, plan.fabric_of(tile.tile),
                                          tile.flattening.edges_on_curve);
-        tile.verdict =
-            judge(tile.tile, tile.bounds, tile.flattening, tile.accuracy, plan.tolerances_of(tile.tile));
+        tile.verdict = judge(tile.tile, tile.bounds, tile.flattening, tile.accuracy, plan.tolerances_of(tile.tile));
     }
     plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);
     judge_seams(plan);

@@ -15,7 +15,8 @@ void tape_meridians(CutPlan& plan) {
         double along = 0, round = 0;
         for (const SeamPart& part : seam.a.parts) {
             const auto i = static_cast<std::size_t>(part.edge), n = tile.boundary.size();
-            const Vec3 from = tile.mesh.positions.row(tile.boundary[i]), to = tile.mesh.positions.row(tile.boundary[(i + 1) % n]);
+            const Vec3 from = tile.mesh.positions.row(tile.boundary[i]),
+                       to = tile.mesh.positions.row(tile.boundary[(i + 1) % n]);
             const Vec3 out = 0.5 * (from + to) - middle;
             const Vec3 round_direction = Vec3(-out.y(), out.x(), 0).normalized();
             const double share = (to - from).dot(round_direction);

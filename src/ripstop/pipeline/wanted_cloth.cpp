@@ -52,42 +52,94 @@ Eigen::VectorXd own_ratios(Tile tile, const Points3& strain) {
 /// A function of the way along a seam that is constant between places.
 class Steps {
   public:
-    Steps(const SeamSide& side, const Eigen::VectorXd& ratios, bool reversed) {
+    /// The ratios of a side's edges. Where an edge goes on beyond the seam its ratio is `is_firm`: the other side has to follow.
+    Steps(const SeamSide& side, const Eigen::VectorXd& ratios, const Eigen::VectorXd& drawn, bool reversed) {
         const auto add = [&](const SeamPart& part) {
-            ends_.push_back((ends_.empty() ? 0 : ends_.back()) + part.length);
-            values_.push_back(ratios[part.edge]);
+            add_step((steps_.empty() ? 0 : steps_.back().end) + part.length, ratios[part.edge],
+                     part.length < (1 - 1e-6) * drawn[part.edge]);
         };
         if (reversed)
             std::for_each(side.parts.rbegin(), side.parts.rend(), add);
         else
             std::for_each(side.parts.begin(), side.parts.end(), add);
     }
+
+    /// Place by place the one that is firm, else the mean of the two.
+    Steps(const Steps& one, const Steps& other) {
+        std::size_t i = 0, j = 0;
+        while (i < one.steps_.size() && j < other.steps_.size()) {
+            const Step &a = one.steps_[i], &b = other.steps_[j];
+            const bool is_last = i + 1 == one.steps_.size() && j + 1 == other.steps_.size();
+            add_step(is_last ? std::max(a.end, b.end) : std::min(a.end, b.end),
+                     a.is_firm == b.is_firm ? 0.5 * (a.value + b.value)
+                     : a.is_firm            ? a.value
+                                            : b.value,
+                     a.is_firm || b.is_firm);
+            const bool a_ends = a.end <= b.end && i + 1 < one.steps_.size();
+            const bool b_ends = b.end <= a.end && j + 1 < other.steps_.size();
+            if (!a_ends && !b_ends) {
+                if (is_last) break;
+                i + 1 < one.steps_.size() ? ++i : ++j;
+                continue;
+            }
+            i += a_ends;
+            j += b_ends;
+        }
+    }
+
     /// Its integral from the start.
     double until(double along) const {
         double sum = 0, start = 0;
-        for (std::size_t i = 0; i < ends_.size() && start < along; ++i) {
-            sum += values_[i] * (std::min(along, i + 1 == ends_.size() ? along : ends_[i]) - start);
-            start = ends_[i];
+        for (std::size_t i = 0; i < steps_.size() && start < along; ++i) {
+            sum += steps_[i].value * (std::min(along, i + 1 == steps_.size() ? along : steps_[i].end) - start);
+            start = steps_[i].end;
         }
         return sum;
     }
-    const std::vector<double>& ends() const { return ends_; }
+    double end(std::size_t i) const { return steps_[i].end; }
 
   private:
-    std::vector<double> ends_, values_;
+    struct Step {
+        double end, value;
+        bool is_firm;
+    };
+    void add_step(double end, double value, bool is_firm) { steps_.push_back({end, value, is_firm}); }
+
+    std::vector<Step> steps_;
 };
 
 /// Adds to each edge of a side what of the seam's cloth belongs to it [m].
-void share_out(const SeamSide& side, const Steps& own, const Steps& other, bool reversed, Eigen::VectorXd& cloth,
+void share_out(const SeamSide& side, const Steps& own, const Steps& common, bool reversed, Eigen::VectorXd& cloth,
                Eigen::VectorXd& covered) {
     double start = 0;
     for (std::size_t i = 0; i < side.parts.size(); ++i) {
         const SeamPart& part = side.parts[reversed ? side.parts.size() - 1 - i : i];
-        const double end = own.ends()[i];
-        cloth[part.edge] += 0.5 * (own.until(end) - own.until(start) + other.until(end) - other.until(start));
+        cloth[part.edge] += common.until(own.end(i)) - common.until(start);
         covered[part.edge] += part.length;
-        start = end;
+        start = own.end(i);
     }
+}
+
+/// Cloth a drawn length of each boundary edge of each tile, alike on both sides of the seams.
+std::vector<Eigen::VectorXd> sewn_ratios(const Envelope& envelope, const std::vector<Eigen::VectorXd>& own) {
+    std::vector<Eigen::VectorXd> drawn, cloth, covered;
+    for (const Tile& tile : envelope.tiles) {
+        drawn.push_back(drawn_lengths(tile));
+        cloth.push_back(Eigen::VectorXd::Zero(drawn.back().size()));
+        covered.push_back(Eigen::VectorXd::Zero(drawn.back().size()));
+    }
+    for (const Seam& seam : envelope.seams) {
+        const auto a = static_cast<std::size_t>(seam.a.tile), b = static_cast<std::size_t>(seam.b.tile);
+        const Steps first(seam.a, own[a], drawn[a], false), second(seam.b, own[b], drawn[b], true);
+        const Steps common(first, second);
+        share_out(seam.a, first, common, false, cloth[a], covered[a]);
+        share_out(seam.b, second, common, true, cloth[b], covered[b]);
+    }
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const Eigen::VectorXd left = (drawn[i] - covered[i]).cwiseMax(0);
+        cloth[i] = (cloth[i] + left.cwiseProduct(own[i])).cwiseQuotient(covered[i] + left);
+    }
+    return cloth;
 }
 
 double path_length(const SeamSide& side, const std::vector<int>& boundary, const Points3& x) {
@@ -112,25 +164,15 @@ WantedCloth drawn_cloth(const Envelope& envelope) {
 }
 
 void compensate_tiles(const WantedCloth& wanted, Envelope& envelope) {
-    std::vector<Eigen::VectorXd> ratios, cloth, covered;
+    std::vector<Eigen::VectorXd> ratios;
     for (std::size_t i = 0; i < envelope.tiles.size(); ++i) {
         Tile& tile = envelope.tiles[i];
         tile.compensation.strain = seen_from_drawing(tile, wanted.target[i], wanted.strain[i]);
         ratios.push_back(own_ratios(tile, tile.compensation.strain));
-        cloth.push_back(Eigen::VectorXd::Zero(ratios[i].size()));
-        covered.push_back(Eigen::VectorXd::Zero(ratios[i].size()));
     }
-    for (const Seam& seam : envelope.seams) {
-        const auto a = static_cast<std::size_t>(seam.a.tile), b = static_cast<std::size_t>(seam.b.tile);
-        const Steps first(seam.a, ratios[a], false), second(seam.b, ratios[b], true);
-        share_out(seam.a, first, second, false, cloth[a], covered[a]);
-        share_out(seam.b, second, first, true, cloth[b], covered[b]);
-    }
-    for (std::size_t i = 0; i < envelope.tiles.size(); ++i) {
-        const Eigen::VectorXd drawn = drawn_lengths(envelope.tiles[i]);
-        const Eigen::VectorXd left = (drawn - covered[i]).cwiseMax(0);
-        envelope.tiles[i].compensation.edges = (cloth[i] + left.cwiseProduct(ratios[i])).cwiseQuotient(covered[i] + left);
-    }
+    // An edge that is in two seams has one ratio: what the first round gives it the second gives to those it is sewn to.
+    ratios = sewn_ratios(envelope, sewn_ratios(envelope, ratios));
+    for (std::size_t i = 0; i < envelope.tiles.size(); ++i) envelope.tiles[i].compensation.edges = ratios[i];
 }
 
 std::vector<double> tape_factors(const WantedCloth& wanted, const Envelope& envelope) {
@@ -139,8 +181,8 @@ std::vector<double> tape_factors(const WantedCloth& wanted, const Envelope& enve
         const SeamSide& side = envelope.seams[s].a;
         const auto i = static_cast<std::size_t>(side.tile);
         const Tile& tile = envelope.tiles[i];
-        const double moved = path_length(side, tile.boundary, wanted.target[i]) /
-                             path_length(side, tile.boundary, tile.mesh.positions);
+        const double moved =
+            path_length(side, tile.boundary, wanted.target[i]) / path_length(side, tile.boundary, tile.mesh.positions);
         factors.push_back(moved / std::sqrt(1 + 2 * wanted.tape_strain[s]));
     }
     return factors;

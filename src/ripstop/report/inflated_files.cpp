@@ -22,7 +22,8 @@ std::string text_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
-    if (!in) throw InputError(file.string() + ": cannot be read, expected it in a cut plan; flatten the envelope again");
+    if (!in)
+        throw InputError(file.string() + ": cannot be read, expected it in a cut plan; flatten the envelope again");
     return text.str();
 }
 
@@ -66,8 +67,8 @@ void write_inflated(const fs::path& folder, const CutPlan& plan, const std::vect
     const fs::path file = folder / "report.json", page = folder / "report.html";
     const std::string before = text_of(file);
     const std::string report = inflated_report(before, plan, file.string(), reproducible);
-    std::string html = html_report(plan, read_pieces_of(folder).pieces, strains,
-                                   inflated_report(before, plan, file.string(), true));
+    std::string html =
+        html_report(plan, read_pieces_of(folder).pieces, strains, inflated_report(before, plan, file.string(), true));
     std::ifstream marker(folder / "marker" / "marker.json", std::ios::binary);
     if (marker) {
         std::ostringstream text;
