@@ -287,7 +287,8 @@ TEST(DesignSpecial, GivesSmallPiecesToTheirNeighbours) {
 }
 
 TEST(DesignSpecial, TheExampleHasOneHandleAndFitsTheRoll) {
-    const SpecialShape shape = example();
+    SpecialShape shape = example();
+    shape.edge_length = 0.15;  // a third of the triangles: what is asked here does not hang on them
     const std::vector<NamedMesh> tiles = design_special(shape);
     const TilesSummary summary = measure_tiles(tiles);
     EXPECT_EQ(summary.euler, -1) << "2 less one opening and one handle";
