@@ -1,0 +1,58 @@
+#include "ripstop/inflate/joints.h"
+
+#include <gtest/gtest.h>
+
+namespace ripstop {
+namespace {
+
+void expect_place(const Place& found, const Place& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i].node, expected[i].node);
+        EXPECT_EQ(found[i].turns, expected[i].turns);
+        EXPECT_NEAR(found[i].weight, expected[i].weight, 1e-15);
+    }
+}
+
+TEST(Joints, TheLaterPointHangsOnTheEarlierTurnedBack) {
+    // 7 turned by two sectors is 3: so 7 is 3 turned by six of eight.
+    Joints joints(10, 8);
+    EXPECT_TRUE(joints.join({{3, 1, 0}}, {{7, 1, 2}}));
+    EXPECT_TRUE(joints.is_free(3));
+    EXPECT_FALSE(joints.is_free(7));
+    expect_place(joints.resolved({{7, 1, 0}}), {{3, 1, 6}});
+    expect_place(joints.resolved({{7, 1, 2}}), {{3, 1, 0}});
+    // In the other order too.
+    Joints other(10, 8);
+    EXPECT_TRUE(other.join({{7, 1, 2}}, {{3, 1, 0}}));
+    expect_place(other.resolved({{7, 1, 0}}), {{3, 1, 6}});
+}
+
+TEST(Joints, WeightsAndTurnsAreCarriedThrough) {
+    Joints joints(10, 8);
+    EXPECT_TRUE(joints.join({{8, 1, 1}}, {{1, 0.25, 0}, {2, 0.75, 3}}));
+    expect_place(joints.resolved({{8, 1, 0}}), {{1, 0.25, 7}, {2, 0.75, 2}});
+    EXPECT_TRUE(joints.join({{2, 1, 0}}, {{0, 1, 5}}));
+    expect_place(joints.resolved({{8, 1, 1}}), {{0, 0.75, 0}, {1, 0.25, 0}});
+}
+
+TEST(Joints, NothingComesToHangOnItself) {
+    Joints joints(10, 1);
+    EXPECT_TRUE(joints.join({{4, 1, 0}}, {{2, 0.5, 0}, {3, 0.5, 0}}));
+    // 2 half way between 4, which hangs on it, and 5.
+    EXPECT_FALSE(joints.join({{2, 1, 0}}, {{4, 0.5, 0}, {5, 0.5, 0}}));
+    EXPECT_TRUE(joints.is_free(2));
+    EXPECT_TRUE(joints.join({{4, 1, 0}}, {{5, 1, 0}}));  // 5 is free to follow
+    expect_place(joints.resolved({{5, 1, 0}}), {{2, 0.5, 0}, {3, 0.5, 0}});
+}
+
+TEST(Joints, APointThatIsItselfTurnedIsOnTheAxis) {
+    Joints joints(10, 8);
+    EXPECT_TRUE(joints.join({{6, 1, 0}}, {{6, 1, 1}}));
+    EXPECT_EQ(joints.on_axis(), std::set<int>{6});
+    EXPECT_TRUE(joints.join({{6, 1, 2}}, {{6, 1, 2}}));
+    EXPECT_EQ(joints.on_axis().size(), 1u);
+}
+
+}  // namespace
+}  // namespace ripstop
