@@ -1,5 +1,5 @@
 # `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
-.PHONY: setup build demo test bench bench-solve bench-seams dress-seams robustness matched accuracy accuracy-check guide sanitize install \
+.PHONY: setup build demo test bench bench-solve bench-seams bench-inflate dress-seams robustness matched accuracy accuracy-check guide sanitize install \
 	format check clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
@@ -24,6 +24,9 @@ bench-solve: build
 
 bench-seams: build
 	build/release/ripstop-bench-seams
+
+bench-inflate: build
+	build/release/ripstop-bench-inflate $(TABLES)
 
 dress-seams: build
 	build/release/ripstop-dress-seams
