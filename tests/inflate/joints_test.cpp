@@ -36,6 +36,19 @@ TEST(Joints, WeightsAndTurnsAreCarriedThrough) {
     expect_place(joints.resolved({{8, 1, 1}}), {{0, 0.75, 0}, {1, 0.25, 0}});
 }
 
+TEST(Joints, WhatHangsOffAChordKeepsItsWayOffIt) {
+    // 8, a quarter turn on, hangs 10 mm outside the middle between 1 and 2.
+    Joints joints(10, 4);
+    Place chord = {{1, 0.5, 0}, {2, 0.5, 0}};
+    chord.offset = Vec3(0, 0.01, 0.002);
+    EXPECT_TRUE(joints.join({{8, 1, 1}}, chord));
+    const Place turned_on = joints.resolved({{8, 1, 1}}), first = joints.resolved({{8, 1, 0}});
+    EXPECT_LT((turned_on.offset - chord.offset).norm(), 1e-15);
+    EXPECT_LT((first.offset - Vec3(0.01, 0, 0.002)).norm(), 1e-15);
+    // The middle between 8 and 9 is half as far off.
+    EXPECT_LT((joints.resolved({{8, 0.5, 0}, {9, 0.5, 0}}).offset - Vec3(0.005, 0, 0.001)).norm(), 1e-15);
+}
+
 TEST(Joints, NothingComesToHangOnItself) {
     Joints joints(10, 1);
     EXPECT_TRUE(joints.join({{4, 1, 0}}, {{2, 0.5, 0}, {3, 0.5, 0}}));

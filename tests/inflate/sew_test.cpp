@@ -10,6 +10,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/inflate/inflate.h"
 #include "ripstop/io/fabric_json.h"
+#include "ripstop/model/seam_place.h"
 #include "ripstop/pipeline/find_symmetry.h"
 #include "ripstop/pipeline/flatten_envelope.h"
 #include "ripstop/pipeline/read_envelope.h"
@@ -49,25 +50,22 @@ std::vector<int> vertices_of(const CutPlan& plan, const SeamSide& side) {
     return vertices;
 }
 
-double distance(const Vec3& point, const Vec3& a, const Vec3& b) {
-    const double share = std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-    return (point - a - share * (b - a)).norm();
-}
-
-/// How far the vertices of one side are from the edges of the other; infinite for none.
-double gap(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& nodes, const SeamSide& one,
-           const SeamSide& other) {
-    const std::vector<int> line = vertices_of(plan, other);
-    double most = 0;
-    std::vector<int> vertices = vertices_of(plan, one);
-    // A side that begins or ends within an edge has that edge's far vertex in another seam.
-    if (vertices.size() > 2) vertices = {vertices.begin() + 1, vertices.end() - 1};
-    for (const int v : vertices) {
-        double nearest = 1e300;
-        for (std::size_t i = 1; i < line.size(); ++i)
-            nearest = std::min(nearest, distance(at(sewn, nodes, one.tile, v), at(sewn, nodes, other.tile, line[i - 1]),
-                                                 at(sewn, nodes, other.tile, line[i])));
-        most = std::max(most, nearest);
+/// How far the vertices within one side of a seam move otherwise than the same place of the other side.
+double tear(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& nodes, const Seam& seam, bool second) {
+    const auto moved = [&](int tile, int vertex) -> Vec3 {
+        return at(sewn, nodes, tile, vertex) - at(sewn, sewn.nodes, tile, vertex);
+    };
+    const SeamSide &own = second ? seam.b : seam.a, &other = second ? seam.a : seam.b;
+    const std::vector<int>& mates = plan.tiles[static_cast<std::size_t>(other.tile)].tile.boundary;
+    const std::vector<int> vertices = vertices_of(plan, own);
+    double most = 0, along = 0;
+    for (std::size_t i = 0; i + 1 < own.parts.size(); ++i) {
+        along += own.parts[i].length;
+        const BoundaryPlace mate = place_on_side(plan.tiles, seam, !second, second ? seam.length - along : along);
+        const auto edge = static_cast<std::size_t>(mate.edge);
+        const Vec3 expected = (1 - mate.share) * moved(other.tile, mates[edge]) +
+                              mate.share * moved(other.tile, mates[(edge + 1) % mates.size()]);
+        most = std::max(most, (moved(own.tile, vertices[i + 1]) - expected).norm());
     }
     return most;
 }
@@ -159,10 +157,12 @@ TEST(Sew, TJunctionsAndNeighboursMeshedDifferentlyLeaveNoGap) {
             hanging += place.size() > 1;
         }
         EXPECT_GT(hanging, 50) << name;
+        // Nothing is pulled off its drawn place but where the ends of seams are apart as drawn.
+        EXPECT_LT(sewn.seam_gap, 1e-3) << name;
         for (const Seam& seam : plan.seams) {
-            // The finer side lies on the edges of the coarser.
-            const double one = gap(plan, sewn, nodes, seam.a, seam.b), other = gap(plan, sewn, nodes, seam.b, seam.a);
-            EXPECT_LT(std::min(one, other), 1e-12) << name << " " << seam.id;
+            // The finer side hangs on the edges of the coarser.
+            const double a = tear(plan, sewn, nodes, seam, false), b = tear(plan, sewn, nodes, seam, true);
+            EXPECT_LT(std::min(a, b), 1e-5) << name << " " << seam.id;  // places are the same to 1e-5 of an edge
         }
     }
 }
@@ -173,7 +173,6 @@ TEST(Sew, TilesMeshedApartInflateLikeTheSameShapeMeshedAsOne) {
     const Inflated apart = inflate(flatten_envelope(make_envelope(meshed_apart(design, 3, 1.5), reading), nylon()), {});
     const Inflated one = inflate(cut_balloon(design, false), {});
     ASSERT_EQ(apart.summary.termination, Termination::converged);
-    EXPECT_GT(apart.seam_gap, 0.01);  // chords of one mesh against those of another, as drawn
     // Edges of a tenth of the radius: either mesh is some per mille off.
     EXPECT_NEAR(apart.volume, one.volume, 0.005 * one.volume);
     EXPECT_NEAR(apart.height, one.height, 0.005 * one.height);
