@@ -24,7 +24,7 @@ std::string dxf(const std::vector<PatternPiece>& pieces, const std::vector<Vec2>
     return out.str();
 }
 
-std::string after(const Pairs& all, const std::string& variable) {
+std::string after(const testing::DxfPairs& all, const std::string& variable) {
     for (std::size_t i = 0; i + 1 < all.size(); ++i)
         if (all[i].second == variable) return all[i + 1].second;
     return "";
