@@ -25,7 +25,7 @@ function envelopeView(shape, holder) {
             tabindex: '0',
             role: 'application',
             'aria-label':
-                'The envelope in space. Arrow keys go from tile to tile, with shift they turn it, plus and minus zoom, Home shows all, Escape lets go.',
+                'The envelope in space. Arrow keys go from tile to tile, with shift they turn it, plus and minus zoom, Home shows all, Escape chooses nothing.',
         });
         holder.replaceChildren(canvas);
         return { canvas, ...maker(shape, canvas), isPlain: maker === makeEnvelopePlain };
@@ -93,15 +93,17 @@ function start(model) {
         mapChoice,
         selectBox('Palette', paletteNames, (palette) => state.change({ palette })),
         html('button', { onclick: () => view.home() }, 'Whole envelope'),
-        html('button', { onclick: () => state.change({ chosen: null }) }, 'Let go'),
+        html('button', { onclick: () => state.change({ chosen: null }) }, 'Choose nothing'),
         failingTiles(model).length + failingSeams(model).length > 0 &&
             html('button', { class: 'next', onclick: nextFailing }, 'Next that fails'),
     );
 
+    const roll = rollView(model, state, onTile);
+    const verdict = verdictView(model, { onTile, onSeam });
     document
         .getElementById('page')
         .replaceChildren(
-            verdictView(model, { onTile, onSeam }),
+            verdict,
             html(
                 'main',
                 {},
@@ -109,11 +111,11 @@ function start(model) {
                     'div',
                     { class: 'work' },
                     list.element,
-                    html('section', { class: 'space', 'aria-label': 'The envelope' }, tools, holder, legendPlace, hint),
+                    html('section', { class: 'space', 'aria-label': 'The envelope' }, tools, legendPlace, holder, hint),
                     panel,
                 ),
                 printed,
-                rollView(model, onTile),
+                roll?.element,
                 tiles.element,
                 model.seams.length > 0 && seams.element,
                 basis(model),
@@ -181,7 +183,7 @@ function start(model) {
         },
     });
     panel.addEventListener('pointerleave', () => tip.show(null));
-    printWhole(shape, view, [tiles, seams], printed, context);
+    printWhole(shape, view, [tiles, seams, roll].filter(Boolean), printed, context);
 
     view.mark(failingTiles(model), failingSeams(model));
     recolour();
@@ -190,6 +192,9 @@ function start(model) {
         if (holder.clientWidth > 0 && !matchMedia('print').matches)
             view.resize(holder.clientWidth, holder.clientHeight);
     }).observe(holder);
+    new ResizeObserver(() =>
+        document.documentElement.style.setProperty('--verdict', `${verdict.offsetHeight}px`),
+    ).observe(verdict);
     requestAnimationFrame(() => requestAnimationFrame(() => performance.mark('first-picture')));
 }
 

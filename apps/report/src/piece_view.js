@@ -181,13 +181,17 @@ function rings(shape, tile, frame) {
     });
 }
 
-function seamPaths(model, tile, chosenSeam, onSeam) {
+function seamPaths(model, tile, chosenSeam, onSeam, radius) {
     return tile.sides.map((side) => {
-        const d = pathOf(inMillimetres(sidePoints(tile, side, tile.flat, 2)), false);
+        const points = sidePoints(tile, side, tile.flat, 2);
+        const d = pathOf(inMillimetres(points), false);
         const isChosen = side.seam === chosenSeam;
+        // The seam starts where its first side does; the second runs the other way.
+        const start = isChosen && points.at(side.name === 'a' ? 0 : -1).map((value) => value * 1000);
         return [
             isChosen && svg('path', { class: 'seam-casing', d }),
             isChosen && svg('path', { class: 'seam-chosen', d }),
+            isChosen && svg('circle', { class: 'start', cx: start[0], cy: -start[1], r: radius }),
             svg(
                 'path',
                 { class: 'seam-reach', d, 'data-seam': side.seam.id, onclick: () => onSeam(side.seam) },
@@ -203,6 +207,24 @@ export function mateOf(side) {
 
 export const mateName = (model, side) => (mateOf(side) ? model.tiles[mateOf(side).tile].name : 'nothing');
 
+const framesOf = (tiles) => tiles.filter((tile) => tile.flat).map(frameOf);
+
+// What is shown at first: the piece in the middle, with room for the largest of those it is compared with.
+function homeOf(frame, tiles) {
+    const frames = framesOf(tiles);
+    const [width, height] = ['width', 'height'].map((side) => Math.max(...frames.map((other) => other[side])));
+    const margin = 0.035 * Math.max(width, height);
+    return [
+        frame.x + (frame.width - width) / 2 - margin,
+        frame.y + (frame.height - height) / 2 - margin,
+        width + 2 * margin,
+        height + 2 * margin,
+    ];
+}
+
+// Are pieces better shown one below the other than side by side?
+export const matesAreWide = (tiles) => framesOf(tiles).every(({ width, height }) => width > 2 * height);
+
 // Which triangle of the flat tile holds a place [mm, y up].
 export function triangleAt(tile, x, y) {
     const { flat, triangles } = tile;
@@ -217,14 +239,12 @@ export function triangleAt(tile, x, y) {
 }
 
 // `hover(triangle, event)`: -1 where there is no cloth.
-export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover }) {
+export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover, atScaleOf }) {
     const { model } = shape;
     if (!tile.flat) return html('p', { class: 'nothing' }, 'This tile could not be laid flat, so there is no piece.');
     const frame = frameOf(tile);
-    const margin = 0.035 * Math.max(frame.width, frame.height);
-    const home = [frame.x - margin, frame.y - margin, frame.width + 2 * margin, frame.height + 2 * margin];
+    const home = homeOf(frame, atScaleOf ?? [tile]);
     const { piece } = tile;
-    const clip = `cloth-${tile.index}`;
     const drawing = svg(
         'svg',
         {
@@ -233,7 +253,6 @@ export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover
             role: 'img',
             'aria-label': `The flat piece of ${tile.name}, ${size(frame)}`,
         },
-        svg('clipPath', { id: clip }, svg('path', { d: pathOf(outlinePoints(tile), true) })),
         piece && svg('path', { class: 'allowance', d: pathOf(piece.cut, true) }),
         clothPicture(model, tile, map, palette, frame),
         rimPicture(model, tile, map, palette),
@@ -249,7 +268,7 @@ export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover
         ],
         proposedSeam(shape, tile),
         !chosenSeam && rings(shape, tile, frame),
-        seamPaths(model, tile, chosenSeam, onSeam),
+        seamPaths(model, tile, chosenSeam, onSeam, home[2] / 70),
     );
     if (hover)
         drawing.addEventListener('pointermove', (event) => {

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 #include "ripstop/io/escape.h"
@@ -30,6 +31,13 @@ std::string summary(const CutPlan& plan) {
            "All figures are in report.json, tiles.csv and seams.csv beside this page.";
 }
 
+std::string xml_lines(const std::string& text) {
+    std::string result;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) result += xml_text(line) + "\n";
+    return result;
+}
+
 }  // namespace
 
 std::string base64(std::string_view bytes) {
@@ -47,13 +55,13 @@ std::string base64(std::string_view bytes) {
 }
 
 std::string html_report(const CutPlan& plan, const std::vector<PatternPiece>& pieces,
-                        const std::vector<StrainMap>& strains) {
+                        const std::vector<StrainMap>& strains, const std::vector<std::string>& warnings) {
     const std::string_view page = page_template();
     if (page.empty()) return {};
     const std::pair<std::string_view, std::string> parts[] = {
         {"RIPSTOP_TITLE", xml_text(plan.input_file.empty() ? "Ripstop report" : plan.input_file + ", Ripstop report")},
-        {"RIPSTOP_SUMMARY", xml_text(summary(plan))},
-        {"RIPSTOP_REPORT", base64(deflated(report_json(plan, true)))},
+        {"RIPSTOP_SUMMARY", xml_lines(summary(plan))},
+        {"RIPSTOP_REPORT", base64(deflated(report_json(plan, true, warnings)))},
         {"RIPSTOP_SHAPES", base64(deflated(page_shapes(plan, pieces, strains)))}};
     // In the order of the page: what a name says is never taken for one of the words.
     std::string result;
