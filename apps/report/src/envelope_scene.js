@@ -173,7 +173,7 @@ export function makeEnvelopeScene(shape, canvas) {
     const cloth = clothMesh(clothArrays(shape), uniforms, sphere, 4);
     const rim = clothMesh(rimArrays(shape.rim), uniforms, sphere, 1);
     group.add(cloth, rim, thinLines(model));
-    const failing = new WideLines(group, 0xa50f2d, 2.5, 1);
+    const failing = new WideLines(group, 0xa50f2d, 2.5, 1, { depthWrite: false });
     const proposed = new WideLines(group, 0x111111, 3, 2, {
         dashed: true,
         dashSize: shape.radius / 60,

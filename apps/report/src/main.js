@@ -54,8 +54,18 @@ function start(model) {
     const first = available.find((map) => map.id === preferred) ?? available[0] ?? mapOf('edges');
     const state = makeState({ map: first.id, palette: 'safe', chosen: null });
 
+    // What was clicked is shown in the panel, which may be off the screen: on a telephone, or from the tables.
+    let isByKey = false;
+    for (const type of ['keydown', 'pointerdown'])
+        window.addEventListener(type, () => (isByKey = type === 'keydown'), { capture: true });
+    const reveal = () => {
+        const { top, bottom } = panel.getBoundingClientRect();
+        if (!isByKey && (top > 0.8 * window.innerHeight || bottom < 0.3 * window.innerHeight))
+            panel.scrollIntoView({ block: 'start' });
+    };
     const choose = (kind, item, isSeen) => {
         state.change({ chosen: { kind, index: item.index } });
+        reveal();
         if (isSeen) return;
         if (kind === 'tile') view.lookAt(placeOfChosen(model, [item], null));
         else
@@ -83,7 +93,7 @@ function start(model) {
     const hint = html(
         'p',
         { class: 'hint' },
-        'Click a tile or a seam. Drag turns, the wheel zooms. Keys: arrows go from tile to tile, with shift they turn; + and − zoom; Home shows all.',
+        'Click a tile or a seam. Drag turns; once clicked, the wheel zooms (before, with Ctrl). Keys: arrows go from tile to tile, with shift they turn; + and − zoom; Home shows all.',
     );
     const mapChoice = selectBox('Colours show', available, (map) => state.change({ map }));
     mapChoice.querySelector('select').value = state.now.map;

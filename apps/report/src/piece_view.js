@@ -5,6 +5,7 @@ import { figure, millimetres } from './format.js';
 import { clothPlaces, rimPlaces } from './maps.js';
 import { cssColour, paletteTable, places } from './palette.js';
 import { fillTriangle, makeImage } from './raster.js';
+import { zoomByWheel } from './wheel.js';
 
 const pixels = 1600; // of the picture of the triangles, along its longer side
 
@@ -251,6 +252,7 @@ export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover
             class: 'piece',
             viewBox: home.join(' '),
             role: 'img',
+            tabindex: 0,
             'aria-label': `The flat piece of ${tile.name}, ${size(frame)}`,
         },
         piece && svg('path', { class: 'allowance', d: pathOf(piece.cut, true) }),
@@ -275,8 +277,7 @@ export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover
             const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(drawing.getScreenCTM().inverse());
             hover(triangleAt(tile, at.x, -at.y), event);
         });
-    addZoom(drawing, home);
-    return drawing;
+    return withButtons(drawing, home, tile.name);
 }
 
 function slitPath(slits) {
@@ -288,30 +289,72 @@ function slitPath(slits) {
 export const size = (frame) => `${figure(frame.width, 0)} × ${millimetres(frame.height, 0)}`;
 export const sizeOf = (tile) => size(frameOf(tile));
 
-// The wheel zooms about the pointer, dragging moves, a double click shows all again.
+const zoomStep = 1.25;
+
+// The wheel, two fingers, + and - zoom, dragging and the arrows move it, Home or a double click shows all again.
 function addZoom(drawing, home) {
-    let box = [...home],
-        from = null;
+    let box = [...home];
+    const fingers = new Map(); // where on the screen each is that is down
     const set = (next) => drawing.setAttribute('viewBox', (box = next).join(' '));
-    const at = (event) => new DOMPoint(event.clientX, event.clientY).matrixTransform(drawing.getScreenCTM().inverse());
-    drawing.addEventListener(
-        'wheel',
-        (event) => {
-            event.preventDefault();
-            const factor = Math.min(1.4, Math.max(0.7, Math.exp(event.deltaY / 500)));
-            if (box[2] * factor > 1.5 * home[2] || box[2] * factor < home[2] / 200) return;
-            const p = at(event);
-            set([p.x - (p.x - box[0]) * factor, p.y - (p.y - box[1]) * factor, box[2] * factor, box[3] * factor]);
-        },
-        { passive: false },
-    );
-    drawing.addEventListener('pointerdown', (event) => {
-        from = at(event);
-    });
+    const at = ({ clientX, clientY }) =>
+        new DOMPoint(clientX, clientY).matrixTransform(drawing.getScreenCTM().inverse());
+    const zoom = (factor, p = { x: box[0] + box[2] / 2, y: box[1] + box[3] / 2 }) => {
+        if (box[2] * factor > 1.5 * home[2] || box[2] * factor < home[2] / 200) return;
+        set([p.x - (p.x - box[0]) * factor, p.y - (p.y - box[1]) * factor, box[2] * factor, box[3] * factor]);
+    };
+    const move = (right, down) => set([box[0] + right, box[1] + down, box[2], box[3]]);
+    const showAll = () => set([...home]);
+    const apart = () => {
+        const [one, other] = [...fingers.values()];
+        return Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY);
+    };
+    zoomByWheel(drawing, (factor, event) => zoom(factor, at(event)));
+    drawing.addEventListener('pointerdown', (event) => fingers.set(event.pointerId, event));
+    for (const type of ['pointerup', 'pointercancel', 'pointerleave'])
+        drawing.addEventListener(type, (event) => fingers.delete(event.pointerId));
     drawing.addEventListener('pointermove', (event) => {
-        if (!from || !(event.buttons & 1)) return;
-        const p = at(event);
-        set([box[0] + from.x - p.x, box[1] + from.y - p.y, box[2], box[3]]);
+        if (!fingers.has(event.pointerId) || !(event.buttons & 1)) return;
+        const from = at(fingers.get(event.pointerId)),
+            before = fingers.size === 2 ? apart() : 0;
+        fingers.set(event.pointerId, event);
+        const to = at(event);
+        if (fingers.size === 2) zoom(before / Math.max(1, apart()), to);
+        else move(from.x - to.x, from.y - to.y);
     });
-    drawing.addEventListener('dblclick', () => set([...home]));
+    drawing.addEventListener('dblclick', showAll);
+    const keys = {
+        '+': () => zoom(1 / zoomStep),
+        '=': () => zoom(1 / zoomStep),
+        '-': () => zoom(zoomStep),
+        Home: showAll,
+        ArrowLeft: () => move(-box[2] / 10, 0),
+        ArrowRight: () => move(box[2] / 10, 0),
+        ArrowUp: () => move(0, -box[3] / 10),
+        ArrowDown: () => move(0, box[3] / 10),
+    };
+    drawing.addEventListener('keydown', (event) => {
+        if (!(event.key in keys) || event.ctrlKey || event.metaKey || event.altKey) return;
+        event.preventDefault();
+        keys[event.key]();
+    });
+    return keys;
+}
+
+// The drawing with buttons to zoom it.
+function withButtons(drawing, home, name) {
+    const keys = addZoom(drawing, home);
+    const button = (words, label, key) =>
+        html('button', { 'aria-label': `${label} ${name}`, title: label, onclick: keys[key] }, words);
+    return html(
+        'div',
+        { class: 'piece-holder' },
+        drawing,
+        html(
+            'span',
+            { class: 'zoom' },
+            button('+', 'Zoom in on', '+'),
+            button('−', 'Zoom out of', '-'),
+            button('⤢', 'Show all of', 'Home'),
+        ),
+    );
 }

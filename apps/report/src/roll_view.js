@@ -146,7 +146,8 @@ function markerView(model, marker, onTile, onShown) {
     const byName = new Map(model.tiles.filter((tile) => tile.piece).map((tile) => [tile.name, tile]));
     const pieces = marker.placements
         .filter(({ piece }) => byName.has(piece))
-        .map((placement) => laid(placement, byName.get(placement.piece)));
+        .map((placement) => laid(placement, byName.get(placement.piece)))
+        .sort((one, other) => one.box[0] - other.box[0]);
     const starts = [];
     for (let start = 0; start < marker.length_mm; start += rowLength) starts.push(start);
     const rows = html('div', { class: 'rows' });
