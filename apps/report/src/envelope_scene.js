@@ -23,6 +23,7 @@ import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { edgesDrawnOnce, outlineOf, pointedAt, proposalLine, seamLine, shadesOf } from './envelope_shape.js';
+import { coarseMesh } from './coarse_mesh.js';
 import { paletteTable, places } from './palette.js';
 import { withOwnCorners } from './shared_corners.js';
 
@@ -115,6 +116,7 @@ function clothArrays(shape) {
     return { positions, index, ids: shape.ids };
 }
 
+// Triangles that share no corners.
 const rimArrays = ({ positions, ids }) => ({
     positions,
     ids,
@@ -172,7 +174,9 @@ export function makeEnvelopeScene(shape, canvas) {
     const sphere = new Sphere(new Vector3(...shape.centre), shape.radius);
     const cloth = clothMesh(clothArrays(shape), uniforms, sphere, 4);
     const rim = clothMesh(rimArrays(shape.rim), uniforms, sphere, 1);
-    group.add(cloth, rim, thinLines(model));
+    const coarseShape = coarseMesh(shape);
+    const coarseCloth = coarseShape && clothMesh(rimArrays(coarseShape), uniforms, sphere, 4);
+    group.add(cloth, rim, thinLines(model), ...(coarseCloth ? [coarseCloth] : []));
     const failing = new WideLines(group, 0xa50f2d, 2.5, 1, { depthWrite: false });
     const proposed = new WideLines(group, 0x111111, 3, 2, {
         dashed: true,
@@ -195,6 +199,9 @@ export function makeEnvelopeScene(shape, canvas) {
         last = 0,
         coarse = 1;
     const render = (share) => {
+        const isMoving = share < 2;
+        cloth.visible = !(isMoving && coarseCloth);
+        if (coarseCloth) coarseCloth.visible = isMoving;
         const ratio = Math.min(3, window.devicePixelRatio * share);
         if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
         renderer.render(scene, camera);
@@ -255,6 +262,11 @@ export function makeEnvelopeScene(shape, canvas) {
             const shades = shadesOf(shape, map);
             setShades(cloth, shades.cloth);
             setShades(rim, shades.rim);
+            if (coarseCloth)
+                setShades(
+                    coarseCloth,
+                    coarseShape.of.map((t) => shades.cloth[t]),
+                );
             request();
         },
         choose(tiles, seam) {
