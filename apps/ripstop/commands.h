@@ -20,5 +20,6 @@ void add_diff(CLI::App& app);
 void add_lift(CLI::App& app);
 void add_completion(CLI::App& app);
 void add_manual(CLI::App& app);
+void add_help(CLI::App& app);
 
 }  // namespace ripstop::cli
