@@ -197,9 +197,10 @@ export function makeEnvelopeScene(shape, canvas) {
         tween = null,
         resting = 0,
         last = 0,
-        coarse = 1;
+        coarse = 1,
+        isMoving = false;
     const render = (share) => {
-        const isMoving = share < 2;
+        isMoving = share < 2;
         cloth.visible = !(isMoving && coarseCloth);
         if (coarseCloth) coarseCloth.visible = isMoving;
         const ratio = Math.min(3, window.devicePixelRatio * share);
@@ -218,6 +219,11 @@ export function makeEnvelopeScene(shape, canvas) {
     const request = () => {
         if (!waiting) requestAnimationFrame(draw);
         waiting = true;
+    };
+    // For what changes while nothing moves: to coarse pixels and back would take longer.
+    const refresh = () => {
+        if (isMoving) return request();
+        requestAnimationFrame(() => !waiting && !isMoving && render(2));
     };
     controls.addEventListener('change', request);
 
@@ -267,7 +273,7 @@ export function makeEnvelopeScene(shape, canvas) {
                     coarseCloth,
                     coarseShape.of.map((t) => shades.cloth[t]),
                 );
-            request();
+            refresh();
         },
         choose(tiles, seam) {
             uniforms.focus.value.set(tiles[0]?.index ?? -1, tiles[1]?.index ?? tiles[0]?.index ?? -1);
@@ -276,7 +282,7 @@ export function makeEnvelopeScene(shape, canvas) {
             casing.material.depthTest = chosen.material.depthTest = !seam;
             casing.show(line);
             chosen.show(line);
-            request();
+            refresh();
         },
         mark(failingTiles, failingSeams) {
             failing.show([
@@ -284,7 +290,7 @@ export function makeEnvelopeScene(shape, canvas) {
                 ...failingSeams.flatMap((seam) => seamLine(model, seam)),
             ]);
             proposed.show(failingTiles.flatMap((tile) => proposalLine(shape, tile)));
-            request();
+            refresh();
         },
         lookAt({ middle, normal, radius }) {
             flyTo(

@@ -7,7 +7,7 @@ import { cssColour, paletteTable, places } from './palette.js';
 import { fillTriangle, makeImage } from './raster.js';
 import { zoomByWheel } from './wheel.js';
 
-const pixels = 1600; // of the picture of the triangles, along its longer side
+const pixels = { seen: 900, zoomed: 2000 }; // of the picture of the triangles, along its longer side
 
 // Where things lie: x as on the cloth, y downwards, millimetres.
 function frameOf(tile) {
@@ -22,8 +22,8 @@ function frameOf(tile) {
     return { x: box[0], y: box[1], width: box[2] - box[0] || 1, height: box[3] - box[1] || 1 };
 }
 
-function clothPicture(model, tile, map, palette, frame) {
-    const scale = pixels / Math.max(frame.width, frame.height);
+function clothPixels(model, tile, map, palette, frame, longer) {
+    const scale = longer / Math.max(frame.width, frame.height);
     const canvas = html('canvas', { width: Math.ceil(frame.width * scale), height: Math.ceil(frame.height * scale) });
     const context = canvas.getContext('2d');
     const image = makeImage(context);
@@ -40,14 +40,18 @@ function clothPicture(model, tile, map, palette, frame) {
         fillTriangle(image, colours[place], x, y);
     });
     context.putImageData(image.data, 0, 0);
-    return svg('image', {
-        x: frame.x,
-        y: frame.y,
-        width: canvas.width / scale,
-        height: canvas.height / scale,
-        preserveAspectRatio: 'none',
-        href: canvas.toDataURL(),
-    });
+    return { width: canvas.width / scale, height: canvas.height / scale, href: canvas.toDataURL() };
+}
+
+// The triangles in their colours; `refine`: as finely as one may look at them.
+function clothPicture(...what) {
+    const frame = what.at(-1);
+    const picture = svg('image', { x: frame.x, y: frame.y, preserveAspectRatio: 'none' });
+    const paint = (longer) => {
+        for (const [name, value] of Object.entries(clothPixels(...what, longer))) picture.setAttribute(name, value);
+    };
+    paint(pixels.seen);
+    return { picture, refine: () => paint(pixels.zoomed) };
 }
 
 function pathOf(points, isClosed) {
@@ -246,6 +250,7 @@ export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover
     const frame = frameOf(tile);
     const home = homeOf(frame, atScaleOf ?? [tile]);
     const { piece } = tile;
+    const cloth = clothPicture(model, tile, map, palette, frame);
     const drawing = svg(
         'svg',
         {
@@ -256,7 +261,7 @@ export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover
             'aria-label': `The flat piece of ${tile.name}, ${size(frame)}`,
         },
         piece && svg('path', { class: 'allowance', d: pathOf(piece.cut, true) }),
-        clothPicture(model, tile, map, palette, frame),
+        cloth.picture,
         rimPicture(model, tile, map, palette),
         piece && [
             svg('path', { class: 'cut', d: pathOf(piece.cut, true) }),
@@ -277,7 +282,7 @@ export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover
             const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(drawing.getScreenCTM().inverse());
             hover(triangleAt(tile, at.x, -at.y), event);
         });
-    return withButtons(drawing, home, tile.name);
+    return withButtons(drawing, home, tile.name, cloth.refine);
 }
 
 function slitPath(slits) {
@@ -292,14 +297,17 @@ export const sizeOf = (tile) => size(frameOf(tile));
 const zoomStep = 1.25;
 
 // The wheel, two fingers, + and - zoom, dragging and the arrows move it, Home or a double click shows all again.
-function addZoom(drawing, home) {
-    let box = [...home];
+function addZoom(drawing, home, onFirstZoom) {
+    let box = [...home],
+        isZoomed = false;
     const fingers = new Map(); // where on the screen each is that is down
     const set = (next) => drawing.setAttribute('viewBox', (box = next).join(' '));
     const at = ({ clientX, clientY }) =>
         new DOMPoint(clientX, clientY).matrixTransform(drawing.getScreenCTM().inverse());
     const zoom = (factor, p = { x: box[0] + box[2] / 2, y: box[1] + box[3] / 2 }) => {
         if (box[2] * factor > 1.5 * home[2] || box[2] * factor < home[2] / 200) return;
+        if (!isZoomed) onFirstZoom();
+        isZoomed = true;
         set([p.x - (p.x - box[0]) * factor, p.y - (p.y - box[1]) * factor, box[2] * factor, box[3] * factor]);
     };
     const move = (right, down) => set([box[0] + right, box[1] + down, box[2], box[3]]);
@@ -341,8 +349,8 @@ function addZoom(drawing, home) {
 }
 
 // The drawing with buttons to zoom it.
-function withButtons(drawing, home, name) {
-    const keys = addZoom(drawing, home);
+function withButtons(drawing, home, name, onFirstZoom) {
+    const keys = addZoom(drawing, home, onFirstZoom);
     const button = (words, label, key) =>
         html('button', { 'aria-label': `${label} ${name}`, title: label, onclick: keys[key] }, words);
     return html(
