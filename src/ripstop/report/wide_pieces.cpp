@@ -39,11 +39,14 @@ std::vector<std::string> too_wide_pieces(const PieceSet& set) {
     for (const Fabric& fabric : set.fabrics) {
         const Wide wide = wide_pieces(set, fabric);
         if (!wide.widest) continue;
-        sentences.push_back(fmt::format(
-            "{} of {} pieces are wider across the warp than the roll of {}, {:.0f} mm; the widest is {}, {:.0f} mm. "
-            "Divide them, turn their grain or take a wider roll",
-            wide.pieces, wide.of, fabric.name, fabric.roll_width / millimetre, wide.widest->name,
-            width_of(*wide.widest) / millimetre));
+        const bool is_one = wide.pieces == 1;
+        sentences.push_back(
+            fmt::format("{} of {} {} wider across the warp than the roll of {}, {:.0f} mm; the widest is {}, {:.0f} "
+                        "mm. {}, or take a "
+                        "wider roll",
+                        wide.pieces, wide.of, is_one ? "pieces is" : "pieces are", fabric.name,
+                        fabric.roll_width / millimetre, wide.widest->name, width_of(*wide.widest) / millimetre,
+                        is_one ? "Divide it, turn its grain" : "Divide them, turn their grain"));
     }
     return sentences;
 }
