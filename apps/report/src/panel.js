@@ -161,9 +161,13 @@ function driftChart(seam) {
                 height: y(-said.limit_mm) - y(said.limit_mm),
             }),
             svg('line', { class: 'axis', x1: 52, x2: 392, y1: 50, y2: 50 }),
-            number(figure(said.limit_mm, 2, true), 48, y(said.limit_mm) + 3, 'end'),
-            y(0) - y(said.limit_mm) > 11 && number('0', 48, 53, 'end'),
-            number(`${figure(-said.limit_mm, 2)} mm`, 48, y(-said.limit_mm) + 3, 'end'),
+            y(0) - y(said.limit_mm) > 11
+                ? [
+                      number(figure(said.limit_mm, 2, true), 48, y(said.limit_mm) + 3, 'end'),
+                      number('0', 48, 53, 'end'),
+                      number(`${figure(-said.limit_mm, 2)} mm`, 48, y(-said.limit_mm) + 3, 'end'),
+                  ]
+                : number(`±${millimetres(said.limit_mm, 2)}`, 48, 53, 'end'),
             number('start', 52, 109, 'middle'),
             number(millimetres(said.length_mm, 0), 392, 109, 'end'),
             svg('polyline', {
@@ -183,7 +187,7 @@ function driftChart(seam) {
         html(
             'figcaption',
             {},
-            `How far ${said.tile_b} is ahead along the seam, from its start (the ring, on both pieces too) on, from notch to notch; the band is what is allowed, ±${millimetres(said.limit_mm, 2)}.`,
+            `How far ${said.tile_a === said.tile_b ? 'the second side' : said.tile_b} is ahead along the seam, from its start (the ring, on both pieces too) on, from notch to notch; the band is what is allowed, ±${millimetres(said.limit_mm, 2)}.`,
         ),
     );
 }
