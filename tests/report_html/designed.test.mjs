@@ -8,6 +8,7 @@ import {
     canvasBox,
     farthestApart,
     fixedPicture,
+    fixSize,
     meanDifference,
     mostApart,
     opened,
@@ -127,6 +128,7 @@ test('changes its colours with the map, pinned to the tolerance', options, () =>
 
 test('would not be taken for another map, a turned envelope or one with a tile chosen', options, () =>
     opened(file, async (page) => {
+        await fixSize(page);
         const first = await fixedPicture(page);
         const differs = async (what) => {
             const apart = farthestApart(first, await fixedPicture(page));
@@ -152,6 +154,7 @@ test('would not be taken for another map, a turned envelope or one with a tile c
 
 test('looks as it did', options, () =>
     opened(file, async (page) => {
+        await fixSize(page);
         await assertLooksAs(page, 'designed');
         await page.getByLabel('Palette').selectOption({ index: 1 });
         await assertLooksAs(page, 'designed-rainbow');
