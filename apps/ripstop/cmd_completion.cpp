@@ -22,13 +22,19 @@ std::vector<std::string> words_after(const CommandText& command) {
     return words;
 }
 
-bool is_file(const OptionText& option) {
-    return option.value == "FILE" || option.value == "DIR";
+/// What files may follow: `yes`, `dir` for folders only, `.json` for these and folders; empty: none.
+std::string files_of(const OptionText& option) {
+    if (option.value == "DIR") return "dir";
+    if (!option.value.starts_with("FILE")) return "";
+    return option.value == "FILE" ? "yes" : option.value.substr(4);
 }
 
-bool takes_files(const CommandText& command) {
-    return std::any_of(command.options.begin(), command.options.end(),
-                       [](const OptionText& option) { return option.is_positional && is_file(option); });
+/// Of all arguments of the command, for a shell does not count them.
+std::string files_of(const CommandText& command) {
+    std::string files;
+    for (const OptionText& option : command.options)
+        if (option.is_positional && files != "yes" && !files_of(option).empty()) files = files_of(option);
+    return files;
 }
 
 /// All commands, the program itself first.
@@ -51,31 +57,31 @@ std::string after_options(const CommandText& command) {
         std::vector<std::string> patterns;
         for (const std::string& name : option.names)
             patterns.push_back(fmt::format("\"{} {}\"", words_of(command), name));
-        const std::string offered = !option.choices.empty()
-                                        ? fmt::format("offered=\"{}\"; ", fmt::join(option.choices, " "))
-                                    : is_file(option) ? "files=yes; "
-                                                      : "";
+        std::string offered;
+        if (!option.choices.empty()) offered += fmt::format("offered=\"{}\"; ", fmt::join(option.choices, " "));
+        if (!files_of(option).empty()) offered += fmt::format("files={}; ", files_of(option));
+        if (option.is_list) offered += "lists=yes; ";
         lines += fmt::format("    {}) {}return ;;\n", fmt::join(patterns, " | "), offered);
     }
     return lines;
 }
 
-/// The function of bash and zsh that sets `offered` to the words, and `files` to yes where files, may come after its
-/// arguments.
+/// The function of bash and zsh that sets what may come after its arguments: `offered` words, `files` as `files_of` has it,
+/// `lists` where several words may stand with commas.
 std::string offering(const CommandText& program) {
     std::vector<const CommandText*> all;
     list(program, all);
     std::string after_command, after_option;
     std::vector<std::string> known;
     for (const CommandText* command : all) {
-        after_command += fmt::format("    \"{}\") offered=\"{}\"{} ;;\n", words_of(*command),
-                                     fmt::join(words_after(*command), " "), takes_files(*command) ? " files=yes" : "");
+        after_command += fmt::format("    \"{}\") offered=\"{}\" files={} ;;\n", words_of(*command),
+                                     fmt::join(words_after(*command), " "), files_of(*command));
         after_option += after_options(*command);
         if (!words_of(*command).empty()) known.push_back("\"" + words_of(*command) + "\"");
     }
     return fmt::format(R"(_ripstop_words() {{
     local command="" word="" last=""
-    offered="" files=""
+    offered="" files="" lists=""
     for word in "$@"; do
         case "$command$word" in
         {}) command="$command$word " ;;
@@ -95,14 +101,32 @@ std::string offering(const CommandText& program) {
 std::string bash(const CommandText& program) {
     return "# Completion of ripstop for bash, made by `ripstop completion bash`.\n" + offering(program) +
            R"(_ripstop() {
-    local offered files current=${COMP_WORDS[COMP_CWORD]}
-    _ripstop_words "${COMP_WORDS[@]:1:COMP_CWORD-1}"
-    if [[ -n $files && $current != -* ]]; then
-        local IFS=$'\n'
-        COMPREPLY=($(compgen -f -- "$current"))
-    else
-        COMPREPLY=($(compgen -W "$offered" -- "$current"))
+    local offered files lists before="" word current=${COMP_WORDS[COMP_CWORD]} words=()
+    for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+        [[ $word == "=" ]] || words+=("$word")
+    done
+    if [[ $current == "=" ]]; then
+        current=""
+    elif [[ $current == --*=* ]]; then
+        words+=("${current%%=*}")
+        before=${current%%=*}= current=${current#*=}
     fi
+    _ripstop_words "${words[@]}"
+    if [[ -n $lists && $current == *,* ]]; then
+        before+=${current%,*},
+        current=${current##*,}
+    fi
+    COMPREPLY=()
+    for word in $offered; do
+        [[ $word != "$current"* || (-n $files && $word == -* && $current != -*) ]] || COMPREPLY+=("$before$word")
+    done
+    [[ -n $files && $current != -* ]] || return 0
+    local IFS=$'\n'
+    case $files in
+    yes) COMPREPLY+=($(compgen -P "$before" -f -- "$current")) ;;
+    dir) COMPREPLY+=($(compgen -P "$before" -d -- "$current")) ;;
+    *) COMPREPLY+=($(compgen -P "$before" -d -- "$current") $(compgen -P "$before" -f -X "!*$files" -- "$current")) ;;
+    esac
 }
 complete -o filenames -F _ripstop ripstop
 )";
@@ -113,13 +137,23 @@ std::string zsh(const CommandText& program) {
     return "#compdef ripstop\n# Completion of ripstop for zsh, made by `ripstop completion zsh`.\n" +
            offering(program) +
            R"(_ripstop() {
-    local offered files
-    _ripstop_words "${(@)words[2,CURRENT-1]}"
-    if [[ -n $files && $PREFIX != -* ]]; then
-        _files
+    local offered files lists
+    if [[ $PREFIX == --*=* ]]; then
+        _ripstop_words "${(@)words[2,CURRENT-1]}" "${PREFIX%%=*}"
+        compset -P '*='
     else
-        compadd -- ${=offered}
+        _ripstop_words "${(@)words[2,CURRENT-1]}"
     fi
+    [[ -z $lists ]] || compset -P '*,'
+    local may_come=(${=offered})
+    [[ -z $files || $PREFIX == -* ]] || may_come=(${may_come:#-*})
+    compadd -- $may_come
+    [[ $PREFIX == -* ]] && return
+    case $files in
+    yes) _files ;;
+    dir) _files -/ ;;
+    .*) _files -g "*$files" ;;
+    esac
 }
 if [ "${funcstack[1]}" = _ripstop ]; then _ripstop "$@"; else compdef _ripstop ripstop; fi
 )";
@@ -132,13 +166,19 @@ std::string quoted(std::string text) {
 }
 
 std::string fish_option(const std::string& here, const OptionText& option) {
-    const std::string words =
-        option.choices.empty() ? std::string() : fmt::format(" -a '{}'", fmt::join(option.choices, " "));
-    if (option.is_positional) return words.empty() ? words : here + words + "\n";
+    std::string offered = fmt::format("{}", fmt::join(option.choices, " "));
+    if (option.is_list) offered = "(__fish_append , " + offered + ")";
+    const std::string files = files_of(option);
+    if (files == "dir") offered += "(__fish_complete_directories)";
+    if (files.starts_with('.'))
+        offered +=
+            " (__fish_complete_suffix " + files + " | string match -er \"([.]" + files.substr(1) + "|/)(\\t|\\$)\")";
+    const std::string words = offered.empty() ? "" : " -a '" + offered + "'";
+    if (option.is_positional) return option.choices.empty() ? "" : here + words + "\n";
     std::string line = here;
     for (const std::string& word : option.names)
         line += word.starts_with("--") ? " -l " + word.substr(2) : " -s " + word.substr(1);
-    if (!option.value.empty()) line += is_file(option) ? " -r" : " -x" + words;
+    if (!option.value.empty()) line += files == "yes" ? " -r" : " -x" + words;
     return line + " -d " + quoted(option.description) + "\n";
 }
 
@@ -151,7 +191,8 @@ std::string fish(const CommandText& program) {
         const std::string here = fmt::format("complete -c ripstop -n '__fish_seen_subcommand_from {}'", name);
         script += fmt::format("complete -c ripstop -n __fish_use_subcommand -a {} -d {}\n", name,
                               quoted(command.description));
-        if (!takes_files(command)) script += here + " -f\n";
+        if (files_of(command).empty()) script += here + " -f\n";
+        if (files_of(command) == "dir") script += here + " -f -a '(__fish_complete_directories)'\n";
         for (const CommandText& each : command.commands)
             script += fmt::format("{} -a {} -d {}\n", here, each.path.substr(each.path.rfind(' ') + 1),
                                   quoted(each.description));

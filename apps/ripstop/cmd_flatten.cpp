@@ -29,6 +29,7 @@
 #include "ripstop/report/proposals.h"
 #include "ripstop/report/report_json.h"
 #include "ripstop/report/tables.h"
+#include "ripstop/report/wide_pieces.h"
 #include "tell.h"
 
 namespace ripstop::cli {
@@ -70,13 +71,22 @@ void propose(CutPlan& plan, const std::string& method, const Arguments& given) {
         plan.merges = propose_merges(plan, method_named(method), given.jobs, progress_bar(given.quiet));
 }
 
-/// What is wrong with the envelope itself: as `ripstop check` says.
-void take_faults(CutPlan& plan, const Envelope& envelope, double seam_tolerance, const LengthUnit& unit, bool quiet) {
+/// What is wrong with the envelope itself, as `ripstop check` says. Returns what of it may be meant.
+std::vector<std::string> take_faults(CutPlan& plan, const Envelope& envelope, double seam_tolerance,
+                                     const LengthUnit& unit) {
     const EnvelopeCheck check = check_envelope(envelope, {seam_tolerance}, unit.metres);
     add_faults(plan, check);
+    std::vector<std::string> warnings;
     for (const EnvelopeIssue& issue : check.issues)
-        if (!quiet && (issue.code == "unit" || issue.code == "missing_tile"))
-            tell(fmt::format("Warning: {}\n", issue.message));
+        if (issue.code == "unit" || issue.code == "missing_tile") warnings.push_back(issue.message);
+    return warnings;
+}
+
+/// On stderr and in the report.
+void warn(DirectoryOptions& writing, const std::vector<std::string>& warnings, bool quiet) {
+    for (const std::string& warning : warnings)
+        if (!quiet) tell(fmt::format("Warning: {}\n", warning));
+    writing.warnings.insert(writing.warnings.end(), warnings.begin(), warnings.end());
 }
 
 /// Of seams that fail only the worst have pictures.
@@ -121,6 +131,7 @@ ExitCode run(Arguments given) {
     const Input input = resolve(given.input);
     const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
     tell_unused(unused);
+    writing.warnings = unused;
     if (unit_assumed && !given.quiet) print_assumed_size(envelope);
 
     FlattenOptions options{method, input.fabric, input.tolerances, given.jobs, progress_bar(given.quiet)};
@@ -131,18 +142,20 @@ ExitCode run(Arguments given) {
     plan.input_sha256 = sha256_of_file(given.input.file);
     plan.unit = unit.name;
     plan.remarks = remarks;
-    if (given.input.tiles.empty()) take_faults(plan, envelope, input.read.seam_tolerance, unit, given.quiet);
+    if (given.input.tiles.empty())
+        warn(writing, take_faults(plan, envelope, input.read.seam_tolerance, unit), given.quiet);
     propose(plan, method, given);
 
     if (pattern.revision.empty()) pattern.revision = plan.input_sha256.substr(0, 8);
+    const PieceSet pieces = make_piece_set(plan, make_pieces(plan, pattern, given.jobs), pattern.revision);
+    warn(writing, too_wide_pieces(pieces), given.quiet);
     {
         const Waiting waiting("Writing " + given.directory.string(), given.quiet);
-        const PieceSet pieces = make_piece_set(plan, make_pieces(plan, pattern, given.jobs), pattern.revision);
         write_directory(given.directory, plan, pieces, writing, measure_strain_maps(plan, given.jobs));
     }
     if (given.pictures && !given.quiet) tell_unpictured(plan);
     if (given.json)
-        fmt::print("{}", report_json(plan, given.reproducible));
+        fmt::print("{}", report_json(plan, given.reproducible, writing.warnings));
     else if (!given.quiet)
         show(fmt::format("{}{}\n{}{}\n", tiles_table(plan), proposals_text(plan),
                          plan.inflated ? inflated_text(plan) + "\n" : "", given.directory.string()));

@@ -34,15 +34,23 @@ std::string roff(const std::string& text) {
     return result;
 }
 
-/// Broken where the text is.
-std::string lines(const std::string& text) {
-    std::string result;
-    for (std::size_t at = 0; at < text.size();) {
+/// Broken where the text is; a list, which a colon opens, has its words before what is said of them.
+std::string lines(const std::string& text, bool is_required) {
+    const std::size_t first = std::min(text.find('\n'), text.size());
+    const bool is_list = first > 0 && first < text.size() && text[first - 1] == ':';
+    std::string result = roff(text.substr(0, first)) + (is_required ? " (required)" : "");
+    for (std::size_t at = first + 1; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
-        result += (at > 0 ? "\n.br\n" : "") + roff(text.substr(at, end - at));
+        const std::string line = text.substr(at, end - at);
+        const std::size_t gap = line.find(' '), next = line.find_first_not_of(' ', gap);
+        if (is_list && next != std::string::npos)
+            result += "\n.TP 9\n\\fB" + roff(line.substr(0, gap)) + "\\fR\n" + roff(line.substr(next));
+        else
+            result += "\n.br\n" + roff(line);
         at = end + 1;
     }
-    return result;
+    if (!is_list) return result + "\n";
+    return result.insert(result.find('\n'), "\n.RS") + "\n.RE\n";
 }
 
 std::string option_page(const OptionText& option) {
@@ -52,7 +60,25 @@ std::string option_page(const OptionText& option) {
     const std::string value = option.shown_value();
     std::string page = fmt::format(".TP\n{}", fmt::join(names, ", "));
     if (!option.is_positional && !value.empty()) page += " \\fI" + roff(value) + "\\fR";
-    return page + "\n" + lines(option.description) + (option.is_required ? " (required)" : "") + "\n";
+    return page + "\n" + lines(option.description, option.is_required);
+}
+
+/// The arguments first, then the options by groups, as --help has them.
+std::string options_page(const CommandText& command) {
+    std::string page;
+    std::vector<std::string> groups;
+    for (const OptionText& option : command.options) {
+        if (option.is_positional)
+            page += option_page(option);
+        else if (std::find(groups.begin(), groups.end(), option.group) == groups.end())
+            groups.push_back(option.group);
+    }
+    for (const std::string& group : groups) {
+        page += ".PP\n.B " + roff(group) + "\n";
+        for (const OptionText& option : command.options)
+            if (!option.is_positional && option.group == group) page += option_page(option);
+    }
+    return page;
 }
 
 std::string verbatim(const std::string& text) {
@@ -62,7 +88,7 @@ std::string verbatim(const std::string& text) {
 std::string command_page(const CommandText& command) {
     std::string page =
         fmt::format(".SS {}\n{}.\n.PP\n.B {}\n", roff(command.path), roff(command.description), roff(command.usage()));
-    for (const OptionText& option : command.options) page += option_page(option);
+    page += options_page(command);
     page += verbatim(command.footer);
     for (const CommandText& each : command.commands) page += command_page(each);
     return page;

@@ -35,6 +35,7 @@ OptionText option_text(const CLI::Option& option) {
     if (text.is_positional) text.names.push_back(option.get_single_name());
     text.is_required = option.get_required();
     text.is_repeated = option.get_items_expected_max() > 1;
+    text.is_list = option.get_delimiter() != '\0';
     text.description = option.get_description();
     text.group = option.get_group();
     if (option.get_items_expected_max() == 0) return text;

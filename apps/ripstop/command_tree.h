@@ -14,6 +14,7 @@ struct OptionText {
     std::string description;           ///< with the range and the default; its first line ends in a colon before a list
     std::string group;
     bool is_positional = false, is_required = false, is_repeated = false;
+    bool is_list = false;  ///< several of the choices may be given with commas
 
     /// `auto|all|none` where that is short and only one may be given, else `value`.
     std::string shown_value() const;

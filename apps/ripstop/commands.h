@@ -21,5 +21,6 @@ void add_inflate(CLI::App& app);
 void add_lift(CLI::App& app);
 void add_completion(CLI::App& app);
 void add_manual(CLI::App& app);
+void add_help(CLI::App& app);
 
 }  // namespace ripstop::cli

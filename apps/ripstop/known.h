@@ -8,21 +8,23 @@
 #include <string>
 #include <vector>
 
+#include "guess.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
 
 namespace ripstop::cli {
 
-/// Takes texts that `look_up` takes; else its message is the usage error. `words`: what shells are to offer.
+/// Takes texts that `look_up` takes; else its message is the usage error. `words`: what may be meant, and what shells are to
+/// offer.
 template <class LookUp>
 CLI::Validator known(LookUp look_up, const std::vector<std::string>& words = {}) {
     return CLI::Validator(
-        [look_up](const std::string& text) {
+        [look_up, words](const std::string& text) {
             try {
                 look_up(text);
                 return std::string();
             } catch (const InputError& error) {
-                return std::string(error.what());
+                return error.what() + guess(text, words);
             }
         },
         words.empty() ? "" : fmt::format("{{{}}}", fmt::join(words, ",")));

@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
     cli::add_lift(app);
     cli::add_completion(app);
     cli::add_manual(app);
+    cli::add_help(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::RuntimeError& result) {

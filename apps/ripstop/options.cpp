@@ -6,11 +6,13 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "guess.h"
 #include "known.h"
 #include "progress_bar.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/units.h"
 #include "ripstop/flatten/method.h"
+#include "ripstop/io/fabric_json.h"
 #include "ripstop/io/input_file.h"
 #include "ripstop/io/mesh_file.h"
 #include "ripstop/measure/judge.h"
@@ -24,6 +26,15 @@ constexpr std::size_t shown_remarks = 12;
 constexpr const char* surfaces = "Surfaces of CAD (STEP, IGES, BREP, Rhino)";
 
 /// Throws InputError where the file cannot be opened or read.
+
+/// Throws InputError, with the preset that may be meant.
+Fabric fabric_of(const std::string& named, const std::optional<Project>& project) {
+    try {
+        return envelope_fabric(named, project);
+    } catch (const InputError& error) {
+        throw InputError(error.what() + guess(named, fabric_presets()));
+    }
+}
 
 /// What came flat is judged on the mesh it came with.
 RemeshOptions remesh_options(const InputArguments& given) {
@@ -109,13 +120,14 @@ void add_input_options(CLI::App& command, InputArguments& given) {
                     "JSON with what the file cannot say: names, warp, corners, fabrics, seam types, tolerances "
                     "(docs/project.md)")
         ->group("Input")
-        ->type_name("FILE");
+        ->type_name("FILE.json");
     command
         .add_option("--fabric", given.fabric,
                     "Of the tiles that have none of their own: isotropic, nylon, nylon-silicone, polyester or a JSON "
                     "file (else the project's, else isotropic)")
         ->group("Input")
-        ->type_name("FILE");
+        ->type_name("FILE.json")
+        ->check(known([](const std::string&) {}, fabric_presets()));  // looked up when the project is known
     command
         .add_option("--grain", given.grain,
                     "Turn the warp from each tile's longest axis, degrees counter-clockwise seen from outside")
@@ -192,7 +204,7 @@ Input resolve(const InputArguments& given) {
     if (project && project->seam_tolerance) input.read.seam_tolerance = *project->seam_tolerance;
     if (!given.seam_tolerance.empty())
         input.read.seam_tolerance = parse_length(given.seam_tolerance, "--seam-tolerance");
-    input.fabric = envelope_fabric(given.fabric, project);
+    input.fabric = fabric_of(given.fabric, project);
     input.read.fabric = input.fabric;
     input.read.meshing = meshing_of(given.chord, given.edge, given.tiles_are);
     input.tolerances = tolerances_of(input.fabric);

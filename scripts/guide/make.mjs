@@ -116,7 +116,11 @@ function page(blocks, pictures) {
         .map((block) => block.lines[0].slice(3));
     const body = asHtml(blocks, {
         picture: (path) => `data:image/png;base64,${pictures.get(nameOf(path)).toString('base64')}`,
-        link: (path) => (/^(https?:|#)/.test(path) ? path : `${path.startsWith('../') ? '../' : '../../docs/'}${path}`),
+        // The other pages are beside the sources only, wherever this one is read.
+        link: (path, words) =>
+            /^(https?:|#)/.test(path)
+                ? `<a href="${path}">${words}</a>`
+                : `${words} (<code>${join('docs', path)}</code> of the sources)`,
     });
     const contents = chapters.map((chapter) => `<li><a href="#${anchor(chapter)}">${chapter}</a></li>`).join('');
     return `<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>A guide to Ripstop</title><style>${style}</style></head>\n<body><nav aria-label="Chapters"><ol>${contents}</ol></nav><main>\n${body}\n</main></body></html>\n`;

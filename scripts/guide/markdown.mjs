@@ -52,7 +52,7 @@ function inline(text, link) {
                 : part
                       .replace(/\*\*([^*]+)\*\*/g, '<strong>$1</strong>')
                       .replace(/\*([^*]+)\*/g, '<em>$1</em>')
-                      .replace(/\[([^\]]+)\]\(([^)]+)\)/g, (_, words, to) => `<a href="${link(to)}">${words}</a>`),
+                      .replace(/\[([^\]]+)\]\(([^)]+)\)/g, (_, words, to) => link(to, words)),
         )
         .join('');
 }
@@ -77,18 +77,18 @@ function table(lines, link) {
             .map((cell) => cell.trim().replace(/\u0001/g, '|')),
     );
     const row = (cells, tag) => `<tr>${cells.map((cell) => `<${tag}>${inline(cell, link)}</${tag}>`).join('')}</tr>`;
-    return `<div class="wide"><table><thead>${row(rows[0], 'th')}</thead><tbody>${rows
+    return `<div class="wide" tabindex="0"><table><thead>${row(rows[0], 'th')}</thead><tbody>${rows
         .slice(2)
         .map((cells) => row(cells, 'td'))
         .join('')}</tbody></table></div>`;
 }
 
-// `picture(path, words)` and `link(path)` say what becomes of paths.
+// `picture(path)` and `link(path, words)` say what becomes of paths. What may be wider than the page can be reached by keyboard.
 export function asHtml(blocks, { picture, link }) {
     const one = (block) => {
         const text = block.lines.join(' ');
         if (block.kind === 'fence')
-            return `<pre class="${block.language === 'sh' ? 'command' : 'output'}">${escaped(block.lines.join('\n'))}</pre>`;
+            return `<pre tabindex="0" class="${block.language === 'sh' ? 'command' : 'output'}">${escaped(block.lines.join('\n'))}</pre>`;
         if (block.kind === 'table') return table(block.lines, link);
         if (block.kind === 'list') return list(block.lines, link);
         if (block.kind === 'picture') {

@@ -40,7 +40,7 @@ const recipes = {
     colours: {
         file: 'cut-plan/report.html',
         use: async (page) => {
-            await page.getByRole('button', { name: 'Let go' }).click();
+            await page.getByRole('button', { name: 'Choose nothing' }).click();
             await page.getByRole('button', { name: 'Whole envelope' }).click();
             await page.getByLabel('Colours show').selectOption({ label: 'Shear between the threads' });
         },

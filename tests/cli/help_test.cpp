@@ -18,9 +18,9 @@ using testing::ProgramRun;
 using ::testing::StartsWith;
 using testing::Workshop;
 
-constexpr const char* commands[] = {"",       "flatten",        "check",          "inspect", "compare",  "methods",
-                                    "design", "design natural", "design special", "export",  "validate", "nest",
-                                    "diff",   "lift",           "completion",     "manual"};
+constexpr const char* commands[] = {"",       "flatten",        "check",          "inspect",    "compare",  "methods",
+                                    "design", "design natural", "design special", "export",     "validate", "nest",
+                                    "diff",   "lift",           "inflate",        "completion", "manual",   "help"};
 
 TEST(Help, SaysWhatACommandDoesHowItIsCalledAndGivesExamples) {
     const Workshop workshop;
@@ -29,6 +29,15 @@ TEST(Help, SaysWhatACommandDoesHowItIsCalledAndGivesExamples) {
         EXPECT_THAT(help, HasSubstr("\n\nUsage: ripstop" + (command.empty() ? "" : " " + command)));
         EXPECT_THAT(help, HasSubstr("Example")) << command;
         EXPECT_THAT(help, Not(HasSubstr("TEXT:"))) << command << ": CLI11's own words";
+    }
+}
+
+TEST(Help, IsPrintedByTheCommandHelpToo) {
+    const Workshop workshop;
+    for (const std::string command : commands) {
+        const ProgramRun run = workshop.ripstop("help " + command);
+        EXPECT_EQ(run.code, 0) << run.err;
+        EXPECT_EQ(run.out, workshop.ripstop(command + " --help").out);
     }
 }
 

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 #include "support/program.h"
@@ -37,6 +38,17 @@ TEST(Completion, OffersCommandsOptionsAndTheirWords) {
     EXPECT_THAT(offered(workshop, "completion z"), HasSubstr(" zsh "));
     EXPECT_EQ(offered(workshop, "validate x.dxf --unit ''"), " mm cm m in ft \n");
     EXPECT_THAT(offered(workshop, "compare x.obj --method seam"), HasSubstr(" seam-exact "));
+    EXPECT_EQ(offered(workshop, "help des"), " design \n");
+}
+
+TEST(Completion, OffersWordsBehindASignOfEqualityAndACommaToo) {
+    const Workshop workshop;
+    EXPECT_EQ(offered(workshop, "flatten --corners = s"), " square \n") << "as bash divides the line";
+    EXPECT_EQ(offered(workshop, "flatten --corners = f"), " fold \n");
+    EXPECT_EQ(offered(workshop, "flatten --corners="), " --corners=mitre --corners=square --corners=fold \n")
+        << "where it does not divide there";
+    EXPECT_EQ(offered(workshop, "export plan --formats dxf,s"), " dxf,svg \n");
+    EXPECT_EQ(offered(workshop, "export plan --formats = dxf,svg,h"), " dxf,svg,hpgl \n");
 }
 
 TEST(Completion, OffersFilesWhereTheyBelong) {
@@ -45,6 +57,11 @@ TEST(Completion, OffersFilesWhereTheyBelong) {
     std::ofstream(workshop.path("a shop.json")) << "x";
     EXPECT_EQ(offered(workshop, "flatten env"), " envelope.obj \n");
     EXPECT_EQ(offered(workshop, "flatten envelope.obj --project a"), " a shop.json \n");
+    std::filesystem::create_directory(workshop.path("folder"));
+    EXPECT_EQ(offered(workshop, "flatten envelope.obj --project ''"), " folder a shop.json \n") << "no OBJ";
+    EXPECT_EQ(offered(workshop, "flatten envelope.obj --fabric ny"), " nylon nylon-silicone \n");
+    EXPECT_EQ(offered(workshop, "nest f"), " folder \n");
+    EXPECT_EQ(offered(workshop, "nest e"), "  \n") << "a plan is a folder";
     EXPECT_EQ(offered(workshop, "flatten envelope.obj --grain ''"), "  \n") << "a number is not to be guessed";
     EXPECT_THAT(offered(workshop, "methods ''"), Not(HasSubstr("envelope.obj")));
 }
@@ -70,6 +87,8 @@ TEST(Completion, IsTakenByFish) {
     EXPECT_THAT(offers("ripstop fl"), HasSubstr("flatten\tFlatten every tile"));
     EXPECT_THAT(offers("ripstop flatten --corners s"), HasSubstr("square"));
     EXPECT_THAT(offers("ripstop design natural --go"), HasSubstr("--gores"));
+    EXPECT_THAT(offers("ripstop flatten --fabric ny"), HasSubstr("nylon-silicone"));
+    EXPECT_THAT(offers("ripstop export p --formats dxf,s"), HasSubstr("dxf,svg"));
     EXPECT_EQ(offers("ripstop completion "), "bash\nfish\nzsh\n");
 }
 
@@ -107,7 +126,11 @@ TEST(Manual, HasEveryCommandAndReadsWithoutWarning) {
                               .c_str()),
               0);
     EXPECT_THAT(workshop.read("warnings.txt"), IsEmpty());
-    EXPECT_THAT(workshop.read("page.txt"), HasSubstr("\nEXIT STATUS\n"));
+    const std::string text = workshop.read("page.txt");
+    EXPECT_THAT(text, HasSubstr("\nEXIT STATUS\n"));
+    EXPECT_LT(text.find("       INPUT  The envelope"), text.find("       -h, --help")) << text.substr(0, 2000);
+    EXPECT_THAT(text, HasSubstr("\n       Flattening\n"));
+    EXPECT_THAT(text, HasSubstr("\n              gerber   "));
 }
 
 }  // namespace

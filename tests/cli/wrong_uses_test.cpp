@@ -89,6 +89,11 @@ constexpr Slip words[] = {
     {"diff plan", 2, "AFTER is required"},
     {"lift plan", 2, "DRAWING is required"},
     {"completion tcsh", 2, "SHELL: no \"tcsh\"; known: bash, zsh, fish"},
+    {"flatten envelope.obj -o p --method papr", 2, "given; did you mean paper?"},
+    {"flatten envelope.obj -o p --propose nnone", 2, "known: auto, all, none; did you mean none?"},
+    {"export plan --dialect gerbr", 2, "; did you mean gerber?"},
+    {"help flaten", 2, "no command \"flaten\" of ripstop; did you mean flatten?"},
+    {"help design unnatural", 2, "no command \"unnatural\" of ripstop design; did you mean natural?"},
     {"manual flatten", 2, "\"flatten\" is one word too many"},
 };
 INSTANTIATE_TEST_SUITE_P(OfWords, WrongUse, ::testing::ValuesIn(words));
@@ -103,6 +108,8 @@ constexpr Slip inputs[] = {
     {"flatten envelope.obj -o p --seam-tolerance 5", 3, "--seam-tolerance: \"5\" is not a length; write a number with"},
     {"flatten envelope.obj -o p --notch-depth 1m", 3, "--notch-depth is 1m, expected 0.5 to 50 mm"},
     {"flatten envelope.obj -o p --fabric silk", 3, "no fabric \"silk\"; known: isotropic, nylon"},
+    {"flatten envelope.obj -o p --fabric nylom", 3, "; did you mean nylon?"},
+    {"flatten envelope.obj -o /proc/p", 3, "/proc/p: cannot be written: "},
     {"flatten envelope.obj -o p --project bad.json", 3, "bad.json:2: not JSON"},
     {"flatten envelope.obj -o p --tile 'X*'", 3, "no tile is called \"X*\"; the input has plane"},
     {"check none.3dm", 3, "none.3dm: the file cannot be opened"},

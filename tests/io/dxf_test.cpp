@@ -11,13 +11,12 @@
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/pattern/pieces.h"
 #include "ripstop/report/cut_files.h"
+#include "support/dxf_pieces.h"
 #include "support/flat_tiles.h"
 #include "support/outside.h"
 
 namespace ripstop {
 namespace {
-
-using Pairs = std::vector<std::pair<int, std::string>>;
 
 std::string dxf(const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts = {}) {
     std::ostringstream out;
@@ -25,26 +24,14 @@ std::string dxf(const std::vector<PatternPiece>& pieces, const std::vector<Vec2>
     return out.str();
 }
 
-Pairs pairs(const std::string& text) {
-    Pairs result;
-    std::istringstream in(text);
-    std::string code, value;
-    while (std::getline(in, code) && std::getline(in, value)) {
-        EXPECT_EQ(code.back(), '\r');
-        EXPECT_EQ(value.back(), '\r');
-        result.emplace_back(std::stoi(code), value.substr(0, value.size() - 1));
-    }
-    return result;
-}
-
-std::string after(const Pairs& all, const std::string& variable) {
+std::string after(const testing::DxfPairs& all, const std::string& variable) {
     for (std::size_t i = 0; i + 1 < all.size(); ++i)
         if (all[i].second == variable) return all[i + 1].second;
     return "";
 }
 
 TEST(Dxf, IsRelease12InMillimetres) {
-    const Pairs all = pairs(dxf({testing::piece_of(testing::flat_cylinder("G01P01"))}));
+    const testing::DxfPairs all = testing::dxf_pairs(dxf({testing::piece_of(testing::flat_cylinder("G01P01"))}));
     EXPECT_EQ(after(all, "$ACADVER"), "AC1009");
     EXPECT_EQ(after(all, "$INSUNITS"), "4");
     EXPECT_EQ(after(all, "$MEASUREMENT"), "1");
@@ -58,7 +45,7 @@ TEST(Dxf, IsRelease12InMillimetres) {
 TEST(Dxf, DeclaresEveryLayerItUses) {
     std::set<std::string> declared, used;
     std::string entity;
-    for (const auto& [code, value] : pairs(dxf({testing::piece_of(testing::flat_cylinder("G01P01"))}))) {
+    for (const auto& [code, value] : testing::dxf_pairs(dxf({testing::piece_of(testing::flat_cylinder("G01P01"))}))) {
         if (code == 0) entity = value;
         if (code == 2 && entity == "LAYER") declared.insert(value);
         if (code == 8) used.insert(value);
@@ -76,7 +63,7 @@ TEST(Dxf, WritesOneClosedPolylineWithoutRepeatedCorners) {
     piece.sew_line << 0, 0, 1e-9, 0, 1, 0, 1, 1, 0, 1, 0, 1e-9;
     int vertices = 0, contours = 0;
     std::string entity, layer;
-    for (const auto& [code, value] : pairs(dxf({piece}))) {
+    for (const auto& [code, value] : testing::dxf_pairs(dxf({piece}))) {
         if (code == 0) entity = value;
         if (code == 8) layer = value;
         if (code == 8 && entity == "VERTEX" && layer == "SEW") ++vertices;

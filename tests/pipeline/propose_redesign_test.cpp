@@ -2,12 +2,16 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/units.h"
 #include "ripstop/measure/judge.h"
+#include "ripstop/model/better_verdict.h"
 #include "ripstop/pipeline/flatten_envelope.h"
 #include "ripstop/pipeline/half_tile.h"
 #include "ripstop/pipeline/weld_tiles.h"
@@ -72,7 +76,67 @@ TEST(ProposeSplit, HasNothingToDrawOnWithoutASoundFlattening) {
     EXPECT_FALSE(propose_split(plan.tiles[0], seam_exact(), plan.fabric, plan.tolerances));
 }
 
-TEST(AddProposals, IsForTheFirstOfEachKindThatFailsWhereFewDo) {
+Verdict failing(const std::vector<Finding>& findings) {
+    return {true, findings};
+}
+
+TEST(IsBetter, AsksForTheSameKindsOfFindingsAndLessOfEach) {
+    const Verdict whole =
+        failing({{"chain", "", {}, -0.4, 0.1}, {"chain", "", {}, 0.2, 0.1}, {"shear", "", {}, 12, 10}});
+    EXPECT_TRUE(is_better(failing({}), whole));
+    EXPECT_TRUE(is_better(
+        failing({{"chain", "", {}, 0.3, 0.1}, {"chain", "", {}, 0.3, 0.1}, {"chain", "", {}, -0.3, 0.1}}), whole))
+        << "more edges, each of them nearer";
+    EXPECT_FALSE(is_better(failing({{"chain", "", {}, 0.41, 0.1}}), whole)) << "fewer findings, one of them worse";
+    EXPECT_FALSE(is_better(whole, whole));
+    EXPECT_FALSE(is_better(failing({{"area", "", {}, 1.1, 1}}), whole)) << "a new kind";
+}
+
+TEST(AddProposals, ProposesNothingWhereAHalfIsWorseAndNoneCanBeMade) {
+    CutPlan plan = flat({gore("quarter", quarter_turn, 8)});
+    plan.tiles[0].verdict.findings = {{"area", "", Vec3::Zero(), 1.5, 1}};
+    EXPECT_FALSE(propose_split(plan.tiles[0], seam_exact(), plan.fabric, plan.tolerances))
+        << "every half fails in strain too, which the whole is said not to";
+}
+
+/// Where the middle of the line lies between the corners of a gore: its distance from both meridians.
+std::array<double, 2> from_meridians(const FlatTile& tile) {
+    const std::vector<Vec3>& line = tile.proposal->line;
+    const Vec3& middle = line[line.size() / 2];
+    std::array<double, 2> nearest{10, 10};
+    const std::vector<Chain>& chains = tile.tile.chains;
+    for (std::size_t c = 0; c < 2; ++c)
+        for (const int v : chains[c].vertices)
+            nearest[c] = std::min(nearest[c], (Vec3(tile.tile.mesh.positions.row(v)) - middle).norm());
+    return nearest;
+}
+
+TEST(AddProposals, GoToTilesThatAreCutAlikeWhereverTheyLie) {
+    const Tile first = gore("first", quarter_turn, 8);
+    TriangleMesh turned = first.mesh, mirrored = first.mesh;
+    const Eigen::AngleAxisd turn(1.2, Vec3(1, 2, 3).normalized());
+    for (Eigen::Index v = 0; v < turned.positions.rows(); ++v) {
+        turned.positions.row(v) = turn * Vec3(turned.positions.row(v)) + Vec3(5, 0, 1);
+        mirrored.positions.row(v) = Vec3(-mirrored.positions(v, 0), mirrored.positions(v, 1), mirrored.positions(v, 2));
+    }
+    mirrored.triangles.col(1).swap(mirrored.triangles.col(2));
+    CutPlan plan = flat({first, make_tile("turned", turned, {.warp = turn * Vec3::UnitZ()}),
+                         make_tile("mirrored", mirrored, {.warp = Vec3::UnitZ()})});
+    ASSERT_TRUE(add_proposals(plan, seam_exact(), 0));
+    ASSERT_TRUE(plan.tiles[0].proposal);
+    const std::array<double, 2> there = from_meridians(plan.tiles[0]);
+    for (std::size_t i = 1; i < 3; ++i) {
+        ASSERT_TRUE(plan.tiles[i].proposal) << i;
+        EXPECT_EQ(plan.tiles[i].proposal->direction, plan.tiles[0].proposal->direction);
+        // a gore is its own mirror image, so the sides may have changed places
+        const std::array<double, 2> here = from_meridians(plan.tiles[i]);
+        EXPECT_NEAR(std::min(here[0], here[1]), std::min(there[0], there[1]), 1e-6) << i;
+        EXPECT_NEAR(std::max(here[0], here[1]), std::max(there[0], there[1]), 1e-6) << i;
+    }
+    EXPECT_THAT(proposals_text(plan), HasSubstr("first and 2 alike: of "));
+}
+
+TEST(AddProposals, IsForEachKindThatFailsWhereFewDo) {
     const Tile good = make_tile("good", testing::cylinder(1, 0.5, 1, 6, 6));
     Tile other = gore("sixth", std::numbers::pi / 3, 8);
     const std::vector<Tile> tiles{gore("first", quarter_turn, 8), good, gore("second", quarter_turn, 8), other};
@@ -84,10 +148,11 @@ TEST(AddProposals, IsForTheFirstOfEachKindThatFailsWhereFewDo) {
     EXPECT_TRUE(add_proposals(plan, seam_exact(), 0));
     EXPECT_TRUE(plan.tiles[0].proposal);
     EXPECT_FALSE(plan.tiles[1].proposal) << "it can be made";
-    EXPECT_FALSE(plan.tiles[2].proposal) << "equal to the first";
+    ASSERT_TRUE(plan.tiles[2].proposal) << "equal to the first";
+    EXPECT_EQ(plan.tiles[2].proposal->line, plan.tiles[0].proposal->line) << "and in the same place";
     EXPECT_TRUE(plan.tiles[3].proposal);
     const std::string text = proposals_text(plan);
-    EXPECT_THAT(text, HasSubstr("first: of "));
+    EXPECT_THAT(text, HasSubstr("first and 1 alike: of "));
     EXPECT_THAT(text, HasSubstr("along the warp from (0, 0, "));
     EXPECT_THAT(text, Not(HasSubstr("second")));
 }

@@ -30,6 +30,20 @@ TEST(ReportJson, TellsTheInputAndTheTolerancesInRoundFigures) {
     EXPECT_THAT(report_json(testing::two_tile_plan()), ::testing::Not(::testing::HasSubstr("00000001")));
 }
 
+TEST(ReportJson, SaysTheVerdictInPartsOfSentencesAndTheWarnings) {
+    const CutPlan plan = testing::two_tile_plan();
+    const Json envelope = Json::parse(report_json(plan, true, {"a tile is missing"}))["envelope"];
+    EXPECT_EQ(envelope["warnings"], Json::array({"a tile is missing"}));
+    const Json& says = envelope["says"];
+    EXPECT_EQ(says["word"], "Not manufacturable as drawn.");
+    EXPECT_EQ(says["headline"], "1 of 2 tiles cannot be made as drawn.");
+    ASSERT_FALSE(says["why"].empty());
+    EXPECT_EQ(says["why"][0][0], Json({{"tile", plan.tiles[1].tile.name}}));
+    EXPECT_THAT(says["why"][0][1].get<std::string>(), ::testing::StartsWith(": length of an edge"));
+    EXPECT_EQ(says["codes"]["chain"], "length of an edge");
+    EXPECT_EQ(report(plan)["envelope"]["warnings"], Json::array());
+}
+
 TEST(ReportJson, TellsEachTileInItsUnits) {
     const CutPlan plan = testing::two_tile_plan();
     const Json gore = report(plan)["tiles"][1];

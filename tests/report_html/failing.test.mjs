@@ -4,7 +4,7 @@ import { spawnSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { assertAccessible, assertLooksAs, opened, thumbnail } from './browser.mjs';
+import { assertAccessible, assertLooksAs, fixSize, opened, thumbnail } from './browser.mjs';
 import { reports } from './reports.mjs';
 
 const dress = reports.dress(),
@@ -21,6 +21,11 @@ test('says why and what to redesign', options, () =>
         const why = await page.locator('.why').innerText();
         assert.match(why, /Why[^]*tiles: strain along the warp\. Worst panel_\d\d: [\d.]+\s%, allowed 2\s%/);
         assert.match(why, /What to redesign[^]*draw a seam (along|across) the warp/);
+        assert.match(await page.locator('.warnings').innerText(), /a tile is missing at/);
+        for (const list of await page.locator('.why ul').all())
+            assert.ok(await list.evaluate((box) => box.scrollHeight <= box.clientHeight + 1), 'every sentence is seen');
+        const legend = await page.locator('.legend').boundingBox();
+        assert.ok(legend.y + legend.height < 900, 'and the colours with their numbers');
         await assertAccessible(page);
     }),
 );
@@ -32,6 +37,7 @@ test('reaches a failing tile in one click and draws the proposed seam', options,
             await page.locator('[role=option] .mark.bad').count(),
             'those that fail are listed first',
         );
+        await fixSize(page);
         await page.getByRole('button', { name: 'Next that fails' }).click();
         assert.match(await heading(page), /cannot be made as drawn/);
         assert.ok((await page.locator('.panel .findings li').count()) > 0);
@@ -48,11 +54,13 @@ test('reaches a failing tile in one click and draws the proposed seam', options,
 
 test('follows a seam that does not fit', options, () =>
     opened(unequal, async (page) => {
+        await fixSize(page);
         assert.match(await page.locator('h1').innerText(), /\d+ of 67 seams do not fit/);
         await page.locator('.why .link', { hasText: /^S\d+/ }).click();
         assert.match(await heading(page), /^Seam S\d+\s*does not fit/);
         assert.equal(await page.locator('.mates .seam-chosen').count(), 2);
         assert.equal(await page.locator('.drift polyline.bad').count(), 1);
+        assert.match(await page.locator('.drift svg').textContent(), /[\d.]+\smmstart[\d.]+\smm/);
         const figures = await page.locator('.panel .figures').innerText();
         const [, mismatch] = figures.match(/Mismatch\s+([+−][\d.]+)\smm/);
         const [, first, second] = figures.match(
@@ -73,6 +81,13 @@ test('lists seams that fail alone', options, () =>
         await page.getByRole('button', { name: /^Seams 67/ }).click();
         const failing = await page.locator('[role=option]').count();
         assert.ok(failing < 67);
+        await page.locator('[role=option]', { hasText: 'panel_05 – panel_12' }).first().click();
+        assert.equal(await page.locator('.mates .start').count(), 2, 'where it starts is marked on both');
+        const scales = await page
+            .locator('.mates svg.piece')
+            .evaluateAll((pieces) => pieces.map((piece) => piece.getScreenCTM().a));
+        // Browsers round widths to a 64th of a pixel.
+        assert.ok(Math.abs(scales[0] / scales[1] - 1) < 1e-3, 'both at one scale');
         await page.getByLabel('only those that fail').uncheck();
         assert.equal(await page.locator('[role=option]').count(), 67);
     }),

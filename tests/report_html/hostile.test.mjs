@@ -58,6 +58,26 @@ test(
                 heading,
             );
             assert.equal(await page.evaluate(() => window.hacked), undefined);
+            assert.ok((await page.locator('.roll .laid.chosen').count()) > 0, 'it is lit on the roll');
+            await page.locator('.roll .laid[tabindex="0"]').focus();
+            await page.keyboard.press('ArrowRight');
+            const label = await page.evaluate(() => document.activeElement.getAttribute('aria-label'));
+            await page.keyboard.press('Enter');
+            const shown = await page.locator('.panel h2').innerText();
+            assert.ok(label.startsWith(shown.slice(0, 20)), `${label}: ${shown}`);
             await assertAccessible(page);
         }),
+);
+
+test(
+    'is a summary in lines where scripts do not run',
+    { skip: file ? false : 'the program was built without the page' },
+    async () => {
+        const { withoutScripts } = await import('./browser.mjs');
+        await withoutScripts(file, async (page) => {
+            const text = await page.locator('noscript pre').innerText();
+            assert.ok(text.trim().split('\n').length > 2 && !text.includes('\ufffd'), text);
+            assert.equal(await page.locator('.starting').isVisible(), false);
+        });
+    },
 );

@@ -15,6 +15,7 @@ export function makeEnvelopePlain(shape, canvas) {
         showChosen = () => [],
         showMarked = () => [],
         chosen = [],
+        isSeam = false,
         marked = [],
         proposed = [];
     let focus = shape.centre;
@@ -60,6 +61,23 @@ export function makeEnvelopePlain(shape, canvas) {
         }
     }
 
+    // Is a place hidden by cloth before it? Depths are those of triangles' middles, so lines may lie behind by some of their size.
+    function isHidden([x, y, towards], image, ratio) {
+        const column = Math.floor(x * ratio),
+            row = Math.floor(y * ratio);
+        if (column < 0 || row < 0 || column >= image.width || row >= image.height) return false;
+        return image.depths[row * image.width + column] > towards + 0.04 * shape.radius;
+    }
+
+    function visible(points, image, ratio) {
+        const result = [];
+        for (let i = 0; i < points.length; i += 6) {
+            const middle = [0, 1, 2].map((k) => (points[i + k] + points[i + k + 3]) / 2);
+            if (!isHidden(project(middle), image, ratio)) result.push(...points.slice(i, i + 6));
+        }
+        return result;
+    }
+
     function stroke(points, colour, width, dash = []) {
         context.strokeStyle = colour;
         context.lineWidth = width;
@@ -93,10 +111,12 @@ export function makeEnvelopePlain(shape, canvas) {
             ({ frame: { normal } }) => project(focus.map((value, k) => value + normal[k]))[2] > 0,
         );
         stroke(seen.flatMap(outlineOf), 'rgb(31 41 51 / 0.4)', 1);
-        stroke(marked, '#a50f2d', 2.5);
-        stroke(proposed, '#111', 3, [8, 5]);
-        stroke(chosen, '#fff', 8);
-        stroke(chosen, '#00734f', 4.5);
+        stroke(visible(marked, image, ratio), '#a50f2d', 2.5);
+        stroke(visible(proposed, image, ratio), '#111', 3, [8, 5]);
+        // Seams are short: they are seen through the cloth too.
+        const line = isSeam ? chosen : visible(chosen, image, ratio);
+        stroke(line, '#fff', 8);
+        stroke(line, '#00734f', 4.5);
     }
     const request = () => {
         if (!waiting) requestAnimationFrame(draw);
@@ -124,6 +144,7 @@ export function makeEnvelopePlain(shape, canvas) {
             request();
         },
         choose(tiles, seam) {
+            isSeam = Boolean(seam);
             showChosen = () => (seam ? seamLine(model, seam) : tiles.flatMap(outlineOf));
             chosen = showChosen();
             request();

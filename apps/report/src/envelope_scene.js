@@ -17,6 +17,7 @@ import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { clothArrays, clothMesh, paletteTexture, rimArrays, setShades, turnFacings } from './cloth_mesh.js';
+import { coarseMesh } from './coarse_mesh.js';
 import { edgesDrawnOnce, outlineOf, pointedAt, proposalLine, seamLine, shadesOf } from './envelope_shape.js';
 
 class WideLines {
@@ -69,8 +70,10 @@ export function makeEnvelopeScene(shape, canvas) {
     const cloth = clothMesh(arrays, uniforms, 4);
     const rim = clothMesh(rimArrays(shape.rim), uniforms, 1);
     const thin = thinLines(model);
-    group.add(cloth, rim, thin.lines);
-    const failing = new WideLines(group, 0xa50f2d, 2.5, 1);
+    const coarseShape = coarseMesh(shape);
+    const coarseCloth = coarseShape && clothMesh(rimArrays(coarseShape), uniforms, 4);
+    group.add(cloth, rim, thin.lines, ...(coarseCloth ? [coarseCloth] : []));
+    const failing = new WideLines(group, 0xa50f2d, 2.5, 1, { depthWrite: false });
     const proposed = new WideLines(group, 0x111111, 3, 2, {
         dashed: true,
         dashSize: shape.radius / 60,
@@ -90,8 +93,12 @@ export function makeEnvelopeScene(shape, canvas) {
         tween = null,
         resting = 0,
         last = 0,
-        coarse = 1;
+        coarse = 1,
+        isMoving = false;
     const render = (share) => {
+        isMoving = share < 2;
+        cloth.visible = !(isMoving && coarseCloth);
+        if (coarseCloth) coarseCloth.visible = isMoving;
         const ratio = Math.min(3, window.devicePixelRatio * share);
         if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
         renderer.render(scene, camera);
@@ -108,6 +115,11 @@ export function makeEnvelopeScene(shape, canvas) {
     const request = () => {
         if (!waiting) requestAnimationFrame(draw);
         waiting = true;
+    };
+    // For what changes while nothing moves: to coarse pixels and back would take longer.
+    const refresh = () => {
+        if (isMoving) return request();
+        requestAnimationFrame(() => !waiting && !isMoving && render(2));
     };
     controls.addEventListener('change', request);
 
@@ -151,8 +163,9 @@ export function makeEnvelopeScene(shape, canvas) {
         // After `shape.pose`.
         repose() {
             arrays.place();
+            coarseShape?.place();
             thin.place();
-            for (const mesh of [cloth, rim]) turnFacings(mesh.geometry);
+            for (const mesh of [cloth, rim, coarseCloth]) if (mesh) turnFacings(mesh.geometry);
             showChosen();
             showMarked();
             request();
@@ -163,7 +176,12 @@ export function makeEnvelopeScene(shape, canvas) {
             const shades = shadesOf(shape, map);
             setShades(cloth, shades.cloth);
             setShades(rim, shades.rim);
-            request();
+            if (coarseCloth)
+                setShades(
+                    coarseCloth,
+                    coarseShape.of.map((t) => shades.cloth[t]),
+                );
+            refresh();
         },
         choose(tiles, seam) {
             uniforms.focus.value.set(tiles[0]?.index ?? -1, tiles[1]?.index ?? tiles[0]?.index ?? -1);
@@ -175,7 +193,7 @@ export function makeEnvelopeScene(shape, canvas) {
                 chosen.show(line);
             };
             showChosen();
-            request();
+            refresh();
         },
         mark(failingTiles, failingSeams) {
             showMarked = () =>
@@ -185,7 +203,7 @@ export function makeEnvelopeScene(shape, canvas) {
                 ]);
             showMarked();
             proposed.show(failingTiles.flatMap((tile) => proposalLine(shape, tile)));
-            request();
+            refresh();
         },
         lookAt({ middle, normal, radius }) {
             flyTo(

@@ -1,5 +1,6 @@
 // The list beside the picture: tiles or seams, all or those that fail, found by name. One stop of the tab key; arrows walk it.
 import { html } from './dom.js';
+import { count } from './format.js';
 
 export function makeList(model, state, { onTile, onSeam, onSearch }) {
     const kinds = {
@@ -16,6 +17,8 @@ export function makeList(model, state, { onTile, onSeam, onSearch }) {
         onlyFailing = failing[kind],
         wanted = '';
     const box = html('ul', { role: 'listbox', tabindex: '0', 'aria-label': 'Tiles', class: 'list' });
+    // Where else what is searched for is found.
+    const elsewhere = html('p', { class: 'elsewhere', 'aria-live': 'polite' });
     const search = html('input', {
         type: 'search',
         placeholder: 'Search by name',
@@ -49,12 +52,38 @@ export function makeList(model, state, { onTile, onSeam, onSearch }) {
                 html(
                     'li',
                     { class: 'nothing', role: 'option', 'aria-disabled': 'true' },
-                    onlyFailing && !wanted ? 'None fails' : 'None is called so',
+                    onlyFailing ? 'None that fails' : 'None',
+                    wanted && ` is called “${wanted}”`,
                 ),
             );
+        fillElsewhere();
         for (const tab of tabs) tab.setAttribute('aria-pressed', String(tab.dataset.kind === kind));
         failingBox.checked = onlyFailing;
         markChosen();
+    }
+    function fillElsewhere() {
+        const found = (id, isHidden) =>
+            kinds[id].items.filter(
+                (item) => kinds[id].label(item).toLowerCase().includes(wanted) && (!isHidden || item.ok),
+            ).length;
+        const other = kind === 'tile' ? 'seam' : 'tile';
+        const more = wanted && onlyFailing ? found(kind, true) : 0,
+            others = wanted && shown.length + more === 0 ? found(other, false) : 0;
+        const link = (words, onclick) => html('button', { class: 'link', onclick }, words);
+        elsewhere.replaceChildren(
+            ...[
+                more > 0 &&
+                    link(`${count(more, kind)} more that ${more === 1 ? 'does' : 'do'} not fail`, () => {
+                        onlyFailing = false;
+                        fill();
+                    }),
+                others > 0 &&
+                    link(count(others, other), () => {
+                        onlyFailing = false;
+                        show(other);
+                    }),
+            ].filter(Boolean),
+        );
     }
     function show(next) {
         kind = next;
@@ -124,6 +153,7 @@ export function makeList(model, state, { onTile, onSeam, onSearch }) {
             (failing.tile || failing.seam) &&
                 html('label', { for: 'only-failing', class: 'only' }, failingBox, ' only those that fail'),
             box,
+            elsewhere,
         ),
     };
 }

@@ -26,7 +26,7 @@ function envelopeView(shape, holder) {
             tabindex: '0',
             role: 'application',
             'aria-label':
-                'The envelope in space. Arrow keys go from tile to tile, with shift they turn it, plus and minus zoom, Home shows all, Escape lets go.',
+                'The envelope in space. Arrow keys go from tile to tile, with shift they turn it, plus and minus zoom, Home shows all, Escape chooses nothing.',
         });
         holder.replaceChildren(canvas);
         return { canvas, ...maker(shape, canvas), isPlain: maker === makeEnvelopePlain };
@@ -71,8 +71,18 @@ function start(model) {
     const state = makeState({ map: first.id, palette: 'safe', chosen: null, pose, times: 1 });
     shape.pose(state.now.pose);
 
+    // What was clicked is shown in the panel, which may be off the screen: on a telephone, or from the tables.
+    let isByKey = false;
+    for (const type of ['keydown', 'pointerdown'])
+        window.addEventListener(type, () => (isByKey = type === 'keydown'), { capture: true });
+    const reveal = () => {
+        const { top, bottom } = panel.getBoundingClientRect();
+        if (!isByKey && (top > 0.8 * window.innerHeight || bottom < 0.3 * window.innerHeight))
+            panel.scrollIntoView({ block: 'start' });
+    };
     const choose = (kind, item, isSeen) => {
         state.change({ chosen: { kind, index: item.index } });
+        reveal();
         if (isSeen) return;
         if (kind === 'tile') view.lookAt(placeOfChosen(model, [item], null));
         else
@@ -101,7 +111,7 @@ function start(model) {
     const hint = html(
         'p',
         { class: 'hint' },
-        'Click a tile or a seam. Drag turns, the wheel zooms. Keys: arrows go from tile to tile, with shift they turn; + and − zoom; Home shows all.',
+        'Click a tile or a seam. Drag turns; once clicked, the wheel zooms (before, with Ctrl). Keys: arrows go from tile to tile, with shift they turn; + and − zoom; Home shows all.',
     );
     const mapChoice = selectBox('Colours show', mapGroups(available), (map) => state.change({ map }));
     mapChoice.querySelector('select').value = state.now.map;
@@ -111,15 +121,17 @@ function start(model) {
         mapChoice,
         selectBox('Palette', paletteNames, (palette) => state.change({ palette })),
         html('button', { onclick: () => view.home() }, 'Whole envelope'),
-        html('button', { onclick: () => state.change({ chosen: null }) }, 'Let go'),
+        html('button', { onclick: () => state.change({ chosen: null }) }, 'Choose nothing'),
         failingTiles(model).length + failingSeams(model).length > 0 &&
             html('button', { class: 'next', onclick: nextFailing }, 'Next that fails'),
     );
 
+    const roll = rollView(model, state, onTile);
+    const verdict = verdictView(model, { onTile, onSeam });
     document
         .getElementById('page')
         .replaceChildren(
-            verdictView(model, { onTile, onSeam }),
+            verdict,
             html(
                 'main',
                 {},
@@ -127,12 +139,21 @@ function start(model) {
                     'div',
                     { class: 'work' },
                     list.element,
-                    html('section', { class: 'space', 'aria-label': 'The envelope' }, tools, poseTools(shape, state), holder, posePlace, legendPlace, hint),
+                    html(
+                        'section',
+                        { class: 'space', 'aria-label': 'The envelope' },
+                        tools,
+                        poseTools(shape, state),
+                        legendPlace,
+                        holder,
+                        posePlace,
+                        hint,
+                    ),
                     panel,
                 ),
                 printed,
                 flightView(model, onTile),
-                rollView(model, onTile),
+                roll?.element,
                 tiles.element,
                 model.seams.length > 0 && seams.element,
                 basis(model),
@@ -213,7 +234,7 @@ function start(model) {
         },
     });
     panel.addEventListener('pointerleave', () => tip.show(null));
-    printWhole(shape, view, [tiles, seams], printed, context);
+    printWhole(shape, view, [tiles, seams, roll].filter(Boolean), printed, context);
 
     view.mark(failingTiles(model), failingSeams(model));
     recolour();
@@ -223,6 +244,9 @@ function start(model) {
         if (holder.clientWidth > 0 && !matchMedia('print').matches)
             view.resize(holder.clientWidth, holder.clientHeight);
     }).observe(holder);
+    new ResizeObserver(() =>
+        document.documentElement.style.setProperty('--verdict', `${verdict.offsetHeight}px`),
+    ).observe(verdict);
     requestAnimationFrame(() => requestAnimationFrame(() => performance.mark('first-picture')));
 }
 

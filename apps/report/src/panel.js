@@ -1,6 +1,7 @@
 // What is chosen, in full: a tile with its piece and edges, or a seam with both its sides.
 import { html, svg } from './dom.js';
 import {
+    count,
     degrees,
     figure,
     millimetres,
@@ -10,7 +11,7 @@ import {
     signedMillimetres,
     squareMetres,
 } from './format.js';
-import { mateName, pieceView, sizeOf } from './piece_view.js';
+import { matesAreWide, mateName, pieceView, sizeOf } from './piece_view.js';
 import { verdictWord } from './verdict.js';
 
 const pair = (name, ...value) => html('div', {}, html('dt', {}, name), html('dd', {}, value));
@@ -36,20 +37,31 @@ function edgeList(model, tile, onSeam) {
                 'li',
                 {},
                 html('button', { class: 'link', onclick: () => onSeam(side.seam) }, side.seam.id),
-                ` to ${mateName(model, side)}: ${millimetres(own)}, there ${millimetres(other)} `,
+                ` to ${mateName(model, side)}: ${millimetres(own)}, its mate ${millimetres(other)} `,
                 html('span', { class: said.ok ? 'ok' : 'bad' }, `(${signedMillimetres(own - other)})`),
             );
         }),
     );
 }
 
-function proposalWords(tile) {
-    const { proposal } = tile.said;
+// A tile that is cut like another is divided like it.
+function proposalWords(model, tile, onTile) {
+    const { proposal, equal_to: equal, mirror_of: mirror } = tile.said;
+    const like = proposal ? null : model.tiles.find(({ name, said }) => said.proposal && name === (equal ?? mirror));
+    if (like)
+        return html(
+            'p',
+            { class: 'proposal' },
+            html('b', {}, 'To redesign: '),
+            'divide it as is proposed for ',
+            html('button', { class: 'link', onclick: () => onTile(like) }, like.name),
+            mirror ? ', turned over.' : ', which is cut alike.',
+        );
     if (!proposal) return null;
     const left = (half) =>
         half.verdict.findings.length === 0
             ? 'can be made'
-            : `${half.verdict.findings.length} findings left, area ${percent(half.area_error_pct)}`;
+            : `${count(half.verdict.findings.length, 'finding')} left, area ${percent(half.area_error_pct)}`;
     return html(
         'p',
         { class: 'proposal' },
@@ -77,7 +89,7 @@ function tilePanel(shape, tile, context) {
                 { class: 'findings' },
                 tile.findings.map((finding) => html('li', {}, finding.message)),
             ),
-        proposalWords(tile),
+        proposalWords(model, tile, context.onTile),
         pieceView(shape, tile, context),
         html(
             'dl',
@@ -86,12 +98,12 @@ function tilePanel(shape, tile, context) {
             pair(
                 'Area',
                 squareMetres(said.area_m2, said.area_m2 < 1 ? 4 : 2),
-                html('small', {}, `${percent(said.area_error_pct, 3)} on the cloth`),
+                html('small', {}, `${percent(said.area_error_pct)} on the cloth`),
             ),
             pair(
                 'Outline',
                 millimetres(said.perimeter_mm),
-                html('small', {}, `${percent(said.perimeter_error_pct, 3)} on the cloth`),
+                html('small', {}, `${percent(said.perimeter_error_pct)} on the cloth`),
             ),
             pair(
                 'Warp strain',
@@ -151,36 +163,57 @@ function driftChart(seam) {
     const { said } = seam;
     const points = [{ at_mm: 0, drift_mm: 0 }, ...said.notches, { at_mm: said.length_mm, drift_mm: said.mismatch_mm }];
     const top = 1.15 * Math.max(said.limit_mm, ...points.map((point) => Math.abs(point.drift_mm)), said.drift_max_mm);
-    const x = (at) => 8 + (at / said.length_mm) * 384,
+    const x = (at) => 52 + (at / said.length_mm) * 340,
         y = (drift) => 50 - (drift / top) * 42;
+    const worst = points.reduce((most, point) =>
+        Math.abs(point.drift_mm) > Math.abs(most.drift_mm) ? point : most,
+    );
+    const number = (text, at, height, anchor) => svg('text', { x: at, y: height, 'text-anchor': anchor }, text);
     return html(
         'figure',
         { class: 'drift' },
         svg(
             'svg',
             {
-                viewBox: '0 0 400 100',
+                viewBox: '0 0 400 112',
                 role: 'img',
                 'aria-label': `The sides are at most ${figure(said.drift_max_mm, 2)} mm apart`,
             },
             svg('rect', {
                 class: 'allowed',
-                x: 8,
-                width: 384,
+                x: 52,
+                width: 340,
                 y: y(said.limit_mm),
                 height: y(-said.limit_mm) - y(said.limit_mm),
             }),
-            svg('line', { class: 'axis', x1: 8, x2: 392, y1: 50, y2: 50 }),
+            svg('line', { class: 'axis', x1: 52, x2: 392, y1: 50, y2: 50 }),
+            y(0) - y(said.limit_mm) > 11
+                ? [
+                      number(figure(said.limit_mm, 2, true), 48, y(said.limit_mm) + 3, 'end'),
+                      number('0', 48, 53, 'end'),
+                      number(`${figure(-said.limit_mm, 2)} mm`, 48, y(-said.limit_mm) + 3, 'end'),
+                  ]
+                : number(`±${millimetres(said.limit_mm, 2)}`, 48, 53, 'end'),
+            number('start', 52, 109, 'middle'),
+            number(millimetres(said.length_mm, 0), 392, 109, 'end'),
             svg('polyline', {
                 class: said.ok ? 'ok' : 'bad',
                 points: points.map((point) => `${x(point.at_mm)},${y(point.drift_mm)}`).join(' '),
             }),
             points.slice(1, -1).map((point) => svg('circle', { cx: x(point.at_mm), cy: y(point.drift_mm), r: 2.5 })),
+            svg('circle', { class: 'start', cx: x(0), cy: 50, r: 4 }),
+            !said.ok &&
+                number(
+                    `${figure(worst.drift_mm, 2, true)} mm`,
+                    Math.min(392, Math.max(90, x(worst.at_mm))),
+                    y(worst.drift_mm) + (worst.drift_mm > 0 ? 14 : -8),
+                    'end',
+                ),
         ),
         html(
             'figcaption',
             {},
-            `How far the second side is ahead along the seam, from notch to notch; the band is what is allowed, ±${millimetres(said.limit_mm, 2)}.`,
+            `How far ${said.tile_a === said.tile_b ? 'the second side' : said.tile_b} is ahead along the seam, from its start (the ring, on both pieces too) on, from notch to notch; the band is what is allowed, ±${millimetres(said.limit_mm, 2)}.`,
         ),
     );
 }
@@ -220,7 +253,7 @@ function seamPanel(shape, seam, context) {
             pair(
                 'Mismatch',
                 html('span', { class: said.ok ? 'ok' : 'bad' }, signedMillimetres(said.mismatch_mm)),
-                html('small', {}, percent(said.mismatch_pct, 3)),
+                html('small', {}, percent(said.mismatch_pct)),
             ),
             pair(
                 'Farthest apart',
@@ -254,13 +287,13 @@ function seamPanel(shape, seam, context) {
         driftChart(seam),
         html(
             'div',
-            { class: 'mates' },
+            { class: `mates${matesAreWide(tiles) ? ' wide' : ''}` },
             tiles.map((tile) =>
                 html(
                     'figure',
                     {},
                     html('figcaption', {}, tile.name),
-                    pieceView(shape, tile, { ...context, chosenSeam: seam }),
+                    pieceView(shape, tile, { ...context, chosenSeam: seam, atScaleOf: tiles }),
                 ),
             ),
         ),
@@ -270,8 +303,8 @@ function seamPanel(shape, seam, context) {
 function nothingChosen(model) {
     const patterns = model.tiles.filter((tile) => !tile.said.equal_to && !tile.said.mirror_of).length;
     return [
-        html('h2', {}, 'Choose a tile or a seam'),
-        html('p', {}, 'Click one in the picture, or choose it in the list. Its piece is shown here as it is cut.'),
+        html('h2', { class: 'screen-only' }, 'Choose a tile or a seam'),
+        html('p', { class: 'screen-only' }, 'Click one in the picture, or choose it in the list. Its piece is shown here as it is cut.'),
         html(
             'dl',
             { class: 'figures' },

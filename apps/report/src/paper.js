@@ -1,46 +1,54 @@
-// On paper: every row of the tables, and the pieces of the tiles that fail.
+// On paper: every row of the tables and of the roll, and of each pattern one piece: those that fail, if any do.
 import { html } from './dom.js';
+import { count } from './format.js';
 import { pieceView } from './piece_view.js';
 import { failingTiles } from './verdict.js';
 
 const mostPieces = 24;
 
-// The picture of the envelope as it is now, on a canvas of its own: one of WebGL is at times blank on paper.
-function copyOf({ canvas, drawNow }) {
-    drawNow();
-    const copy = html('canvas', { class: 'envelope-copy', width: canvas.width, height: canvas.height });
-    copy.getContext('2d').drawImage(canvas, 0, 0);
-    return copy;
+function printedPieces(shape, context) {
+    const { model } = shape;
+    const failing = failingTiles(model);
+    const wanted = (failing.length > 0 ? failing : model.tiles).filter(
+        ({ flat, said }) => flat && !said.equal_to && !said.mirror_of,
+    );
+    if (wanted.length === 0) return [];
+    const shown = wanted.slice(0, mostPieces);
+    const copies = ({ said }) => (said.quantity ?? 1) + (said.quantity_mirrored ?? 0);
+    return [
+        html('h2', {}, failing.length > 0 ? 'The pieces that fail' : 'The patterns'),
+        shown.length < wanted.length &&
+            html('p', {}, `The first ${shown.length} of ${count(wanted.length, 'piece')}; click any of them in report.html.`),
+        html(
+            'div',
+            { class: 'pieces' },
+            shown.map((tile) =>
+                html(
+                    'figure',
+                    {},
+                    pieceView(shape, tile, context()),
+                    html('figcaption', {}, tile.name, copies(tile) > 1 && ` × ${copies(tile)}`),
+                ),
+            ),
+        ),
+    ].filter(Boolean);
 }
 
-export function printWhole(shape, view, tables, printed, context) {
-    let copy = null;
+// `whole`: what has a showWhole(isWhole).
+export function printWhole(shape, view, whole, printed, context) {
+    const picture = html('img', { class: 'envelope-printed', alt: 'The envelope' });
     window.addEventListener('beforeprint', () => {
-        for (const table of tables) table.showWhole(true);
+        for (const part of whole) part.showWhole(true);
         for (const details of document.querySelectorAll('details')) details.open = true;
-        const failing = failingTiles(shape.model)
-            .filter((tile) => tile.flat)
-            .slice(0, mostPieces);
-        printed.replaceChildren(
-            ...(failing.length > 0
-                ? [
-                      html('h2', {}, 'The pieces that fail'),
-                      html(
-                          'div',
-                          { class: 'pieces' },
-                          failing.map((tile) =>
-                              html('figure', {}, pieceView(shape, tile, context()), html('figcaption', {}, tile.name)),
-                          ),
-                      ),
-                  ]
-                : []),
-        );
-        copy = copyOf(view);
-        view.canvas.after(copy);
+        printed.replaceChildren(...printedPieces(shape, context));
+        // A picture of the canvas: browsers print canvases amiss, or over what is above them.
+        view.drawNow();
+        view.canvas.after(picture);
+        picture.src = view.canvas.toDataURL();
     });
     window.addEventListener('afterprint', () => {
-        for (const table of tables) table.showWhole(false);
+        for (const part of whole) part.showWhole(false);
         printed.replaceChildren();
-        copy?.remove();
+        picture.remove();
     });
 }

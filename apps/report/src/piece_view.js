@@ -4,9 +4,10 @@ import { html, svg } from './dom.js';
 import { figure, millimetres } from './format.js';
 import { clothPlaces, rimPlaces } from './maps.js';
 import { cssColour, paletteTable, places } from './palette.js';
+import { withButtons } from './piece_zoom.js';
 import { fillTriangle, makeImage } from './raster.js';
 
-const pixels = 1600; // of the picture of the triangles, along its longer side
+const pixels = { seen: 900, zoomed: 2000 }; // of the picture of the triangles, along its longer side
 
 // Where things lie: x as on the cloth, y downwards, millimetres.
 function frameOf(tile) {
@@ -21,8 +22,8 @@ function frameOf(tile) {
     return { x: box[0], y: box[1], width: box[2] - box[0] || 1, height: box[3] - box[1] || 1 };
 }
 
-function clothPicture(model, tile, map, palette, frame) {
-    const scale = pixels / Math.max(frame.width, frame.height);
+function clothPixels(model, tile, map, palette, frame, longer) {
+    const scale = longer / Math.max(frame.width, frame.height);
     const canvas = html('canvas', { width: Math.ceil(frame.width * scale), height: Math.ceil(frame.height * scale) });
     const context = canvas.getContext('2d');
     const image = makeImage(context);
@@ -39,14 +40,18 @@ function clothPicture(model, tile, map, palette, frame) {
         fillTriangle(image, colours[place], x, y);
     });
     context.putImageData(image.data, 0, 0);
-    return svg('image', {
-        x: frame.x,
-        y: frame.y,
-        width: canvas.width / scale,
-        height: canvas.height / scale,
-        preserveAspectRatio: 'none',
-        href: canvas.toDataURL(),
-    });
+    return { width: canvas.width / scale, height: canvas.height / scale, href: canvas.toDataURL() };
+}
+
+// The triangles in their colours; `refine`: as finely as one may look at them.
+function clothPicture(...what) {
+    const frame = what.at(-1);
+    const picture = svg('image', { x: frame.x, y: frame.y, preserveAspectRatio: 'none' });
+    const paint = (longer) => {
+        for (const [name, value] of Object.entries(clothPixels(...what, longer))) picture.setAttribute(name, value);
+    };
+    paint(pixels.seen);
+    return { picture, refine: () => paint(pixels.zoomed) };
 }
 
 function pathOf(points, isClosed) {
@@ -181,13 +186,17 @@ function rings(shape, tile, frame) {
     });
 }
 
-function seamPaths(model, tile, chosenSeam, onSeam) {
+function seamPaths(model, tile, chosenSeam, onSeam, radius) {
     return tile.sides.map((side) => {
-        const d = pathOf(inMillimetres(sidePoints(tile, side, tile.flat, 2)), false);
+        const points = sidePoints(tile, side, tile.flat, 2);
+        const d = pathOf(inMillimetres(points), false);
         const isChosen = side.seam === chosenSeam;
+        // The seam starts where its first side does; the second runs the other way.
+        const start = isChosen && points.at(side.name === 'a' ? 0 : -1).map((value) => value * 1000);
         return [
             isChosen && svg('path', { class: 'seam-casing', d }),
             isChosen && svg('path', { class: 'seam-chosen', d }),
+            isChosen && svg('circle', { class: 'start', cx: start[0], cy: -start[1], r: radius }),
             svg(
                 'path',
                 { class: 'seam-reach', d, 'data-seam': side.seam.id, onclick: () => onSeam(side.seam) },
@@ -203,6 +212,24 @@ export function mateOf(side) {
 
 export const mateName = (model, side) => (mateOf(side) ? model.tiles[mateOf(side).tile].name : 'nothing');
 
+const framesOf = (tiles) => tiles.filter((tile) => tile.flat).map(frameOf);
+
+// What is shown at first: the piece in the middle, with room for the largest of those it is compared with.
+function homeOf(frame, tiles) {
+    const frames = framesOf(tiles);
+    const [width, height] = ['width', 'height'].map((side) => Math.max(...frames.map((other) => other[side])));
+    const margin = 0.035 * Math.max(width, height);
+    return [
+        frame.x + (frame.width - width) / 2 - margin,
+        frame.y + (frame.height - height) / 2 - margin,
+        width + 2 * margin,
+        height + 2 * margin,
+    ];
+}
+
+// Are pieces better shown one below the other than side by side?
+export const matesAreWide = (tiles) => framesOf(tiles).every(({ width, height }) => width > 2 * height);
+
 // Which triangle of the flat tile holds a place [mm, y up].
 export function triangleAt(tile, x, y) {
     const { flat, triangles } = tile;
@@ -217,25 +244,24 @@ export function triangleAt(tile, x, y) {
 }
 
 // `hover(triangle, event)`: -1 where there is no cloth.
-export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover }) {
+export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover, atScaleOf }) {
     const { model } = shape;
     if (!tile.flat) return html('p', { class: 'nothing' }, 'This tile could not be laid flat, so there is no piece.');
     const frame = frameOf(tile);
-    const margin = 0.035 * Math.max(frame.width, frame.height);
-    const home = [frame.x - margin, frame.y - margin, frame.width + 2 * margin, frame.height + 2 * margin];
+    const home = homeOf(frame, atScaleOf ?? [tile]);
     const { piece } = tile;
-    const clip = `cloth-${tile.index}`;
+    const cloth = clothPicture(model, tile, map, palette, frame);
     const drawing = svg(
         'svg',
         {
             class: 'piece',
             viewBox: home.join(' '),
             role: 'img',
+            tabindex: 0,
             'aria-label': `The flat piece of ${tile.name}, ${size(frame)}`,
         },
-        svg('clipPath', { id: clip }, svg('path', { d: pathOf(outlinePoints(tile), true) })),
         piece && svg('path', { class: 'allowance', d: pathOf(piece.cut, true) }),
-        clothPicture(model, tile, map, palette, frame),
+        cloth.picture,
         rimPicture(model, tile, map, palette),
         piece && [
             svg('path', { class: 'cut', d: pathOf(piece.cut, true) }),
@@ -249,15 +275,14 @@ export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover
         ],
         proposedSeam(shape, tile),
         !chosenSeam && rings(shape, tile, frame),
-        seamPaths(model, tile, chosenSeam, onSeam),
+        seamPaths(model, tile, chosenSeam, onSeam, home[2] / 70),
     );
     if (hover)
         drawing.addEventListener('pointermove', (event) => {
             const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(drawing.getScreenCTM().inverse());
             hover(triangleAt(tile, at.x, -at.y), event);
         });
-    addZoom(drawing, home);
-    return drawing;
+    return withButtons(drawing, home, tile.name, cloth.refine);
 }
 
 function slitPath(slits) {
@@ -268,31 +293,3 @@ function slitPath(slits) {
 
 export const size = (frame) => `${figure(frame.width, 0)} × ${millimetres(frame.height, 0)}`;
 export const sizeOf = (tile) => size(frameOf(tile));
-
-// The wheel zooms about the pointer, dragging moves, a double click shows all again.
-function addZoom(drawing, home) {
-    let box = [...home],
-        from = null;
-    const set = (next) => drawing.setAttribute('viewBox', (box = next).join(' '));
-    const at = (event) => new DOMPoint(event.clientX, event.clientY).matrixTransform(drawing.getScreenCTM().inverse());
-    drawing.addEventListener(
-        'wheel',
-        (event) => {
-            event.preventDefault();
-            const factor = Math.min(1.4, Math.max(0.7, Math.exp(event.deltaY / 500)));
-            if (box[2] * factor > 1.5 * home[2] || box[2] * factor < home[2] / 200) return;
-            const p = at(event);
-            set([p.x - (p.x - box[0]) * factor, p.y - (p.y - box[1]) * factor, box[2] * factor, box[3] * factor]);
-        },
-        { passive: false },
-    );
-    drawing.addEventListener('pointerdown', (event) => {
-        from = at(event);
-    });
-    drawing.addEventListener('pointermove', (event) => {
-        if (!from || !(event.buttons & 1)) return;
-        const p = at(event);
-        set([box[0] + from.x - p.x, box[1] + from.y - p.y, box[2], box[3]]);
-    });
-    drawing.addEventListener('dblclick', () => set([...home]));
-}

@@ -1,6 +1,7 @@
 // The roll: where every piece lies on the cloth, row below row, as `ripstop nest` has laid them.
 import { html, svg } from './dom.js';
 import { count, figure } from './format.js';
+import { notLaid } from './verdict.js';
 
 const rowLength = 12000; // mm
 const firstRows = 8;
@@ -33,6 +34,67 @@ function laid(placement, tile) {
     return { placement, tile, box, transform, middle: [(box[0] + box[1]) / 2, (box[2] + box[3]) / 2] };
 }
 
+const patternOf = ({ name, said }) => said.equal_to ?? said.mirror_of ?? name;
+
+// A piece is a button: one stop of the tab key a row, the arrows go from piece to piece.
+function pieceButton({ tile, placement, transform }, isStop, onTile) {
+    const copy = `${tile.name}, copy ${placement.copy + 1}${placement.mirrored ? ', mirror image' : ''}`;
+    return svg(
+        'path',
+        {
+            class: tile.ok ? 'laid' : 'laid bad',
+            d: pathOf(tile.piece.cut),
+            transform,
+            role: 'button',
+            tabindex: isStop ? 0 : -1,
+            'aria-label': tile.ok ? copy : `${copy}, fails`,
+            'data-pattern': patternOf(tile),
+            onclick: () => onTile(tile),
+        },
+        svg('title', {}, copy),
+    );
+}
+
+function walkRow(event) {
+    const pieces = [...event.currentTarget.querySelectorAll('.laid')];
+    const at = pieces.indexOf(event.target);
+    const steps = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1, Home: -pieces.length, End: pieces.length };
+    if (at < 0) return;
+    if (event.key === 'Enter' || event.key === ' ') event.target.dispatchEvent(new MouseEvent('click'));
+    else if (event.key in steps) {
+        const next = pieces[Math.min(pieces.length - 1, Math.max(0, at + steps[event.key]))];
+        event.target.setAttribute('tabindex', '-1');
+        next.setAttribute('tabindex', '0');
+        next.focus();
+    } else return;
+    event.preventDefault();
+}
+
+// The lengths of cloth that lie in a row, and where one ends and the next begins.
+function clothOf(marker, start) {
+    const width = marker.roll_width_mm;
+    const parts = marker.roll_parts.filter(
+        (part) => part.start_mm < start + rowLength && part.start_mm + part.length_mm > start,
+    );
+    const within = (at) => Math.min(start + rowLength, Math.max(start, at));
+    return [
+        parts.map(({ start_mm: from, length_mm: length }) =>
+            svg('rect', {
+                class: 'cloth',
+                x: within(from),
+                y: -width,
+                width: within(from + length) - within(from),
+                height: width,
+            }),
+        ),
+        parts
+            .filter((part) => part.start_mm > 0 && part.start_mm >= start)
+            .map(({ start_mm: at }) =>
+                svg('path', { class: 'join', d: `M${at} 0V${-width}` }, svg('title', {}, 'Here a length of cloth ends')),
+            ),
+    ];
+}
+
 function rowView(marker, pieces, start, onTile) {
     const width = marker.roll_width_mm,
         end = Math.min(start + rowLength, marker.length_mm);
@@ -45,29 +107,15 @@ function rowView(marker, pieces, start, onTile) {
             {
                 class: 'roll',
                 viewBox: `${start} ${-width} ${rowLength} ${width}`,
-                role: 'img',
+                role: 'group',
                 'aria-label': `The roll from ${figure(start / 1000, 0)} to ${figure(end / 1000, 1)} m: ${count(here.length, 'piece')}`,
+                onkeydown: walkRow,
             },
-            svg('rect', { class: 'cloth', x: start, y: -width, width: end - start, height: width }),
+            clothOf(marker, start),
             svg(
                 'g',
                 { transform: 'scale(1 -1)' },
-                here.map(({ tile, placement, transform }) =>
-                    svg(
-                        'path',
-                        {
-                            class: tile.ok ? 'laid' : 'laid bad',
-                            d: pathOf(tile.piece.cut),
-                            transform,
-                            onclick: () => onTile(tile),
-                        },
-                        svg(
-                            'title',
-                            {},
-                            `${tile.name}, copy ${placement.copy}${placement.mirrored ? ', mirror image' : ''}`,
-                        ),
-                    ),
-                ),
+                here.map((piece, i) => pieceButton(piece, i === 0, onTile)),
             ),
             here.map(({ tile, box, middle }) =>
                 svg(
@@ -78,6 +126,7 @@ function rowView(marker, pieces, start, onTile) {
                         'text-anchor': 'middle',
                         'dominant-baseline': 'central',
                         'font-size': Math.min(110, (1.5 * (box[1] - box[0])) / Math.max(3, tile.name.length)),
+                        'aria-hidden': 'true',
                     },
                     tile.name,
                 ),
@@ -87,54 +136,96 @@ function rowView(marker, pieces, start, onTile) {
     );
 }
 
-function markerView(model, marker, onTile) {
+function joinWords({ roll_parts: parts }) {
+    if (parts.length < 2) return null;
+    const lengths = parts.map(({ length_mm: length }) => figure(length / 1000, 1)).join(', ');
+    return html('p', { class: 'note' }, `In ${parts.length} lengths of cloth: ${lengths} m. A dashed line is where one ends.`);
+}
+
+function markerView(model, marker, onTile, onShown) {
     const byName = new Map(model.tiles.filter((tile) => tile.piece).map((tile) => [tile.name, tile]));
     const pieces = marker.placements
         .filter(({ piece }) => byName.has(piece))
-        .map((placement) => laid(placement, byName.get(placement.piece)));
+        .map((placement) => laid(placement, byName.get(placement.piece)))
+        .sort((one, other) => one.box[0] - other.box[0]);
     const starts = [];
     for (let start = 0; start < marker.length_mm; start += rowLength) starts.push(start);
     const rows = html('div', { class: 'rows' });
-    const show = (number) =>
-        rows.replaceChildren(...starts.slice(0, number).map((start) => rowView(marker, pieces, start, onTile)));
-    show(firstRows);
     const more = html(
         'button',
-        {
-            class: 'more',
-            hidden: starts.length <= firstRows,
-            onclick: () => {
-                show(starts.length);
-                more.hidden = true;
-            },
-        },
+        { class: 'more', onclick: () => showWhole(true) },
         `Show all ${count(starts.length, 'row')}`,
     );
+    const showWhole = (isWhole) => {
+        const shown = isWhole ? starts : starts.slice(0, firstRows);
+        rows.replaceChildren(...shown.map((start) => rowView(marker, pieces, start, onTile)));
+        more.hidden = shown.length === starts.length;
+        onShown();
+    };
     const name = [marker.fabric, marker.colour].filter(Boolean).join(', ');
-    return [
+    const element = html(
+        'div',
+        {},
         html(
             'h3',
             {},
             `${name}: ${figure(marker.length_mm / 1000, 1)} m of cloth ${figure(marker.roll_width_mm, 0)} mm wide, ${figure(marker.utilisation_pct, 1)} % of it used, ${count(pieces.length, 'piece')}`,
         ),
+        joinWords(marker),
         rows,
         more,
+    );
+    return { element, showWhole };
+}
+
+function keyOfRoll(model) {
+    const entry = (name, words) => html('span', {}, html('i', { class: `swatch ${name}` }), ` ${words}`);
+    return html(
+        'p',
+        { class: 'roll-key' },
+        entry('laid-good', 'can be made'),
+        model.tiles.some((tile) => !tile.ok) && entry('laid-bad', 'cannot be made as drawn'),
+        entry('laid-chosen', 'the piece that is chosen, and its copies'),
+    );
+}
+
+function refusedView(roll) {
+    const { refused, all } = notLaid(roll);
+    if (refused === 0) return null;
+    return [
+        html(
+            'h3',
+            { class: 'bad' },
+            html('b', {}, `Not laid in all: ${figure(refused, 0)} of ${count(all, 'piece')}`),
+        ),
+        html(
+            'ul',
+            { class: 'findings' },
+            roll.refused.map(({ piece, quantity, reason }) =>
+                html('li', {}, html('b', {}, `${figure(quantity, 0)} × ${piece}`), `: not laid, since it ${reason}.`),
+            ),
+        ),
     ];
 }
 
 // Nothing where nothing was laid.
-export function rollView(model, onTile) {
+export function rollView(model, state, onTile) {
     if (!model.roll) return null;
-    return html(
-        'section',
-        { class: 'roll-section', 'aria-label': 'The roll' },
+    const light = () => {
+        const { chosen } = state.now;
+        const tile = chosen?.kind === 'tile' ? model.tiles[chosen.index] : null;
+        for (const path of element.querySelectorAll('.laid'))
+            path.classList.toggle('chosen', Boolean(tile) && path.dataset.pattern === patternOf(tile));
+    };
+    const element = html('section', { class: 'roll-section', 'aria-label': 'The roll' });
+    const markers = model.roll.markers.map((marker) => markerView(model, marker, onTile, light));
+    element.append(
         html('h2', {}, 'The roll'),
-        model.roll.markers.map((marker) => markerView(model, marker, onTile)),
-        model.roll.refused.length > 0 &&
-            html(
-                'ul',
-                { class: 'findings' },
-                model.roll.refused.map(({ piece, reason }) => html('li', {}, `${piece} is not laid: ${reason}`)),
-            ),
+        ...[keyOfRoll(model), refusedView(model.roll)].flat().filter(Boolean),
+        ...markers.map((marker) => marker.element),
     );
+    const showWhole = (isWhole) => markers.forEach((marker) => marker.showWhole(isWhole));
+    showWhole(false);
+    state.listen((now, before) => now.chosen !== before.chosen && light());
+    return { element, showWhole };
 }

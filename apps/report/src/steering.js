@@ -1,5 +1,6 @@
 // The pointer and the keys in the picture of the envelope: a click finds what is there, a drag is the view's own.
 import { hoverWords } from './tip.js';
+import { zoomByWheel } from './wheel.js';
 
 export function steer(view, { step, showTip, onFound }) {
     const { canvas } = view;
@@ -30,6 +31,7 @@ export function steer(view, { step, showTip, onFound }) {
         hovered = event;
     });
     canvas.addEventListener('pointerleave', () => showTip(null));
+    zoomByWheel(canvas, view.isPlain ? view.zoom : null);
     canvas.addEventListener('keydown', (event) => {
         const turns = { ArrowLeft: [-0.15, 0], ArrowRight: [0.15, 0], ArrowUp: [0, 0.15], ArrowDown: [0, -0.15] };
         const keys = {

@@ -6,19 +6,19 @@ import { meaning } from './verdict.js';
 const firstRows = 100;
 
 const largest = (...values) => values.reduce((worst, value) => (Math.abs(value) > Math.abs(worst) ? value : worst), 0);
-const codes = (tile) => [...new Set(tile.findings.map((finding) => meaning(finding.code)))].join(', ');
+const codes = (model, tile) => [...new Set(tile.findings.map(({ code }) => meaning(model, code)))].join(', ');
 const worstEdge = (tile) => largest(...tile.said.chains.map((chain) => chain.error_pct ?? NaN));
 
-const tileColumns = [
+const tileColumns = (model) => [
     { name: 'Tile', value: (tile) => tile.name, isName: true },
-    { name: 'Verdict', value: (tile) => (tile.ok ? 'can be made' : codes(tile) || 'not judged'), isVerdict: true },
+    { name: 'Verdict', value: (tile) => (tile.ok ? 'can be made' : codes(model, tile) || 'not judged'), isVerdict: true },
     {
         name: 'Cut like',
         value: (tile) => tile.said.equal_to ?? (tile.said.mirror_of ? `${tile.said.mirror_of}, turned over` : ''),
     },
     { name: 'Area m²', value: (tile) => tile.said.area_m2, show: (value) => figure(value, 3) },
-    { name: 'Area error', value: (tile) => tile.said.area_error_pct, show: (value) => percent(value, 3) },
-    { name: 'Worst edge', value: worstEdge, show: (value) => percent(value, 3) },
+    { name: 'Area error', value: (tile) => tile.said.area_error_pct, show: (value) => percent(value) },
+    { name: 'Worst edge', value: worstEdge, show: (value) => percent(value) },
     {
         name: 'Warp strain',
         value: (tile) => largest(tile.said.strain.warp_min_pct, tile.said.strain.warp_max_pct),
@@ -119,6 +119,8 @@ function table(id, title, items, columns, onItem) {
             }),
         );
     }
+    const heading = html('h2');
+    const all = count(items.length, title === 'Tiles' ? 'tile' : 'seam');
     function fill() {
         const texts = columns.filter((column) => !column.show);
         let rows = items.filter((item) =>
@@ -127,6 +129,7 @@ function table(id, title, items, columns, onItem) {
         if (sorting) rows = ordered(rows, sorting, descending);
         const shown = isWhole ? rows : rows.slice(0, firstRows);
         body.replaceChildren(...shown.map(row));
+        heading.textContent = `${title} (${rows.length < items.length ? `${figure(rows.length, 0)} of ${all}` : all})`;
         more.textContent = `Show all ${rows.length}`;
         more.hidden = shown.length === rows.length;
         heads.forEach((head, i) => {
@@ -144,7 +147,7 @@ function table(id, title, items, columns, onItem) {
         element: html(
             'section',
             { class: 'table', id, 'aria-label': title },
-            html('h2', {}, `${title} (${count(items.length, title === 'Tiles' ? 'tile' : 'seam')})`),
+            heading,
             html(
                 'div',
                 { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': `Table of ${title.toLowerCase()}` },
@@ -164,7 +167,7 @@ function table(id, title, items, columns, onItem) {
 }
 
 export function tileTable(model, onTile) {
-    const columns = model.report.inflated ? [...tileColumns, ...flightColumns] : tileColumns;
+    const columns = model.report.inflated ? [...tileColumns(model), ...flightColumns] : tileColumns(model);
     return table('tiles', 'Tiles', model.tiles, columns, onTile);
 }
 

@@ -1,24 +1,10 @@
-// The verdict: can it be made, what is wrong, what to redesign.
+// The verdict: can it be made, what is wrong, what to redesign. Its words are in report.json, envelope.says, in one place for all that
+// say them; names of tiles and seams in them are links here.
 import { html } from './dom.js';
-import { says } from './flight_view.js';
-import { count, short } from './format.js';
+import { says as saysOfFlight } from './flight_view.js';
+import { count, figure } from './format.js';
 
-// What a finding's code means to a maker, and the unit of its figure.
-const meanings = {
-    isoperimetric: ['no flat piece has this outline and this area', ''],
-    stretch_bound: ['more curved than the cloth can stretch', ''],
-    unsolved: ['no flattening was found', ''],
-    uncertified: ['the flattening is not certain', ''],
-    flipped: ['cloth turned over', ''],
-    outline: ['the outline meets itself', ''],
-    overlap: ['the piece lies on itself', ''],
-    area: ['area', '%'],
-    perimeter: ['length of the outline', '%'],
-    chain: ['length of an edge', '%'],
-    warp_strain: ['strain along the warp', '%'],
-    weft_strain: ['strain along the weft', '%'],
-    shear: ['shear between the threads', '°'],
-};
+const mostWarnings = 4; // the rest are among the notes
 
 const mostSaid = 5; // of what is said of the flight; the section about it has all
 
@@ -30,89 +16,55 @@ export function verdictWord(tile) {
 export const failingTiles = (model) => model.tiles.filter((tile) => !tile.ok);
 export const failingSeams = (model) => model.seams.filter((seam) => !seam.ok);
 
-export const meaning = (code) => meanings[code]?.[0] ?? code;
+// What a finding's code means to a maker.
+export const meaning = (model, code) => model.report.envelope.says.codes[code] ?? code;
 
 // True too where nothing was inflated.
 function fliesAsDrawn(said) {
     return !said || (said.converged && said.safe && said.deviation_rms_mm <= said.deviation_limit_mm);
 }
 
-function headline(model) {
-    const tiles = failingTiles(model),
-        seams = failingSeams(model);
-    const { envelope } = model.report;
-    if (envelope.manufacturable) {
-        const fitting =
-            model.seams.length > 0
-                ? `, and ${model.seams.length === 1 ? 'the seam fits' : `all ${count(model.seams.length, 'seam')} fit`}`
-                : '';
-        return `${model.tiles.length === 1 ? 'The tile' : `All ${count(model.tiles.length, 'tile')}`} can be made${fitting}.`;
-    }
-    const parts = [];
-    if (tiles.length > 0) parts.push(`${tiles.length} of ${count(model.tiles.length, 'tile')} cannot be made as drawn`);
-    if (seams.length > 0)
-        parts.push(
-            `${seams.length} of ${count(model.seams.length, 'seam')} ${seams.length === 1 ? 'does' : 'do'} not fit`,
-        );
-    if (parts.length === 0) parts.push('The tiles can be made, but the drawing has faults');
-    return parts.join(', and ') + '.';
+// Of a plan that was laid on the roll: how many pieces did not fit it.
+export function notLaid(roll) {
+    const refused = roll?.refused.reduce((sum, { quantity }) => sum + quantity, 0) ?? 0;
+    const laid = roll?.markers.reduce((sum, { placements }) => sum + placements.length, 0) ?? 0;
+    return { refused, all: refused + laid };
 }
 
-// Each kind of finding once, with how many tiles have it and the worst of them.
-function reasons(model) {
-    const kinds = new Map();
-    for (const tile of failingTiles(model))
-        for (const finding of tile.findings) {
-            const kind = kinds.get(finding.code) ?? { code: finding.code, tiles: new Set(), worst: null };
-            kind.tiles.add(tile);
-            const excess = Math.abs(finding.value / (finding.limit || 1));
-            if (!kind.worst || excess > kind.worst.excess) kind.worst = { tile, finding, excess };
-            kinds.set(finding.code, kind);
-        }
-    return [...kinds.values()].sort((one, other) => other.tiles.size - one.tiles.size);
+function rollWords({ refused, all }) {
+    return ` But ${figure(refused, 0)} of ${count(all, 'piece')} ${refused === 1 ? 'does' : 'do'} not fit the roll.`;
 }
 
-function reasonLine(kind, onTile) {
-    const { finding, tile } = kind.worst;
-    const unit = meanings[kind.code]?.[1] ?? '';
-    const figures = unit
-        ? `: ${short(Math.abs(finding.value))}${unit === '%' ? '\u00a0%' : unit}, allowed ${short(finding.limit)}${unit === '%' ? '\u00a0%' : unit}`
-        : '';
-    const link = html('button', { class: 'link', onclick: () => onTile(tile) }, tile.name);
-    if (kind.tiles.size === 1) return html('li', {}, link, `: ${meaning(kind.code)}${figures}.`);
-    return html(
-        'li',
-        {},
-        html('b', {}, count(kind.tiles.size, 'tile')),
-        `: ${meaning(kind.code)}. Worst `,
-        link,
-        `${figures}.`,
+const lines = (texts, attributes) =>
+    html(
+        'ul',
+        attributes,
+        texts.map((text) => html('li', {}, text)),
     );
+
+// Sentences of parts: texts, { tile: name } and { seam: id }.
+function sentences(title, said, linkOf) {
+    if (said.length === 0) return null;
+    const texts = said.map((parts) => parts.map((part) => (typeof part === 'string' ? part : linkOf(part))));
+    return html('section', {}, html('h2', {}, title), lines(texts));
 }
 
 export function verdictView(model, { onTile, onSeam }) {
     const { report } = model;
-    const good = report.envelope.manufacturable;
+    const { manufacturable: good, says, warnings } = report.envelope;
+    const unlaid = notLaid(model.roll);
     const flies = fliesAsDrawn(report.inflated);
-    const seams = failingSeams(model);
-    const proposals = model.tiles.filter((tile) => tile.said.proposal);
-    const others = report.envelope.findings.filter((finding) => finding.code !== 'seam');
-    const uncertain = model.seams.filter((seam) => !seam.said.certain).length;
-    const notes = [
-        ...(uncertain > 0
-            ? [
-                  `${count(uncertain, 'seam')} ${uncertain === 1 ? 'is' : 'are'} not certain: the meshes leave more of the length open than the seam may err.`,
-              ]
-            : []),
-        ...report.input.remarks,
-    ];
-    const worstSeam = seams.toSorted(
-        (one, other) => Math.abs(other.said.drift_max_mm) - Math.abs(one.said.drift_max_mm),
-    )[0];
-    const redesign = proposals.length > 0 || report.envelope.merges.length > 0;
+    const linkOf = ({ tile, seam }) => {
+        const open = () =>
+            tile === undefined
+                ? onSeam(model.seams.find(({ id }) => id === seam))
+                : onTile(model.tiles.find(({ name }) => name === tile));
+        return html('button', { class: 'link', onclick: open }, tile ?? seam);
+    };
+    const notes = [...warnings.slice(mostWarnings), ...says.notes];
     return html(
         'header',
-        { class: `verdict ${good && flies ? 'good' : 'poor'}` },
+        { class: `verdict ${good && flies ? 'good' : 'poor'}${good && flies && unlaid.refused > 0 ? ' short' : ''}` },
         html(
             'p',
             { class: 'file' },
@@ -122,95 +74,26 @@ export function verdictView(model, { onTile, onSeam }) {
         html(
             'h1',
             {},
-            html('span', { class: good ? 'word can' : 'word' }, good ? 'Manufacturable. ' : 'Not manufacturable as drawn. '),
-            headline(model),
+            html('span', { class: good ? 'word can' : 'word' }, `${says.word} `),
+            says.headline,
+            unlaid.refused > 0 && html('span', { class: 'but' }, rollWords(unlaid)),
             !flies && html('span', { class: 'word' }, ' It does not fly as drawn.'),
         ),
+        warnings.length > 0 && lines(warnings.slice(0, mostWarnings), { class: 'warnings', 'aria-label': 'Warnings' }),
         html(
             'div',
             { class: 'why' },
-            !good &&
-                html(
-                    'section',
-                    {},
-                    html('h2', {}, 'Why'),
-                    html(
-                        'ul',
-                        {},
-                        reasons(model).map((kind) => reasonLine(kind, onTile)),
-                        worstSeam &&
-                            html(
-                                'li',
-                                {},
-                                html('b', {}, count(seams.length, 'seam')),
-                                ': the two sides differ in length. Worst ',
-                                html('button', { class: 'link', onclick: () => onSeam(worstSeam) }, worstSeam.id),
-                                `: ${short(worstSeam.said.drift_max_mm)}\u00a0mm apart, allowed ${short(worstSeam.said.limit_mm)}\u00a0mm.`,
-                            ),
-                        others.map((finding) => html('li', {}, finding.message)),
-                    ),
-                ),
-            redesign &&
-                html(
-                    'section',
-                    {},
-                    html('h2', {}, 'What to redesign'),
-                    html(
-                        'ul',
-                        {},
-                        proposals
-                            .slice(0, 6)
-                            .map((tile) =>
-                                html(
-                                    'li',
-                                    {},
-                                    html('button', { class: 'link', onclick: () => onTile(tile) }, tile.name),
-                                    `: draw a seam ${tile.said.proposal.direction}; ${halves(tile.said.proposal)}.`,
-                                ),
-                            ),
-                        proposals.length > 6 &&
-                            html('li', {}, `and ${proposals.length - 6} more: choose a failing tile.`),
-                        report.envelope.merges.length > 0 &&
-                            html(
-                                'li',
-                                {},
-                                `${count(report.envelope.merges.length, 'pair')} of neighbours could be one tile; report.json names them.`,
-                            ),
-                    ),
-                ),
-            says(model).length > 0 &&
+            sentences('Why', says.why, linkOf),
+            sentences('What to redesign', says.redesign, linkOf),
+            saysOfFlight(model).length > 0 &&
                 html(
                     'section',
                     { class: 'says' },
                     html('h2', {}, html('a', { href: '#flight' }, 'In flight')),
-                    html(
-                        'ul',
-                        {},
-                        says(model)
-                            .slice(0, mostSaid)
-                            .map((sentence) => html('li', {}, sentence)),
-                    ),
+                    lines(saysOfFlight(model).slice(0, mostSaid)),
                 ),
         ),
         notes.length > 0 &&
-            html(
-                'details',
-                { class: 'note' },
-                html('summary', {}, count(notes.length, 'note')),
-                html(
-                    'ul',
-                    {},
-                    notes.map((note) => html('li', {}, note)),
-                ),
-            ),
+            html('details', { class: 'note' }, html('summary', {}, count(notes.length, 'note')), lines(notes)),
     );
-}
-
-function halves(proposal) {
-    const good = proposal.halves.filter((half) => half.verdict.findings.length === 0).length;
-    return [
-        'both halves are better, neither can be made yet',
-        'one half can be made then',
-        'both halves can be made then',
-    ][good];
 }

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/parallel.h"
 #include "ripstop/measure/accuracy.h"
+#include "ripstop/measure/equal_tiles.h"
 #include "ripstop/measure/judge.h"
 #include "ripstop/mesh/split.h"
+#include "ripstop/model/better_verdict.h"
 #include "ripstop/pipeline/half_tile.h"
 #include "ripstop/pipeline/weld_tiles.h"
 
@@ -84,11 +87,22 @@ std::optional<SplitProposal> try_line(const FlatTile& tile, const Line& line, co
     return proposal;
 }
 
+int better_halves(const SplitProposal& proposal, const Verdict& whole) {
+    return static_cast<int>(std::count_if(proposal.halves.begin(), proposal.halves.end(),
+                                          [&](const Trial& half) { return is_better(half.verdict, whole); }));
+}
+
+/// Are both halves better than the whole, or can one at least be made?
+bool helps(const SplitProposal& proposal, const Verdict& whole) {
+    const auto is_good = [](const Trial& half) { return half.verdict.manufacturable(); };
+    return better_halves(proposal, whole) == 2 || std::any_of(proposal.halves.begin(), proposal.halves.end(), is_good);
+}
+
 /// Less is better.
-std::tuple<std::size_t, std::size_t, double> rank(const SplitProposal& proposal) {
+std::tuple<int, std::size_t, std::size_t, double> rank(const SplitProposal& proposal, const Verdict& whole) {
     const std::size_t left = proposal.halves[0].verdict.findings.size();
     const std::size_t right = proposal.halves[1].verdict.findings.size();
-    return {std::max(left, right), left + right,
+    return {-better_halves(proposal, whole), std::max(left, right), left + right,
             proposal.halves[0].accuracy.energy + proposal.halves[1].accuracy.energy};
 }
 
@@ -96,6 +110,35 @@ bool is_sound(const FlatTile& tile) {
     const Points2& flat = tile.flattening.positions;
     return tile.flattening.summary.usable() && tile.accuracy.flipped == 0 &&
            flat.rows() == tile.tile.mesh.vertex_count() && flat.allFinite();
+}
+
+/// Where the proposal lies on a tile that is the first one moved, perhaps mirrored.
+SplitProposal moved(SplitProposal proposal, const Likeness& likeness) {
+    const auto move = [&](Vec3& point) {
+        if (likeness.mirrored) point.x() *= -1;
+        point = likeness.motion * point;
+    };
+    for (Vec3& point : proposal.line) move(point);
+    for (Trial& half : proposal.halves) {
+        for (Finding& finding : half.verdict.findings) move(finding.at);
+        Accuracy& a = half.accuracy;
+        for (Vec3* place :
+             {&a.worst_edge, &a.worst_warp, &a.worst_weft, &a.worst_shear, &a.worst_flip, &a.worst_overlap})
+            move(*place);
+    }
+    if (likeness.mirrored) std::swap(proposal.halves[0], proposal.halves[1]);
+    return proposal;
+}
+
+/// The proposal for a tile that is cut as `first` is; nothing where the two are no more alike than their pieces are.
+std::optional<SplitProposal> taken_over(const FlatTile& first, const FlatTile& tile) {
+    constexpr double tolerance = 3e-4;  // [m]: both are like their kind's first to a third of it
+    if (!first.proposal) return std::nullopt;
+    const Likeness likeness = find_equal_tiles({first.tile, tile.tile}, tolerance)[1];
+    if (likeness.to < 0) return std::nullopt;
+    SplitProposal proposal = moved(*first.proposal, likeness);
+    proposal.findings_before = static_cast<int>(tile.verdict.findings.size());
+    return proposal;
 }
 
 }  // namespace
@@ -109,7 +152,8 @@ std::optional<SplitProposal> propose_split(const FlatTile& tile, const Method& m
         std::optional<SplitProposal> here = try_line(tile, line, method, fabric, tolerances);
         if (!here) continue;
         ++tried;
-        if (!best || rank(*here) < rank(*best)) best = std::move(here);
+        if (!helps(*here, tile.verdict)) continue;
+        if (!best || rank(*here, tile.verdict) < rank(*best, tile.verdict)) best = std::move(here);
     }
     if (!best) return std::nullopt;
     best->tried = tried;
@@ -120,17 +164,29 @@ std::optional<SplitProposal> propose_split(const FlatTile& tile, const Method& m
 bool add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits,
                    const Progress& progress) {
     std::vector<std::size_t> failing;
+    std::vector<std::vector<std::size_t>> alike;  // of each of them, the others that fail and are cut as it is
+    std::map<int, std::size_t> kinds;
     long triangles = 0;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
-        if (plan.tiles[i].equal_to >= 0 || plan.tiles[i].verdict.manufacturable()) continue;
+        const FlatTile& tile = plan.tiles[i];
+        if (tile.verdict.manufacturable()) continue;
+        const auto [kind, is_new] =
+            kinds.emplace(tile.equal_to >= 0 ? tile.equal_to : static_cast<int>(i), failing.size());
+        if (!is_new) {
+            alike[kind->second].push_back(i);
+            continue;
+        }
         failing.push_back(i);
-        triangles += plan.tiles[i].tile.mesh.triangle_count();
+        alike.emplace_back();
+        triangles += tile.tile.mesh.triangle_count();
     }
     if (static_cast<long>(failing.size()) > limits.kinds || triangles > limits.triangles) return false;
     StepCounter counter(static_cast<int>(failing.size()), progress);
     parallel_for(static_cast<int>(failing.size()), threads, [&](int k) {
         FlatTile& tile = plan.tiles[failing[static_cast<std::size_t>(k)]];
         tile.proposal = propose_split(tile, method, plan.fabric_of(tile.tile), plan.tolerances_of(tile.tile));
+        for (const std::size_t other : alike[static_cast<std::size_t>(k)])
+            plan.tiles[other].proposal = taken_over(tile, plan.tiles[other]);
         counter.done("seams to draw in " + tile.tile.name);
     });
     return true;

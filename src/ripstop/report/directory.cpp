@@ -50,10 +50,10 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
     }
     write_file(dir / "tiles.csv", tiles_csv(plan));
     write_file(dir / "seams.csv", seams_csv(plan));
-    const std::string page = html_report(plan, pieces.pieces, strains);
+    const std::string page = html_report(plan, pieces.pieces, strains, report_json(plan, true, options.warnings));
     if (!page.empty()) write_file(dir / "report.html", page);
     write_file(dir / "bom.csv", bom_csv(pieces, nullptr));
-    write_file(dir / "report.json", report_json(plan, options.reproducible));
+    write_file(dir / "report.json", report_json(plan, options.reproducible, options.warnings));
 }
 
 }  // namespace

@@ -13,11 +13,12 @@
 namespace ripstop {
 
 struct DirectoryOptions {
-    bool force = false;         ///< replace what stands in a directory that is not empty
-    bool reproducible = false;  ///< leave `seconds` out of report.json: the same bytes on every run
-    bool pictures = true;       ///< pictures/NAME.svg, one a tile, and pictures/seams.svg
-    bool png = false;           ///< beside them the PNG pictures of `write_png_pictures`
-    int threads = 0;            ///< to make these (0: one a core)
+    bool force = false;                      ///< replace what stands in a directory that is not empty
+    bool reproducible = false;               ///< leave `seconds` out of report.json: the same bytes on every run
+    bool pictures = true;                    ///< pictures/NAME.svg, one a tile, and pictures/seams.svg
+    bool png = false;                        ///< beside them the PNG pictures of `write_png_pictures`
+    int threads = 0;                         ///< to make these (0: one a core)
+    std::vector<std::string> warnings = {};  ///< for report.json and report.html
     std::vector<std::string> formats = {"dxf", "svg", "pdf"};  ///< of the cut files: names of `piece_formats`
     PieceFileOptions files = {};                               ///< how they are written
 };

@@ -43,11 +43,11 @@ std::string head(const CutPlan& plan, const PageWords& words) {
     const bool is_redesigned = !words.redesign.empty();
     const double width = is_redesigned ? column : room;
     if (!words.why.empty())
-        svg += svg_text({side, 98}, "Why", title) + text_lines({side, 121}, words.why, most_lines, width, text);
+        svg += svg_text({side, 98}, "Why", title) + text_lines({side, 121}, plain(words.why), most_lines, width, text);
     const double right = words.why.empty() ? side : side + column + 40;
     if (is_redesigned)
         svg += svg_text({right, 98}, "What to redesign", title) +
-               text_lines({right, 121}, words.redesign, most_lines, column, text);
+               text_lines({right, 121}, plain(words.redesign), most_lines, column, text);
     return svg;
 }
 

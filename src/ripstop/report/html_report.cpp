@@ -3,12 +3,12 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 #include "ripstop/io/escape.h"
 #include "ripstop/report/page_shapes.h"
 #include "ripstop/report/page_template.h"
-#include "ripstop/report/report_json.h"
 #include "ripstop/report/tables.h"
 
 namespace ripstop {
@@ -28,6 +28,13 @@ std::string deflated(const std::string& text) {
 std::string summary(const CutPlan& plan) {
     return (plan.manufacturable() ? "Manufacturable.\n" : "Not manufacturable as drawn.\n") + plan_summary(plan) +
            "All figures are in report.json, tiles.csv and seams.csv beside this page.";
+}
+
+std::string xml_lines(const std::string& text) {
+    std::string result;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) result += xml_text(line) + "\n";
+    return result;
 }
 
 }  // namespace
@@ -52,8 +59,8 @@ std::string html_report(const CutPlan& plan, const std::vector<PatternPiece>& pi
     if (page.empty()) return {};
     const std::pair<std::string_view, std::string> parts[] = {
         {"RIPSTOP_TITLE", xml_text(plan.input_file.empty() ? "Ripstop report" : plan.input_file + ", Ripstop report")},
-        {"RIPSTOP_SUMMARY", xml_text(summary(plan))},
-        {"RIPSTOP_REPORT", base64(deflated(report.empty() ? report_json(plan, true) : report))},
+        {"RIPSTOP_SUMMARY", xml_lines(summary(plan))},
+        {"RIPSTOP_REPORT", base64(deflated(report))},
         {"RIPSTOP_SHAPES", base64(deflated(page_shapes(plan, pieces, strains)))}};
     // In the order of the page: what a name says is never taken for one of the words.
     std::string result;

@@ -9,7 +9,7 @@
 
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
-#include "ripstop/report/figures.h"
+#include "ripstop/report/proposals.h"
 
 namespace ripstop {
 namespace {
@@ -89,47 +89,58 @@ std::vector<Kind> kinds_of(const CutPlan& plan) {
     return kinds;
 }
 
-std::string reason(const Kind& kind) {
+PagePart name_of(const FlatTile& tile) {
+    return {tile.tile.name, PagePart::Kind::tile};
+}
+
+PageSentence reason(const Kind& kind) {
     const Meaning meaning = meaning_of(kind.code);
-    const std::string unit(meaning.unit), &name = kind.tile->tile.name;
+    const std::string unit(meaning.unit), words(meaning.words);
     const std::string figures = unit.empty() ? ""
                                              : ": " + short_figure(std::abs(kind.worst->value)) + unit + ", allowed " +
                                                    short_figure(kind.worst->limit) + unit;
-    if (kind.tiles.size() == 1) return name + ": " + std::string(meaning.words) + figures + ".";
-    return counted(kind.tiles.size(), "tile") + ": " + std::string(meaning.words) + ". Worst " + name + figures + ".";
+    if (kind.tiles.size() == 1) return {name_of(*kind.tile), {": " + words + figures + "."}};
+    return {{counted(kind.tiles.size(), "tile") + ": " + words + ". Worst "}, name_of(*kind.tile), {figures + "."}};
 }
 
-std::string seams_reason(const CutPlan& plan, std::size_t failing) {
+PageSentence seams_reason(const CutPlan& plan, std::size_t failing) {
     std::size_t worst = plan.walks.size();
     for (std::size_t i = 0; i < plan.walks.size(); ++i)
         if (!plan.walks[i].ok && (worst == plan.walks.size() || plan.walks[i].drift_max > plan.walks[worst].drift_max))
             worst = i;
-    return counted(failing, "seam") + ": the two sides differ in length. Worst " + plan.seams[worst].id + ": " +
-           short_figure(plan.walks[worst].drift_max / millimetre) + "\u00a0mm apart, allowed " +
-           short_figure(plan.walks[worst].limit / millimetre) + "\u00a0mm.";
+    return {{counted(failing, "seam") + ": the two sides differ in length. Worst "},
+            {plan.seams[worst].id, PagePart::Kind::seam},
+            {": " + short_figure(plan.walks[worst].drift_max / millimetre) + "\u00a0mm apart, allowed " +
+             short_figure(plan.walks[worst].limit / millimetre) + "\u00a0mm."}};
 }
 
-std::string halves(const SplitProposal& proposal) {
-    const auto good = std::count_if(proposal.halves.begin(), proposal.halves.end(),
-                                    [](const Trial& half) { return half.verdict.findings.empty(); });
-    constexpr std::array words{"both halves are better, neither can be made yet", "one half can be made then",
-                               "both halves can be made then"};
-    return words[static_cast<std::size_t>(good)];
-}
-
-std::vector<std::string> redesign(const CutPlan& plan) {
+std::vector<PageSentence> redesign(const CutPlan& plan) {
     constexpr std::size_t shown = 6;
-    std::vector<std::string> lines;
-    std::size_t count = 0;
-    for (const FlatTile& tile : plan.tiles)
-        if (tile.proposal && count++ < shown)
-            lines.push_back(tile.tile.name + ": draw a seam " + tile.proposal->direction + "; " +
-                            halves(*tile.proposal) + ".");
-    if (count > shown) lines.push_back("and " + std::to_string(count - shown) + " more; report.html shows them.");
+    std::vector<PageSentence> lines;
+    const std::vector<ProposedKind> kinds = proposed_kinds(plan);
+    for (std::size_t i = 0; i < std::min(shown, kinds.size()); ++i) {
+        const FlatTile& tile = plan.tiles[kinds[i].tile];
+        const std::string alike = kinds[i].count > 1 ? " and " + std::to_string(kinds[i].count - 1) + " alike" : "";
+        lines.push_back(
+            {name_of(tile), {alike + ": draw a seam " + tile.proposal->direction + "; " + halves_words(tile) + "."}});
+    }
+    if (kinds.size() > shown)
+        lines.push_back({{"and " + std::to_string(kinds.size() - shown) + " more, each shown with its tile."}});
     if (!plan.merges.empty())
-        lines.push_back(counted(plan.merges.size(), "pair") +
-                        " of neighbours could be one tile; report.json names them.");
+        lines.push_back(
+            {{counted(plan.merges.size(), "pair") + " of neighbours could be one tile; report.json names them."}});
     return lines;
+}
+
+std::vector<std::string> notes_on(const CutPlan& plan) {
+    std::vector<std::string> notes;
+    const auto uncertain = static_cast<std::size_t>(
+        std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return !walk.is_certain(); }));
+    if (uncertain > 0)
+        notes.push_back(counted(uncertain, "seam") + (uncertain == 1 ? " is" : " are") +
+                        " not certain: the meshes leave more of the length open than the seam may err.");
+    notes.insert(notes.end(), plan.remarks.begin(), plan.remarks.end());
+    return notes;
 }
 
 }  // namespace
@@ -156,6 +167,22 @@ std::string short_figure(double value) {
     return text;
 }
 
+std::string plain(const PageSentence& sentence) {
+    std::string text;
+    for (const PagePart& part : sentence) text += part.text;
+    return text;
+}
+
+std::vector<std::string> plain(const std::vector<PageSentence>& sentences) {
+    std::vector<std::string> texts;
+    for (const PageSentence& sentence : sentences) texts.push_back(plain(sentence));
+    return texts;
+}
+
+std::string finding_words(const std::string& code) {
+    return std::string(meaning_of(code).words);
+}
+
 PageWords page_words(const CutPlan& plan) {
     const auto tiles = static_cast<std::size_t>(std::count_if(plan.tiles.begin(), plan.tiles.end(), fails));
     const auto seams = static_cast<std::size_t>(
@@ -164,11 +191,12 @@ PageWords page_words(const CutPlan& plan) {
     words.word = plan.manufacturable() ? "Manufacturable." : "Not manufacturable as drawn.";
     words.headline = headline(plan, tiles, seams);
     words.redesign = redesign(plan);
+    words.notes = notes_on(plan);
     if (plan.manufacturable()) return words;
     for (const Kind& kind : kinds_of(plan)) words.why.push_back(reason(kind));
     if (seams > 0) words.why.push_back(seams_reason(plan, seams));
     for (const Finding& finding : plan.findings)
-        if (finding.code != "seam") words.why.push_back(finding.message);
+        if (finding.code != "seam") words.why.push_back({{finding.message}});
     return words;
 }
 

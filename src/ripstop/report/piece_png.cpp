@@ -66,7 +66,7 @@ std::vector<std::string> figures(const PieceSource& source, std::size_t i) {
                         tile.tile.remeshed ? " (meshed anew)" : "", tile.method)};
 }
 
-/// What each edge of a tile is sewn to: `S12 to G02P03: 1200.0 mm, there 1200.1 mm (−0.10 mm)`.
+/// What each edge of a tile is sewn to: `S12 to G02P03: 1200.0 mm, its mate 1200.1 mm (−0.10 mm)`.
 std::vector<std::string> sewn_edges(const CutPlan& plan, std::size_t tile) {
     std::vector<std::pair<int, std::string>> edges;
     for (std::size_t i = 0; i < plan.walks.size(); ++i)
@@ -76,10 +76,10 @@ std::vector<std::string> sewn_edges(const CutPlan& plan, std::size_t tile) {
             if (own.tile != static_cast<int>(tile) || own.parts.empty()) continue;
             const double here = is_b ? plan.walks[i].flat_b : plan.walks[i].flat_a;
             const double there = is_b ? plan.walks[i].flat_a : plan.walks[i].flat_b;
-            edges.emplace_back(own.parts.front().edge, seam.id + " to " +
-                                                           plan.tiles[static_cast<std::size_t>(mate.tile)].tile.name +
-                                                           ": " + millimetres(here) + ", there " + millimetres(there) +
-                                                           " (" + millimetres(here - there, 2, true) + ")");
+            edges.emplace_back(own.parts.front().edge,
+                               seam.id + " to " + plan.tiles[static_cast<std::size_t>(mate.tile)].tile.name + ": " +
+                                   millimetres(here) + ", its mate " + millimetres(there) + " (" +
+                                   millimetres(here - there, 2, true) + ")");
         }
     std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<std::string> lines;

@@ -10,6 +10,7 @@
 #include "ripstop/report/inflated_json.h"
 #include "ripstop/report/json_figures.h"
 #include "ripstop/report/load_tapes.h"
+#include "ripstop/report/says_json.h"
 #include "ripstop/report/seam_tables.h"
 #include "ripstop/version.h"
 
@@ -212,7 +213,7 @@ Json merges_json(const CutPlan& plan) {
     return merges;
 }
 
-Json envelope_json(const CutPlan& plan) {
+Json envelope_json(const CutPlan& plan, const std::vector<std::string>& warnings) {
     Json failed = Json::array(), failed_seams = Json::array();
     for (const FlatTile& tile : plan.tiles)
         if (!tile.verdict.manufacturable()) failed.push_back(tile.tile.name);
@@ -225,6 +226,8 @@ Json envelope_json(const CutPlan& plan) {
             {"failed", failed},
             {"failed_seams", failed_seams},
             {"findings", findings_json(plan.findings)},
+            {"warnings", warnings},
+            {"says", says_json(plan)},
             {"merges", merges_json(plan)}};
 }
 
@@ -290,7 +293,7 @@ void add_quantity(Json& json, const CutPlan& plan, std::size_t i, const Quantity
 
 }  // namespace
 
-std::string report_json(const CutPlan& plan, bool reproducible) {
+std::string report_json(const CutPlan& plan, bool reproducible, const std::vector<std::string>& warnings) {
     Json tiles = Json::array(), seams = Json::array();
     const auto sewn = seams_of_chains(plan);
     const std::vector<std::string> stems = file_stems(plan);
@@ -329,7 +332,7 @@ std::string report_json(const CutPlan& plan, bool reproducible) {
         {"tiles", tiles},
         {"seams", seams},
         {"seam_types", seam_types_json(plan)},
-        {"envelope", envelope_json(plan)}};
+        {"envelope", envelope_json(plan, warnings)}};
     if (plan.inflated) report["inflated"] = inflated_json(plan, reproducible);
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

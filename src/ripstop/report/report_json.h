@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ripstop/model/cut_plan.h"
 
@@ -12,6 +13,7 @@ inline constexpr const char* report_schema = "1.3";
 /// The text of report.json: what docs/report.schema.json describes. Every key carries its unit; figures have 12 significant
 /// digits; a figure that is not finite (the energy of a flipped tile, the errors of a failed one) is null. `reproducible`
 /// leaves out `seconds`, the only thing that differs from run to run. Each tile's `file` is the stem of its files.
-std::string report_json(const CutPlan& plan, bool reproducible = false);
+/// `warnings`: what may be meant and is no finding, a sentence each.
+std::string report_json(const CutPlan& plan, bool reproducible = false, const std::vector<std::string>& warnings = {});
 
 }  // namespace ripstop

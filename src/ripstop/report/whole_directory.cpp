@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <string>
 
 #include "ripstop/base/error.h"
@@ -53,6 +52,17 @@ void replace(const fs::path& fresh, const fs::path& dir, const fs::path& aside,
     fs::remove_all(aside);
 }
 
+/// Beside it (as written, `dir`) the partial directory is made. The rights of the folder do not tell all: a file system may take none at all.
+void require_room_beside(const fs::path& target, const fs::path& dir) {
+    const fs::path trial = target.string() + ".trial-" + std::to_string(::getpid());
+    std::error_code error;
+    fs::create_directory(trial, error);
+    if (error)
+        throw InputError(dir.string() + ": cannot be written: " + error.message() + " (" +
+                         target.parent_path().string() + "); choose another place");
+    fs::remove(trial, error);
+}
+
 }  // namespace
 
 void require_writable(const fs::path& dir, bool force) {
@@ -61,9 +71,7 @@ void require_writable(const fs::path& dir, bool force) {
         if (!fs::is_directory(target.parent_path()))
             throw InputError(dir.string() + ": cannot be written: " + target.parent_path().string() +
                              " is no directory; make it first");
-        if (::access(target.parent_path().c_str(), W_OK) != 0)
-            throw InputError(dir.string() + ": cannot be written: " + std::generic_category().message(errno) + " (" +
-                             target.parent_path().string() + "); choose another place");
+        require_room_beside(target, dir);
         if (!fs::exists(target)) return;
         if (!fs::is_directory(target)) throw InputError(dir.string() + ": is a file, expected a directory or nothing");
         if (!force && !fs::is_empty(target))

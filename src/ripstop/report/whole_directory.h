@@ -17,7 +17,7 @@ void write_whole_directory(const std::filesystem::path& dir, bool force, const s
                            const std::function<void(const std::filesystem::path&)>& write);
 
 /// Throws InputError as `write_whole_directory` would for what stands at `dir`, so that a long job can say so before it
-/// starts.
+/// starts. Makes and removes a directory beside it, to try.
 void require_writable(const std::filesystem::path& dir, bool force);
 
 }  // namespace ripstop
