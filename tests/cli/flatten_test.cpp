@@ -107,8 +107,8 @@ TEST(FlattenCommand, LaysThePlanOutAsTheContractSays) {
     EXPECT_THAT(written, ElementsAre("bom.csv", "cut/envelope.dxf", "cut/envelope.pdf", "cut/envelope.svg",
                                      "cut/pieces.json", "cut/tiles/Bily_dracek_2.dxf", "cut/tiles/Bily_dracek_2.svg",
                                      "cut/tiles/G01P01.dxf", "cut/tiles/G01P01.svg", "flat/Bily_dracek_2.obj",
-                                     "flat/G01P01.obj", "pictures/Bily_dracek_2.svg", "pictures/G01P01.svg",
-                                     "report.html", "report.json", "seams.csv", "tiles.csv"));
+                                     "flat/G01P01.obj", "flat/sewing.json", "pictures/Bily_dracek_2.svg",
+                                     "pictures/G01P01.svg", "report.html", "report.json", "seams.csv", "tiles.csv"));
     EXPECT_THAT(workshop.names(), ElementsAre("envelope.obj", "plan"));
     const Json report = report_of(workshop, "plan");
     EXPECT_THAT(tile_names(report), ElementsAre("G01P01", "Bílý dráček/2"));
@@ -166,7 +166,7 @@ TEST(FlattenCommand, GivesTheSameBytesOnAnyNumberOfThreads) {
         workshop.ripstop(std::string("flatten envelope.obj --reproducible -o jobs") + jobs + " --jobs " + jobs);
     EXPECT_EQ(workshop.files("jobs1"), workshop.files("jobs2"));
     EXPECT_EQ(workshop.files("jobs1"), workshop.files("jobs3"));
-    EXPECT_EQ(workshop.files("jobs1").size(), page_template().empty() ? 28u : 29u);
+    EXPECT_EQ(workshop.files("jobs1").size(), page_template().empty() ? 29u : 30u);
     EXPECT_THAT(workshop.read("jobs1/report.json"), Not(HasSubstr("\"seconds\"")));
 }
 

@@ -75,7 +75,8 @@ TEST(Help, GivesExamplesThatRun) {
             "radii_mm": [2000, 2000, 2000], "sectors": 6, "rings": 3}]})");
         const std::string design = "design natural --gores 12 --panels 6 --edge 600mm --volume 300 -o ";
         ASSERT_EQ(workshop.ripstop(design + "envelope.obj").code, 0);
-        const bool needs_plans = command == "export" || command == "validate" || command == "nest" || command == "diff";
+        const bool needs_plans = command == "export" || command == "validate" || command == "nest" ||
+                                 command == "diff" || command == "inflate";
         for (const std::string folder : {"cut-plan", "plan-1", "plan-2"}) {
             if (!needs_plans) continue;
             ASSERT_LE(workshop.ripstop("flatten envelope.obj --quiet -o " + folder).code, 1);

@@ -39,7 +39,7 @@ TEST(ProjectJson, JudgesTheCasesAsTheSchemaDoes) {
             EXPECT_EQ(refusal(entry["project"].dump()), "accepted");
         } else {
             EXPECT_THAT(refusal(entry["project"].dump()), StartsWith("plan.json: "));
-            EXPECT_THAT(refusal(entry["project"].dump()), HasSubstr(entry["says"].get<std::string>()));
+            EXPECT_THAT(refusal(entry["project"].dump()), HasSubstr(entry.at("says").get<std::string>()));
         }
     }
 }

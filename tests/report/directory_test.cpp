@@ -65,8 +65,8 @@ TEST(PlanDirectory, HoldsWhatTheContractNames) {
     EXPECT_THAT(written, ElementsAre("bom.csv", "cut/envelope.dxf", "cut/envelope.pdf", "cut/envelope.svg",
                                      "cut/pieces.json", "cut/tiles/Bily__dracek_.dxf", "cut/tiles/Bily__dracek_.svg",
                                      "cut/tiles/G01_P01.dxf", "cut/tiles/G01_P01.svg", "flat/Bily__dracek_.obj",
-                                     "flat/G01_P01.obj", "pictures/Bily__dracek_.svg", "pictures/G01_P01.svg",
-                                     "report.html", "report.json", "seams.csv", "tiles.csv"));
+                                     "flat/G01_P01.obj", "flat/sewing.json", "pictures/Bily__dracek_.svg",
+                                     "pictures/G01_P01.svg", "report.html", "report.json", "seams.csv", "tiles.csv"));
     EXPECT_THAT(names(scratch.path()), ElementsAre("plan"));
 }
 

@@ -59,7 +59,7 @@ console.log(
         colours: [...palette.paletteTable('safe')],
         places: shares.map((share) => palette.placeOf(share ?? NaN)),
         figures: shares.map((share) => [format.figure(share, 2, true), format.short(1000 * (share ?? NaN))]),
-        maps: maps.maps.map((map) => {
+        maps: maps.maps.filter(({ inFlight }) => !inFlight).map((map) => {
             const { low, high, note, pinned } = maps.legend(model, map);
             return {
                 id: map.id,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ripstop/pipeline/smooth_displacement.h"
 #include "ripstop/pipeline/tape_seams.h"
 #include "ripstop/pipeline/wanted_cloth.h"
 
@@ -82,10 +83,14 @@ class Correction {
     std::vector<CompensationRound> rounds_;
 };
 
-/// X' - w (x - X): the target moved against what the inflated shape is off.
-void displace(WantedCloth& wanted, const CutPlan& plan, double share) {
+/// X' - w (x - X): the target moved against what the inflated shape is off, as far as that is smooth.
+void displace(WantedCloth& wanted, const CutPlan& plan, const CompensateOptions& options, double share) {
+    std::vector<Points3> off;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
-        wanted.target[i] -= share * (plan.inflated->tiles[i].positions - plan.tiles[i].tile.mesh.positions);
+        off.push_back(plan.inflated->tiles[i].positions - plan.tiles[i].tile.mesh.positions);
+    const double length = options.smoothing * plan.inflated->drawn_height;
+    const std::vector<Points3> smooth = smooth_displacement(plan, options.inflate.rigging, off, length);
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) wanted.target[i] -= share * smooth[i];
 }
 
 }  // namespace
@@ -105,7 +110,7 @@ CutPlan compensate(const Envelope& envelope, const CompensateOptions& options) {
     for (int step = 0, idle = 0; step < options.displacements && idle < 2; ++step) {
         wanted = correction.best_wanted();
         const double before = correction.best().inflated->off.moved_rms;
-        displace(wanted, correction.best(), share);
+        displace(wanted, correction.best(), options, share);
         const bool is_better = correction.round("displacement", share, wanted);
         if (!is_better) share *= 0.5;
         idle = is_better && correction.best().inflated->off.moved_rms < 0.98 * before ? 0 : idle + 1;

@@ -17,6 +17,8 @@ struct CompensateOptions {
     int elastic_steps = 2;    ///< rounds that cut the cloth for the strain it has in flight
     int displacements = 8;    ///< at most so many rounds after these that move the target against the deviation
     double relaxation = 0.7;  ///< by this share of the deviation; halved where a round makes it worse
+    double smoothing =
+        0.01;  ///< share of the drawn height: narrower changes of the deviation are not cut into the cloth
     Progress progress = {};
 };
 
@@ -24,7 +26,8 @@ struct CompensateOptions {
 ///
 ///     elastic:       every triangle is cut so that it is as drawn under the stress it bears in flight: E* = C^-1 S, S the relaxed stress
 ///                    (so a wrinkle is not cut into the cloth); tapes shorter by 1 / sqrt(1 + 2 N / EA)
-///     displacement:  the target moves against what is left of the deviation, X' <- X' - w (x - X), and the metric of X' is cut
+///     displacement:  the target moves against what is left of the deviation, X' <- X' - w (x - X), and the metric of X' is cut;
+///                    x - X smoothed (`smooth_displacement`), for a kink cut into the cloth is a strain in it
 ///
 /// Both sides of a seam are cut alike: the length of the seam's curve is the mean of what the two sides ask for, place by place. The round with the
 /// least deviation (`Deviation::moved_rms`) is kept; it ends when two rounds gain nothing. What tiles are to be cut longer for
