@@ -25,12 +25,11 @@ double RelaxedMembrane::energy(const TensionField& cloth, const Vec3& a, const V
     return area_ * cloth.at(green_voigt(deformation(a, b, c))).energy;
 }
 
-SpaceElement RelaxedMembrane::element(const TensionField& cloth, const TensionField& relaxed, const Vec3& a,
-                                      const Vec3& b, const Vec3& c) const {
+SpaceElement RelaxedMembrane::element(const TensionField& cloth, const Vec3& a, const Vec3& b, const Vec3& c) const {
     const Mat32 F = deformation(a, b, c);
     const Vec3 strain = green_voigt(F);
     const ClothResponse response = cloth.at(strain);
-    const Vec3 pull = relaxed.at(strain).stress;
+    const Vec3& pull = response.tension;
     Eigen::Matrix<double, 3, 9> B;
     for (int v = 0; v < 3; ++v) {
         const double n1 = shape_(v, 0), n2 = shape_(v, 1);

@@ -31,9 +31,8 @@ class RelaxedMembrane {
     /// Energy with its exact gradient. The Hessian is exact without a residual stiffness, and then positive semi-definite; with
     /// one the share of the geometric stiffness that pushes is left out, so that it stays so:
     ///
-    ///     H = A (B^T (dS/de) B + sum S_ij N_vi N_wj I),  S without the residual's
-    SpaceElement element(const TensionField& cloth, const TensionField& relaxed, const Vec3& a, const Vec3& b,
-                         const Vec3& c) const;
+    ///     H = A (B^T (dS/de) B + sum S_ij N_vi N_wj I),  S the `tension` alone
+    SpaceElement element(const TensionField& cloth, const Vec3& a, const Vec3& b, const Vec3& c) const;
 
   private:
     Eigen::Matrix<double, 3, 2> shape_;  ///< row v: how F's columns follow corner v

@@ -64,7 +64,7 @@ ClothResponse TensionField::at(const Vector3d& strain) const {
 ClothResponse TensionField::relaxed(const Vector3d& strain) const {
     const Vector3d stress = stiffness_ * strain;
     if (is_positive(stress[0], stress[1], stress[2]))
-        return {ClothState::taut, 0.5 * strain.dot(stress), stress, stiffness_, 0};
+        return {ClothState::taut, 0.5 * strain.dot(stress), stress, stress, stiffness_, 0};
     if (is_positive(-strain[0], -strain[1], 0.5 * strain[2])) return {};
     return wrinkled(strain);
 }
@@ -98,8 +98,12 @@ ClothResponse TensionField::wrinkled(const Vector3d& strain) const {
     }
     const Ray ray(strain, compliance_, phi);
     if (!(ray.eps > 0)) return {};
-    ClothResponse response{ClothState::wrinkled, ray.energy(), ray.eps / ray.Sc * ray.m,
-                           ray.m * ray.m.transpose() / ray.Sc, phi};
+    ClothResponse response{ClothState::wrinkled,
+                           ray.energy(),
+                           ray.eps / ray.Sc * ray.m,
+                           ray.eps / ray.Sc * ray.m,
+                           ray.m * ray.m.transpose() / ray.Sc,
+                           phi};
     // How the tension turns with the strain; nothing where the energy is flat in phi to rounding.
     const Vector3d l = (ray.eps1 * ray.m + ray.eps * ray.m1) / ray.Sc - ray.eps * ray.Sc1 / (ray.Sc * ray.Sc) * ray.m;
     if (const double curvature = ray.curvature(); curvature < 0) response.tangent -= l * l.transpose() / curvature;

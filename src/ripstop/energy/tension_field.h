@@ -12,6 +12,7 @@ struct ClothResponse {
     ClothState state = ClothState::slack;
     double energy = 0;                                  ///< [J/m2]
     Eigen::Vector3d stress = Eigen::Vector3d::Zero();   ///< S11, S22, S12: second Piola-Kirchhoff [N/m]
+    Eigen::Vector3d tension = Eigen::Vector3d::Zero();  ///< of `stress` the relaxed part, which never pushes [N/m]
     Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();  ///< dS / de, positive semi-definite [N/m]
     double direction = 0;                               ///< of the tension where wrinkled, from the warp [rad]
 };

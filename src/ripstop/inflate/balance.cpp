@@ -46,8 +46,7 @@ struct Balance::Element {
 
 Balance::Balance(const SewnEnvelope& sewn, const GasPressure& gas, int threads)
     : sewn_(sewn), gas_(gas), threads_(threads), angle_(2 * std::numbers::pi / sewn.sectors) {
-    for (const Fabric& fabric : sewn.fabrics) relaxed_.emplace_back(fabric);
-    cloth_ = relaxed_;
+    set_residual(0);
     int size = 0;
     for (const Freedom freedom : sewn.freedom) {
         first_unknown_.push_back(size);
@@ -142,7 +141,7 @@ SpaceElement Balance::evaluate(const Element& element, const Points3& nodes) con
     }
     if (element.kind == Element::Kind::cloth) {
         const auto fabric = static_cast<std::size_t>(sewn_.fabric[static_cast<std::size_t>(element.number)]);
-        result = element.membrane[0].element(cloth_[fabric], relaxed_[fabric], x[0], x[1], x[2]);
+        result = element.membrane[0].element(cloth_[fabric], x[0], x[1], x[2]);
     }
     if (element.gas) {
         const SpaceElement gas = gas_element(gas_, x[0], x[1], x[2]);

@@ -68,8 +68,8 @@ class Balance {
     GasPressure gas_;
     int threads_;
     double angle_;
-    std::vector<TensionField> relaxed_, cloth_;  ///< of each fabric: without and with the residual
-    std::vector<int> first_unknown_;             ///< of each node; of as many as its freedom has directions
+    std::vector<TensionField> cloth_;  ///< of each fabric
+    std::vector<int> first_unknown_;   ///< of each node; of as many as its freedom has directions
     std::vector<Element> elements_;
     std::unique_ptr<SparsePattern> pattern_;
 };

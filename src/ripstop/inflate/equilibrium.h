@@ -8,7 +8,7 @@ namespace ripstop {
 
 struct EquilibriumOptions {
     /// Shares of the unrelaxed cloth, one after the other; the last is the result's. Each is started from the one before.
-    std::vector<double> residuals = {1e-2, 1e-4};
+    std::vector<double> residuals = {1e-4};
     int iterations = 300;     ///< of Newton's method, in all
     double tolerance = 1e-4;  ///< of the forces: their root mean square against the largest pressure on an edge squared
     Progress progress = {};   ///< may throw to stop; nothing is kept then

@@ -29,6 +29,12 @@ Points3 start_nodes(const SewnEnvelope& sewn, const std::vector<Points3>& start)
     return nodes;
 }
 
+Eigen::VectorXd flat_areas(const FlatTile& tile) {
+    return Eigen::VectorXd::NullaryExpr(tile.tile.mesh.triangle_count(), [&](Eigen::Index t) {
+        return 0.5 * flat_edges(tile.tile.mesh.triangles, tile.flattening.positions, static_cast<int>(t)).determinant();
+    });
+}
+
 /// What a tile's cloth goes through, for positions in flight.
 void read_cloth(const FlatTile& tile, const Fabric& fabric, InflatedTile& inflated) {
     const TensionField cloth(fabric);
@@ -109,9 +115,7 @@ void read_tiles(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& no
             inflated.tension_max = there.tension_max;
             inflated.tension_tile = tile.tile.name;
         }
-        double own_area = 0;
-        for (int t = 0; t < tile.tile.mesh.triangle_count(); ++t)
-            own_area += 0.5 * flat_edges(tile.tile.mesh.triangles, tile.flattening.positions, t).determinant();
+        const double own_area = flat_areas(tile).sum();
         area += own_area;
         inflated.wrinkled += there.wrinkled * own_area;
         inflated.slack += there.slack * own_area;
@@ -120,6 +124,40 @@ void read_tiles(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& no
     }
     inflated.wrinkled /= area;
     inflated.slack /= area;
+}
+
+constexpr double limit_load = 1.4;
+
+SafetyFactor factor_of_cloth(const Inflated& inflated, const CutPlan& plan, double knock_down, double required) {
+    constexpr double left_out = 1e-4;  // of the area
+    struct Part {
+        double load, strength, area;
+        std::size_t tile;
+    };
+    std::vector<Part> parts;
+    double whole = 0;
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        const FlatTile& tile = plan.tiles[i];
+        const Eigen::VectorXd areas = flat_areas(tile);
+        whole += areas.sum();
+        for (Eigen::Index t = 0; t < areas.size(); ++t)
+            parts.push_back({inflated.tiles[i].tension(t, 0), plan.fabric_of(tile.tile).strength, areas[t], i});
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Part& a, const Part& b) { return a.load * b.strength > b.load * a.strength; });
+    double area = 0;
+    for (const Part& part : parts) {
+        area += part.area;
+        if (area < left_out * whole) continue;
+        return {"cloth",
+                part.load,
+                part.strength,
+                knock_down,
+                required,
+                knock_down * part.strength / (limit_load * std::max(part.load, 1e-12)),
+                "tile " + plan.tiles[part.tile].tile.name};
+    }
+    return {};
 }
 
 }  // namespace
@@ -158,19 +196,10 @@ Inflated inflate(const CutPlan& plan, const InflateOptions& options) {
 }
 
 std::vector<SafetyFactor> safety_factors(const Inflated& inflated, const CutPlan& plan, const Rigging& rigging) {
-    constexpr double limit_load = 1.4, hot = 0.5, aged = 0.5, seam = 0.8, envelope = 5, suspension = 2.25;
+    constexpr double hot = 0.5, aged = 0.5, seam = 0.8, envelope = 5, suspension = 2.25;
     std::vector<SafetyFactor> factors;
-    SafetyFactor cloth{"cloth", 0, 0, hot * aged * seam, envelope};
-    cloth.factor = 1e300;
-    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
-        const double strength = plan.fabric_of(plan.tiles[i].tile).strength, load = inflated.tiles[i].tension_max;
-        if (!(load > 0)) continue;
-        const double factor = cloth.knock_down * strength / (limit_load * load);
-        if (factor >= cloth.factor) continue;
-        cloth = {
-            cloth.part, load, strength, cloth.knock_down, cloth.required, factor, "tile " + plan.tiles[i].tile.name};
-    }
-    if (cloth.load > 0) factors.push_back(cloth);
+    if (const SafetyFactor cloth = factor_of_cloth(inflated, plan, hot * aged * seam, envelope); cloth.load > 0)
+        factors.push_back(cloth);
     const auto add = [&](TapeKind kind, const char* part, double strength, double knock_down, double required) {
         SafetyFactor worst{part, 0, strength, knock_down, required};
         for (const InflatedTape& tape : inflated.tapes) {

@@ -50,7 +50,7 @@ struct InflatedTape {
 /// How much stronger something is than what it bears, and what is asked.
 struct SafetyFactor {
     std::string part;       ///< `cloth`, `load tapes`, `wires`
-    double load = 0;        ///< largest in flight [N/m or N]
+    double load = 0;        ///< largest in flight; of cloth what all but 0.01 % of it stays below [N/m or N]
     double strength = 0;    ///< new and cold [N/m or N]
     double knock_down = 1;  ///< what of it is counted on: heat, age, seam
     double required = 0;
@@ -62,7 +62,7 @@ struct SafetyFactor {
 /// Why an envelope does not take the drawn shape, by what changes when a cause is taken away [m, root mean square].
 struct Causes {
     double shape =
-        0;  ///< cut without any error of a cloth a hundred times stiffer: this shape cannot be held by gas pressure
+        0;  ///< cut without any error of a cloth that does not stretch: this shape cannot be held by gas pressure
     double stretch = 0;   ///< what the real cloth and tapes add to that
     double patterns = 0;  ///< what the pieces as cut add; not a number where it is not known
 };

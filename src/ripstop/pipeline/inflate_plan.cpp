@@ -30,7 +30,14 @@ Progress part_of(const Progress& progress, double from, double to) {
     return [=](double fraction, const std::string& what) { progress(from + (to - from) * fraction, what); };
 }
 
-constexpr double stiffer = 100;  // what is left of the deviation then is the shape's own
+constexpr double stiffer = 10;  // more makes a cloth that hardly comes to rest
+
+/// Where cloth that does not stretch at all would be, as stretch goes with 1 / stiffness.
+std::vector<Points3> unstretched(const std::vector<Points3>& real, const std::vector<Points3>& stiff) {
+    std::vector<Points3> positions;
+    for (std::size_t i = 0; i < real.size(); ++i) positions.push_back(stiff[i] + (stiff[i] - real[i]) / (stiffer - 1));
+    return positions;
+}
 
 /// Inflates the plan twice more: of the stiffer cloth as drawn, and of its own cloth as it is to be cut. Nothing where these are not at rest; of a plan that is
 /// compensated for a strain that is not at hand, `patterns` is not a number and counts among `stretch`.
@@ -54,13 +61,14 @@ std::optional<Causes> find_causes(const CutPlan& plan, const Inflated& inflated,
         if (!is_at_rest(wanted)) return std::nullopt;
         without_error = positions_of(wanted);
     }
-    inflating.start.clear();
+    inflating.start = without_error;
     inflating.sewing.rest = RestState::as_drawn;
     inflating.sewing.stiffer = stiffer;
     inflating.progress = part_of(progress, 0.7, 1);
     const Inflated stiff = inflate(plan, inflating);
     if (!is_at_rest(stiff)) return std::nullopt;
-    return Causes{apart(positions_of(stiff), drawn), apart(without_error, positions_of(stiff)),
+    const std::vector<Points3> own = unstretched(without_error, positions_of(stiff));
+    return Causes{apart(own, drawn), apart(without_error, own),
                   knows_strain ? apart(there, without_error) : std::numeric_limits<double>::quiet_NaN()};
 }
 

@@ -34,8 +34,14 @@ struct Job {
     std::optional<Tile> made;
 };
 
+/// Triangles a tile: a thousand, fewer where the tiles are so many that sewing and inflating them would take minutes.
+double fewest_of(std::size_t tiles) {
+    return std::clamp(100000 / static_cast<double>(tiles), 250.0, 1000.0);
+}
+
 std::vector<Job> find_jobs(const std::vector<Tile>& tiles, const RemeshOptions& options) {
     std::vector<Job> jobs(tiles.size());
+    const double fewest = fewest_of(tiles.size());
     parallel_for(static_cast<int>(tiles.size()), options.threads, [&](int t) {
         const MeshState state = measure_mesh(tiles[static_cast<std::size_t>(t)]);
         Job& job = jobs[static_cast<std::size_t>(t)];
@@ -44,8 +50,8 @@ std::vector<Job> find_jobs(const std::vector<Tile>& tiles, const RemeshOptions& 
             job.edge_length = std::min(options.edge_length, edge_of(state.area, fewest_triangles));
             return;
         }
-        job.fault = find_fault(state, options.length_tolerance);
-        if (job.fault) job.edge_length = needed_edge(state);
+        job.fault = find_fault(state, options.length_tolerance, fewest);
+        if (job.fault) job.edge_length = needed_edge(state, fewest);
     });
     return jobs;
 }

@@ -18,7 +18,7 @@ constexpr double many_slivers = 0.1;
 constexpr double many_locked = 0.25;
 constexpr double interior_limit = 4.7 * degree;
 constexpr double turn_wanted = 5 * degree;
-constexpr double fewest = 1000, most = 4000;  // triangles
+constexpr double most = 4000;  // triangles
 constexpr int too_many = 50000;
 constexpr double far_below = 0.25;  // of the needed edge
 constexpr double coarse_share = 1.1;
@@ -133,7 +133,7 @@ MeshState measure_mesh(const Tile& tile) {
     return state;
 }
 
-double needed_edge(const MeshState& state) {
+double needed_edge(const MeshState& state, double fewest) {
     const double longest = edge_of(state.area, fewest), shortest = edge_of(state.area, most);
     return state.curvature * longest < turn_wanted ? longest : std::max(shortest, turn_wanted / state.curvature);
 }
@@ -152,8 +152,8 @@ std::string MeshFault::text() const {
     return {};
 }
 
-std::optional<MeshFault> find_fault(const MeshState& state, double length_tolerance) {
-    const double needed = needed_edge(state);
+std::optional<MeshFault> find_fault(const MeshState& state, double length_tolerance, double fewest) {
+    const double needed = needed_edge(state, fewest);
     if (state.triangles > too_many && state.mean_edge < far_below * needed)
         return MeshFault{MeshFault::too_fine, static_cast<double>(state.triangles)};
     if (state.is_flat()) return {};

@@ -34,8 +34,8 @@ double edge_of(double area, double triangles);
 std::vector<std::array<int, 2>> find_creases(const TriangleMesh& mesh, const Adjacency& adjacency);
 
 /// The edge length that accuracy asks for [m]: 5 degrees over the curvature, but no less than what gives 4,000 triangles and
-/// no more than what gives 1,000.
-double needed_edge(const MeshState& state);
+/// no more than what gives `fewest`.
+double needed_edge(const MeshState& state, double fewest = 1000);
 
 /// What is wrong with a mesh.
 struct MeshFault {
@@ -60,7 +60,7 @@ struct MeshFault {
 /// - *too fine*: more than 50,000 triangles whose edges are below a quarter of `needed_edge`: drawings, pictures and memory
 ///   gain; the flattening itself takes seconds either way.
 ///
-/// A flat tile is only ever too fine.
-std::optional<MeshFault> find_fault(const MeshState& state, double length_tolerance);
+/// A flat tile is only ever too fine. `fewest`: as `needed_edge` takes it.
+std::optional<MeshFault> find_fault(const MeshState& state, double length_tolerance, double fewest = 1000);
 
 }  // namespace ripstop
