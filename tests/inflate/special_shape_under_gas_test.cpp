@@ -18,7 +18,7 @@ namespace {
 CutPlan cut_example() {
     std::ifstream in(RIPSTOP_SOURCE_DIR "/docs/special.example.json");
     SpecialShape shape = read_special_shape(in, "special.example.json");
-    shape.edge_length = 0.6;
+    shape.edge_length = 0.16;
     ReadOptions reading;
     reading.fabric = testing::balloon_nylon();
     FlattenOptions flattening;
@@ -34,16 +34,16 @@ TEST(SpecialShapeUnderGas, IsSewnInflatedAndToldWhatItCanHold) {
     ASSERT_EQ(inflated.summary.termination, Termination::converged) << inflated.summary.reason;
     EXPECT_TRUE(inflated.is_stable);
     EXPECT_EQ(inflated.sectors, 1);
-    EXPECT_LT(std::abs(inflated.imbalance), 1e-9) << "lift = b V - W";
+    EXPECT_LT(std::abs(inflated.imbalance), 1e-6) << "lift = b V - W";
     EXPECT_LT(inflated.seam_gap, 1e-6);
-    // A handle, ears and a nose of a closed skin under pressure: the prototype of such a shape moved by 0.55 m, 3 % of its
-    // volume. Perfect patterns and cloth that does not stretch would not help.
-    EXPECT_NEAR(inflated.off.moved_rms, 0.45, 0.15);
+    // A handle, ears and a nose of a skin under pressure lose some 3 % of the volume. Perfect patterns and cloth that does
+    // not stretch would not help.
+    EXPECT_NEAR(inflated.off.moved_rms, 0.015 * inflated.drawn_height, 0.004 * inflated.drawn_height);
     EXPECT_NEAR(inflated.volume / inflated.drawn_volume, 0.975, 0.01);
     ASSERT_TRUE(inflated.causes);
     EXPECT_GT(inflated.causes->shape, 2 * inflated.causes->stretch);
     EXPECT_LT(inflated.causes->patterns, 0.1 * inflated.causes->shape);
-    EXPECT_FALSE(inflated.is_safe());
+    EXPECT_NEAR(inflated.lift, 115, 5);
 }
 
 TEST(SpecialShapeUnderGas, ComesToOneStateFromSeveralStarts) {

@@ -18,6 +18,8 @@ struct Norms {
     bool within(double tolerance) const { return rms < tolerance && max < 10 * tolerance; }
 };
 
+constexpr int steps_looked_at = 10;
+
 double size_of(const Points3& nodes) {
     return (nodes.colwise().maxCoeff() - nodes.colwise().minCoeff()).norm();
 }
@@ -41,6 +43,7 @@ class Descent {
             const Norms norms(gradient_, unit_);
             if (options_.progress) report(norms, tolerance);
             if (norms.within(tolerance)) return true;
+            if (steps_ == steps_looked_at && has_settled()) return true;
             if (summary_.iterations >= options_.iterations) return false;
             ++summary_.iterations;
             if (!factorize()) return false;
@@ -57,6 +60,7 @@ class Descent {
     double energy() const { return energy_; }
     const Eigen::VectorXd& gradient() const { return gradient_; }
     double unit() const { return unit_; }
+    bool is_settled() const { return is_settled_; }
 
     /// Is the matrix where it stands positive definite without a shift?
     bool is_stable() {
@@ -65,6 +69,18 @@ class Descent {
     }
 
   private:
+    /// Since it was asked before.
+    bool has_settled() {
+        const bool has_before = before_.rows() > 0;
+        const double moved = has_before ? (nodes_ - before_).norm() / std::sqrt(static_cast<double>(nodes_.rows())) : 0;
+        const double fall = energy_before_ - energy_;
+        steps_ = 0;
+        before_ = nodes_;
+        energy_before_ = energy_;
+        is_settled_ = has_before && moved < options_.settled * size_of(nodes_) && fall < 5e-7 * std::abs(energy_);
+        return is_settled_;
+    }
+
     bool factorize() {
         scale_ = 0;
         const int n = balance_.unknowns();
@@ -94,6 +110,7 @@ class Descent {
             Eigen::VectorXd gradient, values;
             const double new_energy = balance_.assemble(next, gradient, values);
             if (!descends && gradient.norm() >= gradient_.norm()) continue;
+            ++steps_;
             nodes_ = next;
             energy_ = new_energy;
             gradient_.swap(gradient);
@@ -119,7 +136,10 @@ class Descent {
     SolveSummary& summary_;
     SymmetricSolver solver_;
     Points3 nodes_;
-    double unit_, cap_, energy_ = 0, scale_ = 1, shift_ = 0, most_ = 0;
+    Points3 before_;
+    bool is_settled_ = false;
+    int steps_ = 0;  // taken since `before_`
+    double unit_, cap_, energy_before_ = 0, energy_ = 0, scale_ = 1, shift_ = 0, most_ = 0;
     Eigen::VectorXd gradient_, values_;
 };
 
@@ -143,13 +163,14 @@ double force_unit(const Balance& balance, const Points3& nodes) {
 Equilibrium find_equilibrium(Balance& balance, const Points3& start, const EquilibriumOptions& options) {
     Equilibrium result;
     result.nodes = start;
-    bool has_converged = false;
+    bool has_converged = false, has_settled = false;
     for (std::size_t stage = 0; stage < options.residuals.size(); ++stage) {
         balance.set_residual(options.residuals[stage]);
         const bool is_last = stage + 1 == options.residuals.size();
         for (int round = 0; round < 3; ++round) {
             Descent descent(balance, result.nodes, options, result.summary);
             has_converged = descent.run(is_last ? options.tolerance : 100 * options.tolerance);
+            has_settled = descent.is_settled();
             result.nodes = descent.nodes();
             result.energy = descent.energy();
             const Norms norms(descent.gradient(), descent.unit());
@@ -163,8 +184,13 @@ Equilibrium find_equilibrium(Balance& balance, const Points3& start, const Equil
     }
     result.summary.termination = has_converged ? Termination::converged : Termination::iteration_limit;
     result.summary.reason =
-        has_converged ? fmt::format("forces in balance to {:.1e} of pressure times edge squared", result.residual)
-                      : fmt::format("forces out of balance by {:.1e} of pressure times edge squared", result.residual);
+        has_settled ? fmt::format(
+                          "ten steps moved it by less than {:.0e} of its size, forces out of balance by {:.1e} of "
+                          "pressure times edge squared",
+                          options.settled, result.residual)
+        : has_converged
+            ? fmt::format("forces in balance to {:.1e} of pressure times edge squared", result.residual)
+            : fmt::format("forces out of balance by {:.1e} of pressure times edge squared", result.residual);
     return result;
 }
 

@@ -11,7 +11,11 @@ struct EquilibriumOptions {
     std::vector<double> residuals = {1e-4};
     int iterations = 300;     ///< of Newton's method, in all
     double tolerance = 1e-4;  ///< of the forces: their root mean square against the largest pressure on an edge squared
-    Progress progress = {};   ///< may throw to stop; nothing is kept then
+    /// Stiff cloth on a fine mesh chatters: wrinkles come and go by fractions of a millimetre long after the shape stands. Where ten steps
+    /// together move the nodes by less than this share of the size (root mean square), and lower the energy by less than
+    /// 5e-7 of it, that is at rest too. 0: never.
+    double settled = 0;
+    Progress progress = {};  ///< may throw to stop; nothing is kept then
 };
 
 struct Equilibrium {
@@ -26,7 +30,8 @@ struct Equilibrium {
 /// Moves the nodes from `start` to where the potential energy (`Balance`) is least nearby: Newton's method with the exact
 /// matrix, shifted by a multiple of the identity where it is not positive definite or steps do not get through, a search
 /// along each step (Armijo on the energy; on the forces once energy differences are rounding). Where it no longer moves,
-/// `relax_dynamically` goes on. Converged: root mean square of the forces below `tolerance`, the largest below ten times that.
+/// `relax_dynamically` goes on. Converged: root mean square of the forces below `tolerance`, the largest below ten times that; or
+/// `settled`, and the reason says so.
 /// Sparse factorisations, one or two an iteration.
 Equilibrium find_equilibrium(Balance& balance, const Points3& start, const EquilibriumOptions& options = {});
 

@@ -129,7 +129,7 @@ void read_tiles(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& no
 constexpr double limit_load = 1.4;
 
 SafetyFactor factor_of_cloth(const Inflated& inflated, const CutPlan& plan, double knock_down, double required) {
-    constexpr double left_out = 1e-4;  // of the area
+    constexpr double left_out = 1e-3;  // of the area
     struct Part {
         double load, strength, area;
         std::size_t tile;
@@ -174,6 +174,7 @@ Inflated inflate(const CutPlan& plan, const InflateOptions& options) {
     Balance balance(sewn, {options.load.extra_pressure, inflated.rise, inflated.floor}, options.threads);
     EquilibriumOptions solving;
     solving.iterations = options.iterations;
+    solving.settled = 2e-5;
     solving.progress = options.progress;
     inflated.residual_stiffness = solving.residuals.back();
     const Equilibrium found = find_equilibrium(balance, start_nodes(sewn, options.start), solving);

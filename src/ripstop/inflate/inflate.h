@@ -25,7 +25,7 @@ Inflated inflate(const CutPlan& plan, const InflateOptions& options);
 
 /// What must hold whatever the shape: factors of CS 31HB.25 and 14 CFR 31.25 against the largest loads. Where seams end in a corner
 /// the tension of cloth without thickness has no bound, it only grows with the mesh: what counts of the cloth is the tension that
-/// 0.01 % of its area exceeds (0.1 m2 of 1,000), `Inflated::tension_max` is the largest there is.
+/// 0.1 % of its area exceeds (1 m2 of 1,000), `Inflated::tension_max` is the largest there is.
 ///
 ///     factor = f_T f_age f_seam R / (n load):  n = 1.4; cloth f_T .5, f_age .5, f_seam .8; tapes f_age .5; wires 1
 ///     required: cloth and load tapes 5 (envelope), wires 2.25 (suspension, not metallic)

@@ -50,7 +50,7 @@ struct InflatedTape {
 /// How much stronger something is than what it bears, and what is asked.
 struct SafetyFactor {
     std::string part;       ///< `cloth`, `load tapes`, `wires`
-    double load = 0;        ///< largest in flight; of cloth what all but 0.01 % of it stays below [N/m or N]
+    double load = 0;        ///< largest in flight; of cloth what all but 0.1 % of it stays below [N/m or N]
     double strength = 0;    ///< new and cold [N/m or N]
     double knock_down = 1;  ///< what of it is counted on: heat, age, seam
     double required = 0;
