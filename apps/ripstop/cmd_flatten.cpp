@@ -209,7 +209,7 @@ void add_flatten(CLI::App& app) {
         "  ripstop flatten envelope.obj --unit m --fabric nylon -o cut-plan\n"
         "  ripstop flatten envelope.obj --unit m --tile 'G01P*' -o gore-1      some tiles only\n"
         "  ripstop flatten envelope.obj --unit m --project shop.json -o plan   with what a file cannot say\n"
-        "  ripstop flatten envelope.obj --fabric nylon --compensate --tapes meridians -o corrected   for the shape in "
+        "  ripstop flatten envelope.obj --fabric nylon --compensate -o corrected   for the shape in "
         "flight\n\n"
         "Exit codes: 0 all manufacturable, 1 some not (all files written), 2 usage, 3 unusable input.");
     command->callback([given] {

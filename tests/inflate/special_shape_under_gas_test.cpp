@@ -6,11 +6,11 @@
 #include "ripstop/design/special.h"
 #include "ripstop/flatten/method.h"
 #include "ripstop/inflate/sew.h"
+#include "ripstop/io/fabric_json.h"
 #include "ripstop/io/special_json.h"
 #include "ripstop/pipeline/flatten_envelope.h"
 #include "ripstop/pipeline/inflate_plan.h"
 #include "ripstop/pipeline/read_envelope.h"
-#include "support/membranes.h"
 
 namespace ripstop {
 namespace {
@@ -20,7 +20,7 @@ CutPlan cut_example() {
     SpecialShape shape = read_special_shape(in, "special.example.json");
     shape.edge_length = 0.16;
     ReadOptions reading;
-    reading.fabric = testing::balloon_nylon();
+    reading.fabric = fabric_named("nylon");
     FlattenOptions flattening;
     flattening.fabric = reading.fabric;
     return flatten_envelope(make_envelope(design_special(shape), reading), flattening);
@@ -42,7 +42,7 @@ TEST(SpecialShapeUnderGas, IsSewnInflatedAndToldWhatItCanHold) {
     EXPECT_NEAR(inflated.volume / inflated.drawn_volume, 0.975, 0.01);
     ASSERT_TRUE(inflated.causes);
     EXPECT_GT(inflated.causes->shape, 2 * inflated.causes->stretch);
-    EXPECT_LT(inflated.causes->patterns, 0.1 * inflated.causes->shape);
+    EXPECT_LT(inflated.causes->patterns, 0.5 * inflated.causes->shape);
     EXPECT_NEAR(inflated.lift, 115, 5);
 }
 

@@ -88,6 +88,9 @@ test('colours deviation, tension, stress, wrinkles and tapes', options, () =>
             ['Tension of the cloth', /0\s+286 N\/m[^]*beyond[^]*pinned to what is allowed/],
             ['Stress along the warp', /\d N\/m/],
             ['Stress along the weft', /\d N\/m/],
+            ['Shear stress', /\d N\/m/],
+            ['Weft in flight', /−2\.00\s%[^]*pinned to the fabric/],
+            ['Shear in flight', /−\d+\.\d\d°[^]*pinned to the fabric/],
             ['Wrinkles', /taut\s+wrinkled\s+slack[^]*% of the cloth is wrinkled/],
             ['Force in the load tapes', /\d N\s[^]*the largest there is; 714 N are allowed/],
         ]) {
@@ -98,7 +101,7 @@ test('colours deviation, tension, stress, wrinkles and tapes', options, () =>
             seen.push(now);
             await page.locator('[role=option]').first().click();
             assert.equal(await page.locator('.panel svg.piece image').count(), 1, 'on the piece too');
-            await page.getByRole('button', { name: 'Let go' }).click();
+            await page.getByRole('button', { name: 'Choose nothing' }).click();
             await page.getByRole('button', { name: 'Whole envelope' }).click();
         }
     }),

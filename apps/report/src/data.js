@@ -97,6 +97,10 @@ function flightOf(shape, triangles, arrays, maps) {
     maps.flightTension = arrays.map(shape.tension);
     maps.flightWarp = arrays.map(shape.warp);
     maps.flightWeft = arrays.map(shape.weft);
+    maps.flightShear = arrays.map(shape.shear);
+    maps.flightStrainWarp = arrays.map(shape.strain_warp);
+    maps.flightStrainWeft = arrays.map(shape.strain_weft);
+    maps.flightStrainShear = arrays.map(shape.strain_shear);
     maps.flightState = arrays.map(shape.state);
     return arrays.grid(shape.space, 3);
 }

@@ -1,5 +1,5 @@
 // The colour maps of an envelope that was sewn and inflated.
-import { figure } from './format.js';
+import { figure, percent } from './format.js';
 import { placeOf, places, roundedUp } from './palette.js';
 
 const newtons = (value) => `${figure(value, 1)}\u00a0N/m`;
@@ -41,6 +41,24 @@ const stress = (id, name, cloth, positive) => ({
     isThere: wasInflated,
 });
 
+const degree = Math.PI / 180;
+const strain = (id, name, cloth, negative, positive, limit, words) => ({
+    id,
+    name,
+    cloth,
+    negative,
+    positive,
+    limit,
+    words,
+    inFlight: true,
+    isThere: wasInflated,
+    isStrain: true,
+});
+const inPercent = (value) => percent(100 * value);
+const inDegrees = (value) => `${figure(value / degree, 2, true)}°`;
+const threadLimit = (tile) => tile.limits.strain,
+    shearLimit = (tile) => tile.limits.shear;
+
 export const flightMaps = [
     {
         id: 'deviation',
@@ -56,6 +74,10 @@ export const flightMaps = [
     stress('flight-tension', 'Tension of the cloth', 'flightTension', 'the larger principal tension'),
     stress('flight-warp', 'Stress along the warp', 'flightWarp', 'pulled'),
     stress('flight-weft', 'Stress along the weft', 'flightWeft', 'pulled'),
+    stress('flight-shear', 'Shear stress', 'flightShear', 'either way'),
+    strain('flight-strain-warp', 'Warp in flight', 'flightStrainWarp', 'folded', 'stretched', threadLimit, inPercent),
+    strain('flight-strain-weft', 'Weft in flight', 'flightStrainWeft', 'folded', 'stretched', threadLimit, inPercent),
+    strain('flight-strain-shear', 'Shear in flight', 'flightStrainShear', 'threads open', 'threads close', shearLimit, inDegrees),
     {
         id: 'state',
         name: 'Wrinkles',
@@ -107,6 +129,17 @@ function stressLegend(model) {
     };
 }
 
+function strainLegend(model, map) {
+    const limits = model.tiles.map((tile) => map.limit(tile, model));
+    const [least, most] = [Math.min(...limits), Math.max(...limits)].map((limit) => map.words(limit).replace('+', ''));
+    return {
+        low: `−${most}`,
+        high: `+${most}`,
+        note: `from the cloth as cut; pinned to the fabric's limit${least === most ? '' : `, ${least} to ${most}`}`,
+        pinned: true,
+    };
+}
+
 function tapeLegend(model) {
     const judged = model.report.inflated.safety.find((each) => each.part === 'load tapes');
     const allowed = judged ? `; ${figure((judged.load_n * judged.factor) / judged.required, 0)} N are allowed` : '';
@@ -129,5 +162,6 @@ export function flightLegend(model, map) {
         const most = figure(inflated.deviation_limit_mm, 1);
         return { low: `−${most} mm`, high: `+${most} mm`, note: 'pinned to 0.3 % of the height', pinned: true };
     }
+    if (map.isStrain) return strainLegend(model, map);
     return map.id === 'tapes' ? tapeLegend(model) : stressLegend(model);
 }

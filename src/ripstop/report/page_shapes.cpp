@@ -76,6 +76,10 @@ Json flight_json(const InflatedTile& tile, PackedArrays& arrays) {
             {"tension", map_json(tile.tension.col(0), finest_stress, arrays)},
             {"warp", map_json(tile.stress.col(0), finest_stress, arrays)},
             {"weft", map_json(tile.stress.col(1), finest_stress, arrays)},
+            {"shear", map_json(tile.stress.col(2), finest_stress, arrays)},
+            {"strain_warp", map_json(tile.strain.col(0), finest_strain, arrays)},
+            {"strain_weft", map_json(tile.strain.col(1), finest_strain, arrays)},
+            {"strain_shear", map_json(tile.strain.col(2), finest_strain, arrays)},
             {"state", {{"array", arrays.add(states)}, {"step", 1}}}};
 }
 

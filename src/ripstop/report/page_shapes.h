@@ -20,7 +20,8 @@ namespace ripstop {
 ///              edge_error, tension [N]   the same, a number a boundary edge
 ///              strain_limit, shear_limit [rad]   what the tile's fabric stands
 ///              flight        of an inflated plan: space as above; deviation [m], a number a vertex; tension, the larger principal
-///                            one, warp, weft [N/m] and state (`ClothState`), a number a triangle
+///                            one, warp, weft, shear [N/m], strain_warp, strain_weft, strain_shear [rad] and state (`ClothState`), a
+///                            number a triangle
 ///     seams[]  a, b          {tile, first, count, from, to}: a run of boundary edges; shares of the first and the last one
 ///     pieces[] tile, cut, sew, slits, grain, lines, labels: points in steps of 32 bits, 0.01 mm
 ///
