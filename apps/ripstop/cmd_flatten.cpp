@@ -101,18 +101,15 @@ void tell_unpictured(const CutPlan& plan) {
 
 /// Patterns that inflate to the drawn shape, and how they fly.
 CutPlan compensated(const Envelope& envelope, FlattenOptions flattening, const Flight& flight, bool quiet) {
-    if (flattening.method == "given")
-        throw CLI::ValidationError("--compensate", "patterns that came with the file cannot be corrected");
+    if (!flattening.method.starts_with("seam-"))
+        throw CLI::ValidationError("--compensate",
+                                   "only the methods seam-… cut cloth for a strain, not " + flattening.method);
     CompensateOptions options{std::exchange(flattening, {}), {flight.load, flight.rigging}, flight.tapes};
     options.inflate.threads = options.flatten.threads;
     options.flatten.progress = {};
     options.progress = progress_bar(quiet);
     CutPlan plan = compensate(envelope, options);
-    const std::vector<CompensationRound> rounds = plan.inflated->rounds;
-    const Waiting waiting("Inflating what is cut", quiet);
-    plan.inflated = inflate_plan(plan, options.inflate);
-    plan.inflated->rounds = rounds;
-    plan.inflated->sensitivity = measure_sensitivity(plan, options.inflate);
+    plan.flight = flight;
     return plan;
 }
 
@@ -135,9 +132,10 @@ ExitCode run(Arguments given) {
     if (unit_assumed && !given.quiet) print_assumed_size(envelope);
 
     FlattenOptions options{method, input.fabric, input.tolerances, given.jobs, progress_bar(given.quiet)};
-    CutPlan plan = given.compensate
-                       ? compensated(envelope, options, flight_of(given.flight, input.read.project), given.quiet)
-                       : flatten_envelope(envelope, options);
+    const Flight flight = input.read.project ? input.read.project->flight : Flight{};
+    CutPlan plan = given.compensate ? compensated(envelope, options, flight_of(given.flight, flight), given.quiet)
+                                    : flatten_envelope(envelope, options);
+    if (!plan.flight && input.read.project) plan.flight = flight;
     plan.input_file = given.input.file.filename().string();
     plan.input_sha256 = sha256_of_file(given.input.file);
     plan.unit = unit.name;

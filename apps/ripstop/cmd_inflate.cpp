@@ -29,7 +29,8 @@ struct Arguments {
 
 ExitCode run(const Arguments& given) {
     CutPlan plan = read_cut_plan(given.plan);
-    const Flight flight = flight_of(given.flight, project_of(given.project));
+    const std::optional<Project> project = project_of(given.project, plan.unit);
+    const Flight flight = flight_of(given.flight, project ? project->flight : plan.flight.value_or(Flight{}));
     tape_seams(plan, flight.tapes);
     InflatePlanOptions options{flight.load, flight.rigging};
     options.use_symmetry = !given.whole;
@@ -37,7 +38,7 @@ ExitCode run(const Arguments& given) {
     options.progress = progress_bar(given.quiet);
     plan.inflated = inflate_plan(plan, options);
     if (given.sensitivity) {
-        const Waiting waiting("Trying other cloth, tapes and air", given.quiet);
+        options.progress = progress_bar(given.quiet);
         plan.inflated->sensitivity = measure_sensitivity(plan, options);
     }
     {
@@ -45,7 +46,7 @@ ExitCode run(const Arguments& given) {
         write_inflated(given.plan, plan, measure_strain_maps(plan, given.jobs), given.reproducible);
     }
     if (given.json)
-        fmt::print("{}", report_json(plan, given.reproducible));
+        fmt::print("{}", report_of(given.plan));
     else if (!given.quiet)
         show(inflated_text(plan));
     return flies_as_drawn(plan) ? manufacturable : not_manufacturable;

@@ -56,8 +56,7 @@ void add_flight_options(CLI::App& command, FlightArguments& given) {
         ->group(group);
 }
 
-Flight flight_of(const FlightArguments& given, const std::optional<Project>& project) {
-    Flight flight = project ? project->flight : Flight{};
+Flight flight_of(const FlightArguments& given, Flight flight) {
     const auto take = [](const std::optional<double>& value, double unit, double& target) {
         if (value) target = *value * unit;
     };

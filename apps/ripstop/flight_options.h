@@ -19,7 +19,7 @@ struct FlightArguments {
 void add_flight_options(CLI::App& command, FlightArguments& given);
 
 /// What the arguments and the project say together; the command line goes before the project. Throws InputError.
-Flight flight_of(const FlightArguments& given, const std::optional<Project>& project);
+Flight flight_of(const FlightArguments& given, Flight flight);
 
 /// Does an inflated plan come to rest, take the drawn shape to 0.3 % of its height and bear what it must?
 bool flies_as_drawn(const CutPlan& plan);

@@ -186,15 +186,15 @@ std::string method_of(const InputArguments& given) {
     return "seam-exact-area";
 }
 
-std::optional<Project> project_of(const std::string& file) {
+std::optional<Project> project_of(const std::string& file, const std::string& unit) {
     if (file.empty()) return std::nullopt;
     std::ifstream in = open_input(file, "the project file");
-    return read_project(in, file);
+    return read_project(in, file, unit);
 }
 
 Input resolve(const InputArguments& given) {
     Input input;
-    input.read.project = project_of(given.project);
+    input.read.project = project_of(given.project, given.unit);
     const auto& project = input.read.project;
     const std::string unit = !given.unit.empty() ? given.unit : project ? project->unit.value_or("") : "";
     if (!unit.empty()) input.read.unit = LengthUnit{unit, metres_per_unit(unit)};

@@ -49,7 +49,7 @@ void add_method_option(CLI::App& command, InputArguments& given);
 std::string method_of(const InputArguments& given);
 
 /// The project of a file; nothing where no name is given. Throws InputError.
-std::optional<Project> project_of(const std::string& file);
+std::optional<Project> project_of(const std::string& file, const std::string& unit);
 
 /// Throws InputError.
 Input resolve(const InputArguments& given);

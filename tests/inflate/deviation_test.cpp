@@ -84,7 +84,7 @@ TEST(SafetyFactors, AreWhatIsLeftOfTheStrengthOverTheLimitLoad) {
     inflated.tapes.push_back({TapeKind::wire, 2, 500, 500, 3});
     Rigging rigging;
     rigging.load_tape.strength = 5e3;
-    rigging.wire.strength = 2e3;
+    rigging.wire.strength = 4e3;
     const std::vector<SafetyFactor> factors = safety_factors(inflated, plan, rigging);
     ASSERT_EQ(factors.size(), 3u);
     EXPECT_EQ(factors[0].part, "cloth");
@@ -95,7 +95,7 @@ TEST(SafetyFactors, AreWhatIsLeftOfTheStrengthOverTheLimitLoad) {
     EXPECT_FALSE(factors[1].ok());
     EXPECT_EQ(factors[1].where, "seam S1");
     EXPECT_EQ(factors[2].part, "wires");
-    EXPECT_NEAR(factors[2].factor, 2e3 / (1.4 * 500), 1e-9);
+    EXPECT_NEAR(factors[2].factor, 4e3 / (1.4 * 500), 1e-9);
     EXPECT_TRUE(factors[2].ok());
     inflated.safety = factors;
     EXPECT_FALSE(inflated.is_safe());

@@ -50,6 +50,21 @@ TEST(ProjectFlight, TakesUnitsFromItsKeys) {
     EXPECT_THAT(flight.rigging.diaphragms, ElementsAre("RIB*"));
 }
 
+TEST(ProjectFlight, IsReadBackAsItWasWritten) {
+    const Flight flight = read(R"({
+        "inside_c": 110, "outside_c": -5, "altitude_m": 1500, "extra_pressure_pa": 15, "mouth_plane_mm": -250,
+        "tapes": "meridians", "foreshortening_pct": 1.7, "load_tape": {"stiffness_n": 60000, "mass_g_per_m": 25},
+        "wire": {"strength_n": 12000}, "wire_length_mm": 2500, "mouth": "wires", "crown_ring": false,
+        "ties": [{"name": "ear", "from": [1, 2, 3], "to": [4, 5, 6], "length_mm": 5000, "stiffness_n": 1000},
+                 {"name": "nose", "from": [1, 2, 3], "to": [4, 5, 7]}],
+        "diaphragms": ["RIB*"]})",
+                               2);
+    const std::string written = flight_json(flight).dump();
+    EXPECT_EQ(flight_json(read(written.c_str())).dump(), written);
+    EXPECT_EQ(read(written.c_str()).rigging.ties[0].to, flight.rigging.ties[0].to);
+    EXPECT_EQ(flight_json(read("{}")).dump(), flight_json(Flight{}).dump());
+}
+
 TEST(ProjectFlight, RefusesWhatCannotBe) {
     EXPECT_THAT(refusal(R"({"inside": 100})"), HasSubstr("inside"));
     EXPECT_THAT(refusal(R"({"inside_c": 900})"), HasSubstr("between -90 and 300"));

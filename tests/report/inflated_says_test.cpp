@@ -11,6 +11,7 @@ namespace ripstop {
 namespace {
 
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -45,7 +46,8 @@ TEST_F(InflatedSays, TellsApartWhatGasCannotHoldAndWhatIsWrongWithThePatterns) {
     EXPECT_THAT(says(), Contains(HasSubstr("Gas pressure can hold this shape")));
     EXPECT_THAT(says(), Contains("The patterns are wrong: their errors move it by 45 mm."));
     inflated.causes = Causes{0.001, 0.080, 0.002};
-    EXPECT_THAT(says(), Contains("The cloth's stretch makes it 80 mm off: cut with --compensate."));
+    EXPECT_THAT(says(),
+                Contains("Stretch of the cloth and the run of its tapes make it 80 mm off: cut with --compensate."));
 }
 
 TEST_F(InflatedSays, DrawsTheLineAtTheLimitItself) {
@@ -61,10 +63,11 @@ TEST_F(InflatedSays, DoesNotAdviseToCorrectWhatWasCorrected) {
                        {"elastic", {0.01, 0.02, 0.012, 0.025}, 10, 400, 0, true}};
     EXPECT_THAT(says(), Not(Contains(HasSubstr("--compensate"))));
     EXPECT_THAT(says(), Contains(HasSubstr("As drawn, gas pressure could not hold this shape")));
-    EXPECT_THAT(says(), Contains(HasSubstr("What the patterns do to it is not known")));
+    EXPECT_THAT(says(), Not(Contains(HasSubstr("The patterns are")))) << "what was wanted of them is not the drawing";
     EXPECT_THAT(says(), Contains(HasSubstr("brought it from 90 mm to 12 mm")));
     inflated.off.moved_rms = 0.060;
     EXPECT_THAT(says(), Contains(HasSubstr("This shape cannot be held by gas pressure"))) << "not even corrected";
+    EXPECT_THAT(says(), Contains(HasSubstr("What the patterns do to it is not known")));
 }
 
 TEST_F(InflatedSays, SaysNothingOfCausesThatWereNotLookedFor) {
@@ -84,7 +87,9 @@ TEST_F(InflatedSays, TellsTheLiftInKilograms) {
     EXPECT_THAT(says(),
                 Contains("At 100 C inside and 15 C outside, 0 m up, it carries 1000 kg beside itself (9807 N)."));
     inflated.lift = -98.0665;
-    EXPECT_THAT(says(), Contains(HasSubstr("it does not carry itself: 10 kg are missing")));
+    EXPECT_THAT(says(),
+                ElementsAre(HasSubstr("It does not stand: at 100 C inside and 15 C outside, 0 m up, the gas does not "
+                                      "carry the cloth, 10.0 kg are missing.")));
 }
 
 TEST_F(InflatedSays, WarnsFirstOfWhatIsNotAtRestStableOrBalanced) {
@@ -100,6 +105,20 @@ TEST_F(InflatedSays, SaysOnlyThatItFailedWhereItDid) {
     inflated.summary = {Termination::failed, 3, 0, "the cloth turned inside out"};
     EXPECT_EQ(says(), std::vector<std::string>{"The inflation failed: the cloth turned inside out."});
     EXPECT_EQ(inflated_text(plan), "The inflation failed: the cloth turned inside out.\n");
+}
+
+TEST_F(InflatedSays, WarnsOfTheStandInForCloth) {
+    plan.fabric.name = "isotropic";
+    EXPECT_THAT(says()[0], HasSubstr("No cloth was named"));
+}
+
+TEST_F(InflatedSays, TellsEachCompensationOnItsOwn) {
+    plan.tiles[0].tile.compensation = {0.02, 0.01, {0.005, 0.005, 0, 0}};
+    EXPECT_THAT(says(), Contains("1 of 2 tiles is cut longer for shrinkage along the warp: 2.00 %."));
+    EXPECT_THAT(says(), Contains("1 of 2 tiles is cut longer for shrinkage along the weft: 1.00 %."));
+    EXPECT_THAT(says(), Contains("1 of 2 tiles is cut longer for take-up of the seams: 0.50 %."));
+    plan.tiles[1].tile.compensation.warp = 0.01;
+    EXPECT_THAT(says(), Contains("2 of 2 tiles are cut longer for shrinkage along the warp: 1.00 to 2.00 %."));
 }
 
 TEST_F(InflatedSays, MentionsWrinklesWhereThereAreSome) {

@@ -27,6 +27,7 @@ InflatedTile blown(const Tile& tile) {
 
 CutPlan inflated_plan() {
     CutPlan plan = sewn_plan();
+    plan.fabric.name = "nylon";
     plan.seams[0].type.tape = true;
     Inflated inflated;
     for (const FlatTile& tile : plan.tiles) inflated.tiles.push_back(blown(tile.tile));

@@ -19,9 +19,13 @@ export const failingSeams = (model) => model.seams.filter((seam) => !seam.ok);
 // What a finding's code means to a maker.
 export const meaning = (model, code) => model.report.envelope.says.codes[code] ?? code;
 
-// True too where nothing was inflated.
-function fliesAsDrawn(said) {
-    return !said || (said.converged && said.safe && said.deviation_rms_mm <= said.deviation_limit_mm);
+// What stands in the headline of how it flies; nothing where it flies as drawn, or was not inflated.
+function flightWord(said) {
+    if (!said) return null;
+    if (!said.converged) return ' How it flies is not known.';
+    if (!(said.lift_n > 0 && said.volume_m3 > 0.5 * said.drawn_volume_m3)) return ' It does not stand.';
+    if (said.deviation_rms_mm > said.deviation_limit_mm) return ' It does not fly as drawn.';
+    return said.safe ? null : ' It is too weak.';
 }
 
 // Of a plan that was laid on the roll: how many pieces did not fit it.
@@ -53,7 +57,7 @@ export function verdictView(model, { onTile, onSeam }) {
     const { report } = model;
     const { manufacturable: good, says, warnings } = report.envelope;
     const unlaid = notLaid(model.roll);
-    const flies = fliesAsDrawn(report.inflated);
+    const flaw = flightWord(report.inflated);
     const linkOf = ({ tile, seam }) => {
         const open = () =>
             tile === undefined
@@ -64,7 +68,7 @@ export function verdictView(model, { onTile, onSeam }) {
     const notes = [...warnings.slice(mostWarnings), ...says.notes];
     return html(
         'header',
-        { class: `verdict ${good && flies ? 'good' : 'poor'}${good && flies && unlaid.refused > 0 ? ' short' : ''}` },
+        { class: `verdict ${good && !flaw ? 'good' : 'poor'}${good && !flaw && unlaid.refused > 0 ? ' short' : ''}` },
         html(
             'p',
             { class: 'file' },
@@ -77,7 +81,7 @@ export function verdictView(model, { onTile, onSeam }) {
             html('span', { class: good ? 'word can' : 'word' }, `${says.word} `),
             says.headline,
             unlaid.refused > 0 && html('span', { class: 'but' }, rollWords(unlaid)),
-            !flies && html('span', { class: 'word' }, ' It does not fly as drawn.'),
+            flaw && html('span', { class: 'word' }, flaw),
         ),
         warnings.length > 0 && lines(warnings.slice(0, mostWarnings), { class: 'warnings', 'aria-label': 'Warnings' }),
         html(

@@ -287,9 +287,22 @@ double Balance::weight() const {
     return sewn_.sectors * sum;
 }
 
+SpaceElement Balance::on_lid(const std::array<Place, 3>& lid, const GasPressure& gas, const Points3& nodes) const {
+    return gas_element(gas, position(lid[0], nodes, angle_), position(lid[1], nodes, angle_),
+                       position(lid[2], nodes, angle_));
+}
+
+double Balance::thrust_on_lids(const Points3& nodes) const {
+    double sum = 0;
+    for (const std::array<Place, 3>& lid : sewn_.lids)
+        for (int k = 0; k < 3; ++k) sum += on_lid(lid, gas_, nodes).gradient[3 * k + 2];
+    return sewn_.sectors * sum;
+}
+
 double Balance::volume(const Points3& nodes) const {
     const GasPressure one{1, 0, gas_.floor};
     double sum = 0;
+    for (const std::array<Place, 3>& lid : sewn_.lids) sum -= on_lid(lid, one, nodes).energy;
     for (const Element& element : elements_)
         if (element.gas)
             sum -= gas_energy(one, point(element, 0, nodes), point(element, 1, nodes), point(element, 2, nodes));

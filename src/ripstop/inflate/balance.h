@@ -45,8 +45,11 @@ class Balance {
     double lift(const Points3& nodes) const;
     /// What the gas lifts by itself less `weight`: the vertical force of the gas on skin and caps, all sectors [N].
     double net_lift(const Points3& nodes) const;
+    /// What the gas would push up on lids that close the openings it leaves by (`SewnEnvelope::lids`), all sectors
+    /// [N]: it is no lift.
+    double thrust_on_lids(const Points3& nodes) const;
     double weight() const;                      ///< of cloth, tapes and valve, all sectors [N]
-    double volume(const Points3& nodes) const;  ///< within skin and caps, above the floor, all sectors [m3]
+    double volume(const Points3& nodes) const;  ///< within skin, caps and lids, all sectors [m3]
     /// Masses with which explicit integration at a time step of 1 is stable: a node's stiffness by its elements unrelaxed and
     /// with every tape taut, times `safety`.
     Eigen::VectorXd fictitious_masses(const Points3& nodes, double safety) const;
@@ -62,6 +65,7 @@ class Balance {
     void visit_results(const Points3& nodes, bool with_hessian, Visit&& visit) const;
     double energy_of(const Element& element, const Points3& nodes) const;
     SpaceElement evaluate(const Element& element, const Points3& nodes) const;
+    SpaceElement on_lid(const std::array<Place, 3>& lid, const GasPressure& gas, const Points3& nodes) const;
     Vec3 point(const Element& element, int corner, const Points3& nodes) const;
 
     const SewnEnvelope& sewn_;

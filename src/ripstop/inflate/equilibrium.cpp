@@ -19,6 +19,7 @@ struct Norms {
 };
 
 constexpr int steps_looked_at = 10;
+constexpr double settled_force = 0.5;  // root mean square, in the unit of the tolerance
 
 double size_of(const Points3& nodes) {
     return (nodes.colwise().maxCoeff() - nodes.colwise().minCoeff()).norm();
@@ -77,7 +78,8 @@ class Descent {
         steps_ = 0;
         before_ = nodes_;
         energy_before_ = energy_;
-        is_settled_ = has_before && moved < options_.settled * size_of(nodes_) && fall < 5e-7 * std::abs(energy_);
+        is_settled_ = has_before && moved < options_.settled * size_of(nodes_) && fall < 5e-7 * std::abs(energy_) &&
+                      Norms(gradient_, unit_).rms < settled_force;
         return is_settled_;
     }
 
@@ -143,7 +145,7 @@ class Descent {
     Eigen::VectorXd gradient_, values_;
 };
 
-constexpr int relaxation_steps = 4000;
+constexpr int relaxation_steps = 4000, rounds = 3;
 
 }  // namespace
 
@@ -167,7 +169,7 @@ Equilibrium find_equilibrium(Balance& balance, const Points3& start, const Equil
     for (std::size_t stage = 0; stage < options.residuals.size(); ++stage) {
         balance.set_residual(options.residuals[stage]);
         const bool is_last = stage + 1 == options.residuals.size();
-        for (int round = 0; round < 3; ++round) {
+        for (int round = 0; round < rounds; ++round) {
             Descent descent(balance, result.nodes, options, result.summary);
             has_converged = descent.run(is_last ? options.tolerance : 100 * options.tolerance);
             has_settled = descent.is_settled();
@@ -177,9 +179,15 @@ Equilibrium find_equilibrium(Balance& balance, const Points3& start, const Equil
             result.residual = norms.rms;
             result.residual_max = norms.max;
             if (has_converged && is_last) result.is_stable = descent.is_stable();
-            if (has_converged || result.summary.iterations >= options.iterations) break;
+            if (has_converged || result.summary.iterations >= options.iterations || round + 1 == rounds) break;
             const Equilibrium relaxed = relax_dynamically(balance, result.nodes, relaxation_steps, options.tolerance);
             if (relaxed.energy < result.energy) result.nodes = relaxed.nodes;
+            // And on from a state of cloth that pushes a little more.
+            balance.set_residual(100 * options.residuals[stage]);
+            Descent eased(balance, result.nodes, options, result.summary);
+            eased.run(100 * options.tolerance);
+            result.nodes = eased.nodes();
+            balance.set_residual(options.residuals[stage]);
         }
     }
     result.summary.termination = has_converged ? Termination::converged : Termination::iteration_limit;

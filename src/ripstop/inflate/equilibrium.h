@@ -13,7 +13,7 @@ struct EquilibriumOptions {
     double tolerance = 1e-4;  ///< of the forces: their root mean square against the largest pressure on an edge squared
     /// Stiff cloth on a fine mesh chatters: wrinkles come and go by fractions of a millimetre long after the shape stands. Where ten steps
     /// together move the nodes by less than this share of the size (root mean square), and lower the energy by less than
-    /// 5e-7 of it, that is at rest too. 0: never.
+    /// 5e-7 of it, with forces below 0.5 of the unit, that is at rest too. 0: never.
     double settled = 0;
     Progress progress = {};  ///< may throw to stop; nothing is kept then
 };
@@ -30,7 +30,8 @@ struct Equilibrium {
 /// Moves the nodes from `start` to where the potential energy (`Balance`) is least nearby: Newton's method with the exact
 /// matrix, shifted by a multiple of the identity where it is not positive definite or steps do not get through, a search
 /// along each step (Armijo on the energy; on the forces once energy differences are rounding). Where it no longer moves,
-/// `relax_dynamically` goes on. Converged: root mean square of the forces below `tolerance`, the largest below ten times that; or
+/// `relax_dynamically` goes on, and from there cloth of a hundred times the residual stiffness. Converged: root mean
+/// square of the forces below `tolerance`, the largest below ten times that; or
 /// `settled`, and the reason says so.
 /// Sparse factorisations, one or two an iteration.
 Equilibrium find_equilibrium(Balance& balance, const Points3& start, const EquilibriumOptions& options = {});

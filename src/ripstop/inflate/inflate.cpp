@@ -36,7 +36,7 @@ Eigen::VectorXd flat_areas(const FlatTile& tile) {
 }
 
 /// What a tile's cloth goes through, for positions in flight.
-void read_cloth(const FlatTile& tile, const Fabric& fabric, InflatedTile& inflated) {
+void read_cloth(const FlatTile& tile, const Fabric& fabric, RestState rest, InflatedTile& inflated) {
     const TensionField cloth(fabric);
     const TriangleMesh& mesh = tile.tile.mesh;
     const Eigen::Index count = mesh.triangle_count();
@@ -44,9 +44,10 @@ void read_cloth(const FlatTile& tile, const Fabric& fabric, InflatedTile& inflat
     inflated.stress.resize(count, 3);
     inflated.tension.resize(count, 2);
     inflated.state.resize(static_cast<std::size_t>(count));
+    const std::vector<Mat22> cut = cloth_at_rest(tile, rest);
     double area = 0;
     for (int t = 0; t < count; ++t) {
-        const RelaxedMembrane membrane(flat_edges(mesh.triangles, tile.flattening.positions, t));
+        const RelaxedMembrane membrane(cut[static_cast<std::size_t>(t)]);
         const auto at = [&](int k) { return Vec3(inflated.positions.row(mesh.triangles(t, k))); };
         const Mat32 F = membrane.deformation(at(0), at(1), at(2));
         const Vec3 strain = green_voigt(F);
@@ -100,7 +101,8 @@ void read_sizes(const CutPlan& plan, Inflated& inflated) {
     measure_sizes(there, inflated.height, inflated.diameter);
 }
 
-void read_tiles(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& nodes, double angle, Inflated& inflated) {
+void read_tiles(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& nodes, double angle, RestState rest,
+                Inflated& inflated) {
     double area = 0;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         const FlatTile& tile = plan.tiles[i];
@@ -110,7 +112,7 @@ void read_tiles(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& no
         for (Eigen::Index v = 0; v < there.positions.rows(); ++v)
             there.positions.row(v) =
                 position(sewn.places[static_cast<std::size_t>(sewn.first_vertex[i] + v)], nodes, angle) + sewn.origin;
-        read_cloth(tile, fabric, there);
+        read_cloth(tile, fabric, rest, there);
         if (there.tension_max > inflated.tension_max) {
             inflated.tension_max = there.tension_max;
             inflated.tension_tile = tile.tile.name;
@@ -171,7 +173,10 @@ Inflated inflate(const CutPlan& plan, const InflateOptions& options) {
     inflated.floor = options.load.mouth_plane.value_or(sewn.floor);
     inflated.sectors = sewn.sectors;
     inflated.seam_gap = sewn.seam_gap;
-    Balance balance(sewn, {options.load.extra_pressure, inflated.rise, inflated.floor}, options.threads);
+    // From the mouth's height on, wherever the gas has no pressure: so the mouth needs no cap, for force nor for
+    // volume.
+    const double at_mouth = options.load.extra_pressure + inflated.rise * (sewn.floor - inflated.floor);
+    Balance balance(sewn, {at_mouth, inflated.rise, sewn.floor}, options.threads);
     EquilibriumOptions solving;
     solving.iterations = options.iterations;
     solving.settled = 2e-5;
@@ -182,13 +187,13 @@ Inflated inflate(const CutPlan& plan, const InflateOptions& options) {
     inflated.force_residual = found.residual;
     inflated.is_stable = found.is_stable;
 
-    read_tiles(plan, sewn, found.nodes, balance.angle(), inflated);
+    read_tiles(plan, sewn, found.nodes, balance.angle(), options.sewing.rest, inflated);
     read_tapes(sewn, found.nodes, balance.angle(), inflated);
     read_sizes(plan, inflated);
     inflated.volume = balance.volume(found.nodes);
     inflated.drawn_volume = balance.volume(sewn.nodes);
-    inflated.lift = balance.lift(found.nodes);
-    inflated.imbalance = inflated.lift / balance.net_lift(found.nodes) - 1;
+    inflated.lift = balance.lift(found.nodes) - balance.thrust_on_lids(found.nodes);
+    inflated.imbalance = inflated.lift / (balance.net_lift(found.nodes) - balance.thrust_on_lids(found.nodes)) - 1;
     inflated.crown_pressure = balance.gas().at(found.nodes.col(2).maxCoeff());
     measure_deviation(plan, options.threads, inflated);
     inflated.safety = safety_factors(inflated, plan, options.sewing.rigging);
@@ -197,7 +202,7 @@ Inflated inflate(const CutPlan& plan, const InflateOptions& options) {
 }
 
 std::vector<SafetyFactor> safety_factors(const Inflated& inflated, const CutPlan& plan, const Rigging& rigging) {
-    constexpr double hot = 0.5, aged = 0.5, seam = 0.8, envelope = 5, suspension = 2.25;
+    constexpr double hot = 0.5, aged = 0.5, seam = 0.8, envelope = 5, suspension = 5;
     std::vector<SafetyFactor> factors;
     if (const SafetyFactor cloth = factor_of_cloth(inflated, plan, hot * aged * seam, envelope); cloth.load > 0)
         factors.push_back(cloth);

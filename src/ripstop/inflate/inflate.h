@@ -28,7 +28,9 @@ Inflated inflate(const CutPlan& plan, const InflateOptions& options);
 /// 0.1 % of its area exceeds (1 m2 of 1,000), `Inflated::tension_max` is the largest there is.
 ///
 ///     factor = f_T f_age f_seam R / (n load):  n = 1.4; cloth f_T .5, f_age .5, f_seam .8; tapes f_age .5; wires 1
-///     required: cloth and load tapes 5 (envelope), wires 2.25 (suspension, not metallic)
+///     required: the stricter of the two. Cloth, load tapes and ties 5 (envelope); wires 5 (14 CFR 31.25(c), not
+/// metallic; CS
+///               31HB.25 asks 2.25)
 std::vector<SafetyFactor> safety_factors(const Inflated& inflated, const CutPlan& plan, const Rigging& rigging);
 
 }  // namespace ripstop

@@ -1,5 +1,7 @@
 #include "ripstop/inflate/rig.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,11 +14,14 @@
 namespace ripstop {
 namespace {
 
+constexpr double most_rise = 0.3;  // of the height: a mouth may be slanted, a gore is no envelope
+
 /// Boundary edges that are in no seam and hang together.
 struct Opening {
     std::vector<std::array<Place, 2>> edges;  ///< counter-clockwise seen from outside
     std::set<int> nodes;
-    double height = 0;  ///< mean [m]
+    double height = 0, rises = 0;  ///< mean; from its lowest to its highest point [m]
+    bool is_round = false;         ///< runs through all sectors
 };
 
 /// How much of each boundary edge of each tile is in a seam, as a share.
@@ -71,12 +76,20 @@ std::vector<Opening> find_openings(const CutPlan& plan, const Symmetry& symmetry
         Opening& opening = by_root[sets.root(edge[0][0].node)];
         opening.edges.push_back(edge);
         for (const Place& place : edge)
-            for (const PlacePart& part : place) opening.nodes.insert(part.node);
+            for (const PlacePart& part : place) {
+                opening.nodes.insert(part.node);
+                opening.is_round = opening.is_round || part.turns != 0;
+            }
     }
     std::vector<Opening> openings;
     for (auto& [root, opening] : by_root) {
-        for (const int node : opening.nodes)
+        double low = 1e300, high = -1e300;
+        for (const int node : opening.nodes) {
             opening.height += sewn.nodes(node, 2) / static_cast<double>(opening.nodes.size());
+            low = std::min(low, sewn.nodes(node, 2));
+            high = std::max(high, sewn.nodes(node, 2));
+        }
+        opening.rises = high - low;
         openings.push_back(std::move(opening));
     }
     std::stable_sort(openings.begin(), openings.end(),
@@ -157,13 +170,21 @@ void hold(const std::set<int>& nodes, SewnEnvelope& sewn) {
     }
 }
 
-void close_crown(const Opening& crown, const Symmetry& symmetry, double mass, SewnEnvelope& sewn) {
+/// Triangles from the edges of an opening to its middle, outside up. An opening that each sector has for itself has a
+/// middle of its own.
+std::vector<std::array<Place, 3>> closed(const Opening& opening, const Symmetry& symmetry) {
+    const int turns = opening.is_round ? symmetry.sectors : 1;
     Place centre;
-    const double share = 1.0 / static_cast<double>(crown.nodes.size() * static_cast<std::size_t>(symmetry.sectors));
-    for (const int node : crown.nodes)
-        for (int turn = 0; turn < symmetry.sectors; ++turn) centre.push_back({node, share, turn});
-    for (const auto& edge : crown.edges) sewn.caps.push_back({edge[1], edge[0], centre});
-    sewn.cap_mass = mass;
+    const double share = 1.0 / static_cast<double>(opening.nodes.size() * static_cast<std::size_t>(turns));
+    for (const int node : opening.nodes)
+        for (int turn = 0; turn < turns; ++turn) centre.push_back({node, share, turn});
+    std::vector<std::array<Place, 3>> triangles;
+    for (const auto& edge : opening.edges) triangles.push_back({edge[1], edge[0], centre});
+    return triangles;
+}
+
+void append(const std::vector<std::array<Place, 3>>& triangles, std::vector<std::array<Place, 3>>& into) {
+    into.insert(into.end(), triangles.begin(), triangles.end());
 }
 
 /// An envelope without a mouth stands on its lowest points.
@@ -182,6 +203,14 @@ void add_rigging(const CutPlan& plan, const Rigging& rigging, const Symmetry& sy
                  const std::vector<char>& is_inside, const std::vector<double>& tape_factors,
                  const PlaceOnBoundary& place_of, SewnEnvelope& sewn) {
     const std::vector<Opening> openings = find_openings(plan, symmetry, is_inside, sewn);
+    const double height = sewn.nodes.col(2).maxCoeff() - sewn.nodes.col(2).minCoeff();
+    for (const Opening& opening : openings)
+        if (opening.rises > most_rise * height)
+            throw InputError(
+                fmt::format("the cloth does not enclose the gas: it is open over {:.2f} m of its {:.2f} m of height; "
+                            "sew all tiles of the "
+                            "envelope (ripstop check names the edges in no seam)",
+                            opening.rises, height));
     const double middle = 0.5 * (sewn.nodes.col(2).minCoeff() + sewn.nodes.col(2).maxCoeff());
     const bool has_mouth = !openings.empty() && openings.front().height < middle;
     const bool has_crown = !openings.empty() && openings.back().height >= middle;
@@ -208,10 +237,20 @@ void add_rigging(const CutPlan& plan, const Rigging& rigging, const Symmetry& sy
     } else {
         hold(has_mouth ? mouth : lowest_nodes(sewn), sewn);
     }
+    const std::size_t first = has_mouth ? 1 : 0, last = openings.size() - (has_crown ? 1 : 0);
+    if (has_mouth) append(closed(openings.front(), symmetry), sewn.lids);
+    // Vents and what was not sewn would only be closed by cloth: gas is held there, and `check` names the edges.
+    for (std::size_t i = first; i < last; ++i) append(closed(openings[i], symmetry), sewn.caps);
     if (!has_crown) return;
+    if (!rigging.crown_ring && !rigging.crown_closed)
+        throw InputError(
+            "crown_ring and crown_closed are both false: nothing would hold the edge of the opening at the top against "
+            "the "
+            "gas; set one of them");
     if (rigging.crown_ring)
         for (const int node : openings.back().nodes) sewn.freedom[static_cast<std::size_t>(node)] = Freedom::vertical;
-    if (rigging.crown_closed) close_crown(openings.back(), symmetry, plan.fabric.mass, sewn);
+    append(closed(openings.back(), symmetry), rigging.crown_closed ? sewn.caps : sewn.lids);
+    if (rigging.crown_closed) sewn.cap_mass = plan.fabric.mass;
 }
 
 }  // namespace ripstop

@@ -287,31 +287,6 @@ class Numbering {
     std::vector<int> node_;
 };
 
-/// The triangles of a tile at rest, edges in the axes of the cloth.
-std::vector<Mat22> rest_triangles(const FlatTile& tile, RestState rest) {
-    const TriangleMesh& mesh = tile.tile.mesh;
-    std::vector<Mat22> triangles;
-    const Compensation& given = tile.tile.compensation;
-    if (rest == RestState::as_cut) {
-        const Mat22 shrunk = Vec2(1 / (1 + given.warp), 1 / (1 + given.weft)).asDiagonal();
-        for (int t = 0; t < mesh.triangle_count(); ++t)
-            triangles.push_back(shrunk * flat_edges(mesh.triangles, tile.flattening.positions, t));
-        return triangles;
-    }
-    Tile wanted = tile.tile;
-    if (rest == RestState::as_drawn) wanted.compensation = {};
-    wanted.compensation.warp = wanted.compensation.weft = 0;
-    wanted.compensation.chains.clear();
-    triangles = target_triangles(wanted);
-    const Eigen::Matrix2Xd warp = warp_in_triangles(wanted);
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-        Mat22 axes;
-        axes << warp(0, t), -warp(1, t), warp(1, t), warp(0, t);
-        triangles[static_cast<std::size_t>(t)] = axes.transpose() * triangles[static_cast<std::size_t>(t)];
-    }
-    return triangles;
-}
-
 Fabric stiffened(Fabric fabric, double stiffer) {
     fabric.warp_stiffness *= stiffer;
     fabric.weft_stiffness *= stiffer;
@@ -325,8 +300,10 @@ void add_cloth(const CutPlan& plan, const SewOptions& options, const Symmetry& s
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         if (symmetry.tiles[i].turns != 0 || symmetry.tiles[i].of != static_cast<int>(i)) continue;
         const FlatTile& tile = plan.tiles[i];
-        const Fabric fabric = stiffened(plan.fabric_of(tile.tile), options.stiffer);
-        const std::vector<Mat22> rest = rest_triangles(tile, options.rest);
+        Fabric fabric = stiffened(plan.fabric_of(tile.tile), options.stiffer);
+        if (options.rest == RestState::as_cut)  // what has shrunk weighs what was cut
+            fabric.mass *= (1 + tile.tile.compensation.warp) * (1 + tile.tile.compensation.weft);
+        const std::vector<Mat22> rest = cloth_at_rest(tile, options.rest);
         const auto found = std::find(into.fabrics.begin(), into.fabrics.end(), fabric);
         const int number = static_cast<int>(found - into.fabrics.begin());
         if (found == into.fabrics.end()) into.fabrics.push_back(fabric);
@@ -359,6 +336,30 @@ double largest_gap(const CutPlan& plan, const Symmetry& symmetry, const SewnEnve
 }
 
 }  // namespace
+
+std::vector<Mat22> cloth_at_rest(const FlatTile& tile, RestState rest) {
+    const TriangleMesh& mesh = tile.tile.mesh;
+    std::vector<Mat22> triangles;
+    const Compensation& given = tile.tile.compensation;
+    if (rest == RestState::as_cut) {
+        const Mat22 shrunk = Vec2(1 / (1 + given.warp), 1 / (1 + given.weft)).asDiagonal();
+        for (int t = 0; t < mesh.triangle_count(); ++t)
+            triangles.push_back(shrunk * flat_edges(mesh.triangles, tile.flattening.positions, t));
+        return triangles;
+    }
+    Tile wanted = tile.tile;
+    if (rest == RestState::as_drawn) wanted.compensation = {};
+    wanted.compensation.warp = wanted.compensation.weft = 0;
+    wanted.compensation.chains.clear();
+    triangles = target_triangles(wanted);
+    const Eigen::Matrix2Xd warp = warp_in_triangles(wanted);
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        Mat22 axes;
+        axes << warp(0, t), -warp(1, t), warp(1, t), warp(0, t);
+        triangles[static_cast<std::size_t>(t)] = axes.transpose() * triangles[static_cast<std::size_t>(t)];
+    }
+    return triangles;
+}
 
 Symmetry no_symmetry(const CutPlan& plan) {
     Symmetry symmetry;

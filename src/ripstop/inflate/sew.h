@@ -31,6 +31,9 @@ struct SewOptions {
 /// touches nothing, a tie that ends off the envelope, and where nothing could hold the envelope. O(#V).
 SewnEnvelope sew(const CutPlan& plan, const SewOptions& options = {});
 
+/// The triangles of a tile's cloth at rest: edges b - a and c - a along warp and weft [m].
+std::vector<Mat22> cloth_at_rest(const FlatTile& tile, RestState rest);
+
 /// Without symmetry: each tile for itself.
 Symmetry no_symmetry(const CutPlan& plan);
 

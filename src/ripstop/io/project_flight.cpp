@@ -14,6 +14,18 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::array<std::pair<const char*, TapedSeams>, 3> tape_words{
+    {{"by-type", TapedSeams::by_type}, {"meridians", TapedSeams::meridians}, {"none", TapedSeams::none}}};
+constexpr std::array<std::pair<const char*, MouthHold>, 3> mouth_words{
+    {{"automatic", MouthHold::automatic}, {"edge", MouthHold::edge}, {"wires", MouthHold::wires}}};
+
+template <class Choice>
+const char* word_of(const std::array<std::pair<const char*, Choice>, 3>& words, Choice choice) {
+    for (const auto& [word, each] : words)
+        if (each == choice) return word;
+    return "";
+}
+
 void take_number(const json& value, const char* key, double unit, double low, double high, const std::string& place,
                  double& target) {
     const std::optional<double> given = number_at(value, key, place);
@@ -67,7 +79,39 @@ InnerTie tie_of(const json& value, double metres_per_unit, const std::string& pl
     return tie;
 }
 
+nlohmann::ordered_json material_json(const TapeMaterial& material) {
+    return {
+        {"stiffness_n", material.stiffness}, {"strength_n", material.strength}, {"mass_g_per_m", material.mass / 1e-3}};
+}
+
 }  // namespace
+
+nlohmann::ordered_json flight_json(const Flight& flight) {
+    const Rigging& rigging = flight.rigging;
+    nlohmann::ordered_json value = {{"inside_c", flight.load.air.inside},
+                                    {"outside_c", flight.load.air.outside},
+                                    {"altitude_m", flight.load.air.altitude},
+                                    {"extra_pressure_pa", flight.load.extra_pressure}};
+    if (flight.load.mouth_plane) value["mouth_plane_mm"] = *flight.load.mouth_plane / millimetre;
+    value["tapes"] = word_of(tape_words, flight.tapes);
+    value["load_tape"] = material_json(rigging.load_tape);
+    value["foreshortening_pct"] = rigging.foreshortening / percent;
+    value["wire"] = material_json(rigging.wire);
+    value["wire_length_mm"] = rigging.wire_length / millimetre;
+    value["mouth"] = word_of(mouth_words, rigging.mouth);
+    value["crown_ring"] = rigging.crown_ring;
+    value["crown_closed"] = rigging.crown_closed;
+    for (const InnerTie& tie : rigging.ties) {
+        nlohmann::ordered_json each = {{"name", tie.name},
+                                       {"from", {tie.from.x(), tie.from.y(), tie.from.z()}},
+                                       {"to", {tie.to.x(), tie.to.y(), tie.to.z()}}};
+        if (tie.length > 0) each["length_mm"] = tie.length / millimetre;
+        each.update(material_json(tie.material));
+        value["ties"].push_back(each);
+    }
+    if (!rigging.diaphragms.empty()) value["diaphragms"] = rigging.diaphragms;
+    return value;
+}
 
 Flight read_flight(const json& value, double metres_per_unit, const std::string& place) {
     require_known_keys(
@@ -85,10 +129,7 @@ Flight read_flight(const json& value, double metres_per_unit, const std::string&
         flight.load.mouth_plane = 0;
         take_number(value, "mouth_plane_mm", millimetre, -1e6, 1e6, place, *flight.load.mouth_plane);
     }
-    take_choice<TapedSeams, 3>(
-        value, "tapes",
-        {{{"by-type", TapedSeams::by_type}, {"meridians", TapedSeams::meridians}, {"none", TapedSeams::none}}}, place,
-        flight.tapes);
+    take_choice(value, "tapes", tape_words, place, flight.tapes);
     Rigging& rigging = flight.rigging;
     for (const auto& [key, material] : {std::pair{"load_tape", &rigging.load_tape}, std::pair{"wire", &rigging.wire}}) {
         if (!value.contains(key)) continue;
@@ -97,9 +138,7 @@ Flight read_flight(const json& value, double metres_per_unit, const std::string&
     }
     take_number(value, "foreshortening_pct", percent, 0, 20, place, rigging.foreshortening);
     take_number(value, "wire_length_mm", millimetre, 10, 1e5, place, rigging.wire_length);
-    take_choice<MouthHold, 3>(
-        value, "mouth", {{{"automatic", MouthHold::automatic}, {"edge", MouthHold::edge}, {"wires", MouthHold::wires}}},
-        place, rigging.mouth);
+    take_choice(value, "mouth", mouth_words, place, rigging.mouth);
     take_flag(value, "crown_ring", place, rigging.crown_ring);
     take_flag(value, "crown_closed", place, rigging.crown_closed);
     if (const auto ties = value.find("ties"); ties != value.end()) {

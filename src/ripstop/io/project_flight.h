@@ -11,4 +11,7 @@ namespace ripstop {
 /// Points are in units of `metres_per_unit`. Throws InputError that begins with `place`.
 Flight read_flight(const nlohmann::json& value, double metres_per_unit, const std::string& place);
 
+/// The same key, for points in metres: `read_flight` gives the flight back.
+nlohmann::ordered_json flight_json(const Flight& flight);
+
 }  // namespace ripstop

@@ -61,7 +61,7 @@ void read_tiles(const json& tiles, const std::string& name, Project& project) {
 
 }  // namespace
 
-Project read_project(std::istream& in, const std::string& name) {
+Project read_project(std::istream& in, const std::string& name, const std::string& unit) {
     const json object = read_json_object(in, name);
     require_known_keys(object,
                        {"unit", "fabric", "materials", "layers", "grain_layers", "tolerances", "seam_tolerance_mm",
@@ -92,7 +92,8 @@ Project read_project(std::istream& in, const std::string& name) {
     if (object.contains("seams"))
         project.seams = read_seam_rules(object["seams"], project.seam_types, name + ": seams");
     if (object.contains("flight"))
-        project.flight = read_flight(object["flight"], project.unit ? metres_per_unit(*project.unit) : 1, name + ": flight");
+        project.flight = read_flight(
+            object["flight"], metres_per_unit(unit.empty() ? project.unit.value_or("m") : unit), name + ": flight");
     return project;
 }
 

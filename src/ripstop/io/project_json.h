@@ -37,10 +37,12 @@ struct Project {
 /// A project from JSON: docs/project.md explains it, docs/project.schema.json describes it, docs/project.example.json shows
 /// every key. Every key may be absent but a tile's `name` and what a seam type or rule needs to say anything.
 ///
+/// `unit`: of the points of `flight`, where the file's is known; else the project's, else metres.
+///
 /// Throws InputError naming the file and the place in it for an unknown key, a value of another kind, an unknown unit or seam
 /// type, a tolerance that is not positive, a warp without direction, a compensation beyond -50 to 100 %, an allowance beyond 0
 /// to 1 m, a surface named in two ways or by a pattern, and a name given twice.
-Project read_project(std::istream& in, const std::string& name);
+Project read_project(std::istream& in, const std::string& name, const std::string& unit = "");
 
 /// What the project says about the shape of one tile, corners in metres. Warp, corners and compensation are looked up each by
 /// itself (`deciding_entry`): one entry may give the warp and another the corners.

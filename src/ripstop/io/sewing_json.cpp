@@ -7,6 +7,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/io/fabric_json.h"
 #include "ripstop/io/json_text.h"
+#include "ripstop/io/project_flight.h"
 
 namespace ripstop {
 namespace {
@@ -85,6 +86,7 @@ class Reader {
         if (!value) refuse(std::string(key) + " is missing, expected a text");
         return *value;
     }
+    const json& value(const char* key) const { return value_.at(key); }
     bool has(const char* key) const { return value_.contains(key); }
     const json& list(const char* key) const {
         const auto found = value_.find(key);
@@ -202,19 +204,21 @@ std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& fil
                          {"type", type_json(seam.type)},
                          {"a", side_json(seam.a)},
                          {"b", side_json(seam.b)}});
-    const Json object = {{"schema", "1.0"},
-                         {"input", plan.input_file},
-                         {"fabrics", cloths},
-                         {"tolerances",
-                          {{"area", plan.tolerances.area},
-                           {"length", plan.tolerances.length},
-                           {"strain", plan.tolerances.strain},
-                           {"shear_rad", plan.tolerances.shear},
-                           {"strain_for_all", plan.tolerances.strain_for_all},
-                           {"shear_for_all", plan.tolerances.shear_for_all}}},
-                         {"tiles", tiles},
-                         {"seams", seams},
-                         {"tape_factors", plan.tape_factors}};
+    Json object = {{"schema", "1.0"},
+                   {"input", plan.input_file},
+                   {"fabrics", cloths},
+                   {"tolerances",
+                    {{"area", plan.tolerances.area},
+                     {"length", plan.tolerances.length},
+                     {"strain", plan.tolerances.strain},
+                     {"shear_rad", plan.tolerances.shear},
+                     {"strain_for_all", plan.tolerances.strain_for_all},
+                     {"shear_for_all", plan.tolerances.shear_for_all}}},
+                   {"tiles", tiles},
+                   {"seams", seams},
+                   {"tape_factors", plan.tape_factors},
+                   {"unit", plan.unit}};
+    if (plan.flight) object["flight"] = flight_json(*plan.flight);
     return object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -224,6 +228,7 @@ Sewing read_sewing(std::istream& in, const std::string& name) {
     if (reader.text("schema") != "1.0") reader.refuse("is of another version");
     Sewing sewing;
     sewing.plan.input_file = reader.text("input");
+    if (reader.has("unit")) sewing.plan.unit = reader.text("unit");
     std::vector<Fabric> fabrics;
     for (const json& fabric : reader.list("fabrics")) {
         std::istringstream text(fabric.dump());
@@ -247,6 +252,7 @@ Sewing read_sewing(std::istream& in, const std::string& name) {
         sewing.plan.seams.push_back(std::move(seam));
     }
     sewing.plan.tape_factors = reader.numbers("tape_factors");
+    if (reader.has("flight")) sewing.plan.flight = read_flight(reader.value("flight"), 1, reader.place() + ", flight");
     if (!sewing.plan.tape_factors.empty() && sewing.plan.tape_factors.size() != sewing.plan.seams.size())
         reader.refuse("tape_factors are not one a seam");
     return sewing;

@@ -9,7 +9,7 @@
 namespace ripstop {
 
 double buoyancy(const Air& air) {
-    require_range("inside temperature", air.inside, -90, 300, "C");
+    require_range("inside temperature", air.inside, -90, hottest, "C");
     require_range("outside temperature", air.outside, -90, 300, "C");
     require_range("altitude", air.altitude, 0, 11000, "m");
     if (!(air.inside > air.outside))

@@ -3,6 +3,7 @@
 namespace ripstop {
 
 inline constexpr double gravity = 9.80665;  ///< [m/s2]
+inline constexpr double hottest = 300;      ///< that can be asked for [C]
 
 /// The air inside and around the envelope.
 struct Air {

@@ -9,7 +9,7 @@
 #include "ripstop/model/envelope.h"
 #include "ripstop/model/fabric.h"
 #include "ripstop/model/flattening.h"
-#include "ripstop/model/inflated.h"
+#include "ripstop/model/flight.h"
 #include "ripstop/model/redesign.h"
 #include "ripstop/model/seam_walk.h"
 #include "ripstop/model/verdict.h"
@@ -43,9 +43,12 @@ struct CutPlan {
     std::vector<SeamWalk> walks = {};    ///< one a seam; none before they are walked
     std::vector<Finding> findings = {};  ///< what is wrong between the tiles; values and limits in mm
     std::vector<MergeProposal> merges = {};
-    std::vector<double> tape_factors = {};     ///< of each seam: its load tape is cut so much longer than drawn; 1 where empty
-    bool is_compensated = false;  ///< cut for the strain it has in flight (`Compensation::strain`), which may not be at hand
-    std::optional<Inflated> inflated = {};     ///< once it was sewn and inflated
+    std::vector<double> tape_factors =
+        {};  ///< of each seam: its load tape is cut so much longer than drawn; 1 where empty
+    bool is_compensated =
+        false;  ///< cut for the strain it has in flight (`Compensation::strain`), which may not be at hand
+    std::optional<Flight> flight = {};      ///< how it is to fly, where that was said
+    std::optional<Inflated> inflated = {};  ///< once it was sewn and inflated
 
     bool manufacturable() const;  ///< every tile, and nothing wrong between them
     double area() const;          ///< of the tiles in space [m2]

@@ -60,10 +60,12 @@ struct SafetyFactor {
 };
 
 /// Why an envelope does not take the drawn shape, by what changes when a cause is taken away [m, root mean square].
+/// They do not
+/// add up: one can make good what another does.
 struct Causes {
     double shape =
         0;  ///< cut without any error of a cloth that does not stretch: this shape cannot be held by gas pressure
-    double stretch = 0;   ///< what the real cloth and tapes add to that
+    double stretch = 0;   ///< what the real cloth and tapes, and their foreshortening, add to that
     double patterns = 0;  ///< what the pieces as cut add; not a number where it is not known
 };
 
@@ -113,7 +115,8 @@ struct Inflated {
     SolveSummary summary;
     double seconds = 0;
 
-    bool is_safe() const;
+    bool stands() const;   ///< the gas carries the cloth: neither its volume is lost nor its lift
+    bool is_safe() const;  ///< it stands, and everything that was judged is strong enough
 };
 
 }  // namespace ripstop

@@ -59,7 +59,9 @@ struct SewnEnvelope {
     std::vector<Fabric> fabrics;
 
     std::vector<std::array<Place, 3>> caps;  ///< triangles that close an opening against the gas, without stiffness
-    double cap_mass = 0;                     ///< [kg/m2]
+    std::vector<std::array<Place, 3>>
+        lids;             ///< triangles over the openings that stay open: they bound the volume, no more
+    double cap_mass = 0;  ///< [kg/m2]
     std::vector<SewnTape> tapes;
     std::vector<int> held;  ///< nodes whose reaction is what hangs below
     double floor = 0;       ///< the mouth plane [m]

@@ -29,11 +29,16 @@ void give_shrinkage(const std::vector<Compensation>& taken, Envelope& envelope) 
     }
 }
 
+/// What a round is judged by: a thousandth of the height is allowed on the whole, three in places.
+double score(const Inflated& inflated) {
+    return std::max(inflated.off.moved_rms, inflated.off.moved_max / 3);
+}
+
 /// One round after the other, and the best so far.
 class Correction {
   public:
     Correction(Envelope envelope, const CompensateOptions& options)
-        : envelope_(std::move(envelope)), options_(options), total_(1 + options.elastic_steps + options.displacements) {
+        : envelope_(std::move(envelope)), options_(options), total_(4 + options.elastic_steps + options.displacements) {
         options_.inflate.find_causes = false;
     }
 
@@ -49,9 +54,14 @@ class Correction {
         InflatePlanOptions inflating = options_.inflate;
         inflating.progress = part(step, 0.3, 1);
         last_.inflated = inflate_plan(last_, inflating);
-        const bool is_best = rounds_.empty() || (last_.inflated->summary.termination == Termination::converged &&
-                                                 last_.inflated->off.moved_rms < best_.inflated->off.moved_rms);
-        rounds_.push_back({step, last_.inflated->off, last_.inflated->height, last_.inflated->volume, relaxation});
+        const auto is_at_rest = [](const CutPlan& plan) {
+            return plan.inflated->summary.termination == Termination::converged;
+        };
+        const bool is_best =
+            rounds_.empty() ||
+            (is_at_rest(last_) && (!is_at_rest(best_) || score(*last_.inflated) < score(*best_.inflated)));
+        rounds_.push_back({is_at_rest(last_) ? step : step + ", not at rest", last_.inflated->off,
+                           last_.inflated->height, last_.inflated->volume, relaxation});
         if (!is_best) return false;
         best_ = last_;
         best_wanted_ = wanted;
@@ -65,7 +75,6 @@ class Correction {
     const std::vector<CompensationRound>& rounds() const { return rounds_; }
     Envelope& envelope() { return envelope_; }
 
-  private:
     Progress part(const std::string& step, double from, double to) const {
         if (!options_.progress) return {};
         const double done = static_cast<double>(rounds_.size());
@@ -75,6 +84,7 @@ class Correction {
         };
     }
 
+  private:
     Envelope envelope_;
     CompensateOptions options_;
     int total_;
@@ -109,15 +119,22 @@ CutPlan compensate(const Envelope& envelope, const CompensateOptions& options) {
     double share = options.relaxation;
     for (int step = 0, idle = 0; step < options.displacements && idle < 2; ++step) {
         wanted = correction.best_wanted();
-        const double before = correction.best().inflated->off.moved_rms;
+        const double before = score(*correction.best().inflated);
         displace(wanted, correction.best(), options, share);
         const bool is_better = correction.round("displacement", share, wanted);
         if (!is_better) share *= 0.5;
-        idle = is_better && correction.best().inflated->off.moved_rms < 0.98 * before ? 0 : idle + 1;
+        idle = is_better && score(*correction.best().inflated) < 0.98 * before ? 0 : idle + 1;
     }
 
     CutPlan result = correction.best();
+    InflatePlanOptions judging = options.inflate;
+    judging.progress = correction.part("what is cut", 0, 1);
+    result.inflated = inflate_plan(result, judging);
     result.inflated->rounds = correction.rounds();
+    if (options.find_sensitivity) {
+        judging.progress = correction.part("other cloth, tapes and air", 1, 3);
+        result.inflated->sensitivity = measure_sensitivity(result, judging);
+    }
     if (std::none_of(shrinkage.begin(), shrinkage.end(), [](const Compensation& each) { return each.any(); }))
         return result;
     compensate_tiles(correction.best_wanted(), correction.envelope());
@@ -133,13 +150,20 @@ CutPlan compensate(const Envelope& envelope, const CompensateOptions& options) {
 }
 
 std::vector<Sensitivity> measure_sensitivity(const CutPlan& plan, const InflatePlanOptions& options) {
+    constexpr int most_trials = 8;
     std::vector<Sensitivity> found;
     const auto try_one = [&](const std::string& what, const CutPlan& changed, const InflatePlanOptions& loaded) {
         InflatePlanOptions inflating = loaded;
         inflating.find_causes = false;
+        const double begin = static_cast<double>(found.size()) / most_trials;
         inflating.progress = {};
+        if (options.progress)
+            inflating.progress = [&, begin](double fraction, const std::string& step) {
+                options.progress(begin + fraction / most_trials, what + ": " + step);
+            };
         const Inflated inflated = inflate_plan(changed, inflating);
-        found.push_back({what, inflated.off, inflated.height, inflated.volume});
+        const bool rests = inflated.summary.termination == Termination::converged;
+        found.push_back({rests ? what : what + ", not at rest", inflated.off, inflated.height, inflated.volume});
     };
     const auto with_cloth = [&](double threads, double shear) {
         CutPlan changed = plan;
@@ -169,7 +193,7 @@ std::vector<Sensitivity> measure_sensitivity(const CutPlan& plan, const InflateP
     for (const double hotter : {20.0, -20.0}) {
         InflatePlanOptions changed = options;
         changed.load.air.inside += hotter;
-        if (changed.load.air.inside <= changed.load.air.outside) continue;
+        if (changed.load.air.inside <= changed.load.air.outside || changed.load.air.inside > hottest) continue;
         try_one(hotter > 0 ? "inside 20 degrees hotter" : "inside 20 degrees colder", plan, changed);
     }
     return found;

@@ -30,10 +30,9 @@ Progress part_of(const Progress& progress, double from, double to) {
     return [=](double fraction, const std::string& what) { progress(from + (to - from) * fraction, what); };
 }
 
-constexpr double stiffer = 10;  // more makes a cloth that hardly comes to rest
-
-/// Where cloth that does not stretch at all would be, as stretch goes with 1 / stiffness.
-std::vector<Points3> unstretched(const std::vector<Points3>& real, const std::vector<Points3>& stiff) {
+/// Where cloth that does not stretch at all would be, from where it is and where it is `stiffer`, as stretch goes
+/// with 1 / stiffness.
+std::vector<Points3> unstretched(const std::vector<Points3>& real, const std::vector<Points3>& stiff, double stiffer) {
     std::vector<Points3> positions;
     for (std::size_t i = 0; i < real.size(); ++i) positions.push_back(stiff[i] + (stiff[i] - real[i]) / (stiffer - 1));
     return positions;
@@ -44,7 +43,7 @@ std::vector<Points3> unstretched(const std::vector<Points3>& real, const std::ve
 std::optional<Causes> find_causes(const CutPlan& plan, const Inflated& inflated, InflateOptions inflating,
                                   const Progress& progress) {
     const auto is_at_rest = [](const Inflated& each) { return each.summary.termination == Termination::converged; };
-    if (!is_at_rest(inflated)) return std::nullopt;
+    if (!is_at_rest(inflated) || !inflated.stands()) return std::nullopt;
     std::vector<Points3> drawn;
     bool knows_strain = !plan.is_compensated;
     for (const FlatTile& tile : plan.tiles) {
@@ -63,11 +62,19 @@ std::optional<Causes> find_causes(const CutPlan& plan, const Inflated& inflated,
     }
     inflating.start = without_error;
     inflating.sewing.rest = RestState::as_drawn;
-    inflating.sewing.stiffer = stiffer;
+    inflating.sewing.rigging.foreshortening = 0;
     inflating.progress = part_of(progress, 0.7, 1);
-    const Inflated stiff = inflate(plan, inflating);
-    if (!is_at_rest(stiff)) return std::nullopt;
-    const std::vector<Points3> own = unstretched(without_error, positions_of(stiff));
+    std::vector<Points3> own;
+    // Soft cloth strains too much for a straight line through two stiffnesses.
+    for (double stiffer = 10; stiffer <= 1000; stiffer *= 10) {
+        inflating.sewing.stiffer = stiffer;
+        const Inflated stiff = inflate(plan, inflating);
+        if (!is_at_rest(stiff)) return std::nullopt;
+        const std::vector<Points3> there_stiff = positions_of(stiff);
+        own = unstretched(inflating.start, there_stiff, 10);
+        if (apart(inflating.start, there_stiff) < 0.01 * inflated.drawn_height) break;
+        inflating.start = there_stiff;
+    }
     return Causes{apart(own, drawn), apart(without_error, own),
                   knows_strain ? apart(there, without_error) : std::numeric_limits<double>::quiet_NaN()};
 }
@@ -80,7 +87,9 @@ Inflated inflate_plan(const CutPlan& plan, const InflatePlanOptions& options) {
     inflating.load = options.load;
     inflating.threads = options.threads;
     inflating.sewing.rigging = options.rigging;
-    if (options.use_symmetry) inflating.sewing.symmetry = find_symmetry(plan);
+    // A tie or a diaphragm is one, not one a sector.
+    const bool repeats = options.rigging.ties.empty() && options.rigging.diaphragms.empty();
+    if (options.use_symmetry && repeats) inflating.sewing.symmetry = find_symmetry(plan);
     inflating.progress = part_of(options.progress, 0, options.find_causes ? 0.4 : 1);
     Inflated inflated = inflate(plan, inflating);
     if (options.find_causes) inflated.causes = find_causes(plan, inflated, inflating, options.progress);

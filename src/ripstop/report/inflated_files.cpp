@@ -47,11 +47,20 @@ std::string inflated_report(const std::string& report, const CutPlan& plan, cons
     take_keys(fresh, whole, "tiles", {"inflated"}, name);
     take_keys(fresh, whole, "seams", {"type", "tape_cut_mm", "tape_force_max_n"}, name);
     whole["seam_types"] = fresh["seam_types"];
+    const Json before = whole.value("inflated", Json::object());
     whole["inflated"] = fresh["inflated"];
+    // How the patterns were corrected stays true however they are inflated.
+    const Json none = Json::array();
+    if (fresh["inflated"].value("rounds", none).empty() && !before.value("rounds", none).empty())
+        whole["inflated"]["rounds"] = before["rounds"];
     return whole.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
+
+std::string report_of(const fs::path& folder) {
+    return text_of(folder / "report.json");
+}
 
 void write_inflated_shape(const fs::path& file, const CutPlan& plan) {
     std::vector<NamedMesh> tiles;

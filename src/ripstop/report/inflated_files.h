@@ -16,6 +16,9 @@ namespace ripstop {
 void write_inflated(const std::filesystem::path& folder, const CutPlan& plan, const std::vector<StrainMap>& strains,
                     bool reproducible);
 
+/// The text of report.json in a plan's folder. Throws InputError where it cannot be read.
+std::string report_of(const std::filesystem::path& folder);
+
 /// Only inflated/envelope.obj.
 void write_inflated_shape(const std::filesystem::path& file, const CutPlan& plan);
 

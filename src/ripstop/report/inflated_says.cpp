@@ -21,12 +21,24 @@ void say_rest(const Inflated& inflated, Sentences& says) {
     if (inflated.summary.termination != Termination::converged)
         says.push_back("The inflation did not come to rest (" + inflated.summary.text() +
                        "): do not trust what follows.");
-    else if (!inflated.is_stable)
+    else if (inflated.force_residual > 1e-3)
+        says.push_back("It rests but for wrinkles that come and go: " + inflated.summary.reason + ".");
+    if (inflated.summary.termination == Termination::converged && !inflated.is_stable)
         says.push_back("The shape found is not stable: a push takes it to another.");
     constexpr double unbalanced = 0.01;
     if (std::abs(inflated.imbalance) > unbalanced)
         says.push_back("Lift, weight and what holds it down differ by " + shown(inflated.imbalance / percent, 1) +
                        " %: finer triangles would make the figures surer.");
+}
+
+/// `isotropic` is there to compare methods with, and the default of `flatten`.
+void say_cloth(const CutPlan& plan, Sentences& says) {
+    const std::vector<Fabric> fabrics = plan.fabrics();
+    if (std::any_of(fabrics.begin(), fabrics.end(), [](const Fabric& fabric) { return fabric.name == "isotropic"; }))
+        says.push_back(
+            "No cloth was named: this is \"isotropic\", a stand-in many times softer than any. Flatten with --fabric, "
+            "such as "
+            "nylon, before you believe what follows.");
 }
 
 void say_deviation(const Inflated& inflated, Sentences& says) {
@@ -58,14 +70,16 @@ void say_causes(const CutPlan& plan, Sentences& says) {
                            " The corrected patterns make up for it.");
         else
             says.push_back("This shape cannot be held by gas pressure: even " + bare);
-        if (!std::isfinite(causes.patterns))
+        if (is_corrected(plan) && inflated.off.moved_rms <= limit)
+            ;  // what was wanted of the pieces is not the drawing
+        else if (!std::isfinite(causes.patterns))
             says.push_back("What the patterns do to it is not known: what they were corrected to is not at hand.");
         else
             says.push_back(std::string("The patterns are ") + (causes.patterns > limit ? "wrong" : "right") +
                            ": their errors move it by " + in_mm(causes.patterns) + ".");
         if (!is_corrected(plan))
             says.push_back(causes.stretch > limit
-                               ? "The cloth's stretch makes it " + in_mm(causes.stretch) +
+                               ? "Stretch of the cloth and the run of its tapes make it " + in_mm(causes.stretch) +
                                      " off: cut with --compensate."
                                : "The stretch of cloth and tapes moves it by " + in_mm(causes.stretch) + ".");
     }
@@ -78,12 +92,9 @@ void say_causes(const CutPlan& plan, Sentences& says) {
 
 void say_lift(const Inflated& inflated, Sentences& says) {
     const Air& air = inflated.load.air;
-    const double kilograms = inflated.lift / gravity;
-    const std::string when = fmt::format("At {} C inside and {} C outside, {} m up, ", shown(air.inside, 0),
-                                         shown(air.outside, 0), shown(air.altitude, 0));
-    says.push_back(kilograms > 0 ? when + "it carries " + shown(kilograms, 0) + " kg beside itself (" +
-                                       shown(inflated.lift, 0) + " N)."
-                                 : when + "it does not carry itself: " + shown(-kilograms, 0) + " kg are missing.");
+    says.push_back(fmt::format("At {} C inside and {} C outside, {} m up, it carries {} kg beside itself ({} N).",
+                               shown(air.inside, 0), shown(air.outside, 0), shown(air.altitude, 0),
+                               shown(inflated.lift / gravity, 0), shown(inflated.lift, 0)));
 }
 
 void say_weakness(const Inflated& inflated, Sentences& says) {
@@ -100,6 +111,31 @@ void say_strength(const Inflated& inflated, Sentences& says) {
         [](const SafetyFactor& a, const SafetyFactor& b) { return a.factor / a.required < b.factor / b.required; });
     says.push_back(fmt::format("Strong enough; the least margin: {}, factor {} where {:g} is asked ({}).", least.part,
                                shown(least.factor, 2), least.required, least.where));
+}
+
+/// Each on its own: shrinkage in the two directions and take-up, with how many tiles have them.
+void say_compensation(const CutPlan& plan, Sentences& says) {
+    const auto say = [&](const std::string& what, const auto& value_of) {
+        double least = 0, most = 0;
+        int count = 0;
+        for (const FlatTile& tile : plan.tiles) {
+            const double value = value_of(tile.tile.compensation);
+            if (value == 0) continue;
+            least = count == 0 ? value : std::min(least, value);
+            most = count == 0 ? value : std::max(most, value);
+            ++count;
+        }
+        if (count == 0) return;
+        const std::string range =
+            least == most ? shown(least / percent, 2) : shown(least / percent, 2) + " to " + shown(most / percent, 2);
+        says.push_back(fmt::format("{} of {} tiles {} cut longer for {}: {} %.", count, plan.tiles.size(),
+                                   count == 1 ? "is" : "are", what, range));
+    };
+    say("shrinkage along the warp", [](const Compensation& longer) { return longer.warp; });
+    say("shrinkage along the weft", [](const Compensation& longer) { return longer.weft; });
+    say("take-up of the seams", [](const Compensation& longer) {
+        return longer.chains.empty() ? 0.0 : *std::max_element(longer.chains.begin(), longer.chains.end());
+    });
 }
 
 void say_wrinkles(const Inflated& inflated, Sentences& says) {
@@ -123,6 +159,17 @@ Sentences inflated_says(const CutPlan& plan) {
     const Inflated& inflated = *plan.inflated;
     if (!inflated.summary.usable()) return {"The inflation failed: " + inflated.summary.reason + "."};
     Sentences says;
+    say_cloth(plan, says);
+    if (!inflated.stands()) {
+        says.push_back(fmt::format(
+            "It does not stand: at {} C inside and {} C outside, {} m up, the gas does not carry the cloth{}.",
+            shown(inflated.load.air.inside, 0), shown(inflated.load.air.outside, 0),
+            shown(inflated.load.air.altitude, 0),
+            inflated.volume > 0.5 * inflated.drawn_volume
+                ? ", " + shown(-inflated.lift / gravity, 1) + " kg are missing"
+                : ", and it falls in on itself"));
+        return says;
+    }
     say_rest(inflated, says);
     say_deviation(inflated, says);
     say_weakness(inflated, says);
@@ -130,6 +177,7 @@ Sentences inflated_says(const CutPlan& plan) {
     say_strength(inflated, says);
     say_lift(inflated, says);
     say_wrinkles(inflated, says);
+    say_compensation(plan, says);
     return says;
 }
 

@@ -254,6 +254,13 @@ Json remeshed_json(const Remeshed& remeshed) {
             {"turn_max_deg", in_degrees(remeshed.turn_max)}};
 }
 
+/// What a piece is cut longer for beside the flight: shrinkage of the cloth, take-up of the seams.
+Json compensation_json(const Compensation& longer) {
+    Json chains = Json::array();
+    for (const double chain : longer.chains) chains.push_back(in_percent(chain));
+    return {{"warp_pct", in_percent(longer.warp)}, {"weft_pct", in_percent(longer.weft)}, {"take_up_pct", chains}};
+}
+
 Json tile_json(const FlatTile& tile, const std::string& stem, const Json& chains, bool reproducible) {
     const SolveSummary& summary = tile.flattening.summary;
     const Vec3& warp = tile.tile.grain.direction;
@@ -265,6 +272,9 @@ Json tile_json(const FlatTile& tile, const std::string& stem, const Json& chains
         {"grain",
          {{"direction", {figure(warp.x()), figure(warp.y()), figure(warp.z())}}, {"source", tile.tile.grain.source}}},
         {"method", tile.method}};
+    const Compensation& longer = tile.tile.compensation;
+    if (longer.warp != 0 || longer.weft != 0 || !longer.chains.empty())
+        json["compensation"] = compensation_json(longer);
     if (tile.tile.remeshed) json["remeshed"] = remeshed_json(*tile.tile.remeshed);
     if (!reproducible) json["seconds"] = figure(tile.seconds);
     json["iterations"] = summary.iterations;
