@@ -8,8 +8,8 @@
 
 #include "ripstop/design/gores.h"
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/pattern/pieces.h"
 #include "ripstop/model/seam_place.h"
+#include "ripstop/pattern/pieces.h"
 #include "ripstop/pipeline/flatten_envelope.h"
 #include "ripstop/pipeline/read_envelope.h"
 #include "support/envelopes.h"

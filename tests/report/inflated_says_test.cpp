@@ -114,11 +114,11 @@ TEST_F(InflatedSays, WarnsOfTheStandInForCloth) {
 
 TEST_F(InflatedSays, TellsEachCompensationOnItsOwn) {
     plan.tiles[0].tile.compensation = {0.02, 0.01, {0.005, 0.005, 0, 0}};
-    EXPECT_THAT(says(), Contains("1 of 2 tiles is cut longer for shrinkage along the warp: 2.00 %."));
-    EXPECT_THAT(says(), Contains("1 of 2 tiles is cut longer for shrinkage along the weft: 1.00 %."));
-    EXPECT_THAT(says(), Contains("1 of 2 tiles is cut longer for take-up of the seams: 0.50 %."));
+    EXPECT_THAT(says(), Contains("1 of 3 tiles is cut longer for shrinkage along the warp: 2.00 %."));
+    EXPECT_THAT(says(), Contains("1 of 3 tiles is cut longer for shrinkage along the weft: 1.00 %."));
+    EXPECT_THAT(says(), Contains("1 of 3 tiles is cut longer for take-up of the seams: 0.50 %."));
     plan.tiles[1].tile.compensation.warp = 0.01;
-    EXPECT_THAT(says(), Contains("2 of 2 tiles are cut longer for shrinkage along the warp: 1.00 to 2.00 %."));
+    EXPECT_THAT(says(), Contains("2 of 3 tiles are cut longer for shrinkage along the warp: 1.00 to 2.00 %."));
 }
 
 TEST_F(InflatedSays, MentionsWrinklesWhereThereAreSome) {

@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_place = 1e-9;  // [m]: what is flattened for one tile holds for the other too
+constexpr double same_place = 1e-9;   // [m]: what is flattened for one tile holds for the other too
 constexpr double same_strain = 1e-8;  // round-off of an inflated shape, a hundred thousandth of what is cut
 constexpr int points_a_chain = 32;
 

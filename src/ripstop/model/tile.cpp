@@ -215,8 +215,8 @@ std::vector<Mat22> target_triangles(const Tile& tile) {
             axes << along, across;
             target = axes * unstretched(given.strain.row(t)) * axes.transpose() * target;
         }
-        const Mat22 longer = Mat22::Identity() + given.warp * along * along.transpose() +
-                             given.weft * across * across.transpose();
+        const Mat22 longer =
+            Mat22::Identity() + given.warp * along * along.transpose() + given.weft * across * across.transpose();
         targets[static_cast<std::size_t>(t)] = longer * target;
     }
     return targets;

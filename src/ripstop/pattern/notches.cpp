@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ripstop/geometry/triangle.h"
-#include "ripstop/pattern/pieces.h"
 #include "ripstop/model/seam_place.h"
+#include "ripstop/pattern/pieces.h"
 
 namespace ripstop {
 namespace {

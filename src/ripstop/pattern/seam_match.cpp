@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/pattern/pieces.h"
 #include "ripstop/model/seam_place.h"
+#include "ripstop/pattern/pieces.h"
 
 namespace ripstop {
 namespace {

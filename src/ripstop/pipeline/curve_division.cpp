@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double rounding = 1e-6;  // of a count: equal curves are divided equally wherever they lie
+constexpr double rounding = 1e-6;    // of a count: equal curves are divided equally wherever they lie
 constexpr double longest = 4.0 / 3;  // edge lengths, as the remeshing has it
 constexpr double sparse_enough = 0.45, shortest = 0.3, densest = 0.35;
 constexpr double turn_wanted = 4 * degree;
@@ -97,8 +97,8 @@ std::vector<double> divided(const MeasuredCurve& measured, double edge_length) {
     for (std::size_t k = 0; k + 1 < measured.breaks.size(); ++k)
         turn += turn_between(*measured.curve, measured.breaks[k], measured.breaks[k + 1]);
     const double by_turn = std::min(turn / turn_wanted, measured.length() / (densest * edge_length));
-    const int count =
-        static_cast<int>(std::max({1.0, std::ceil(measured.length() / edge_length - 0.25), std::ceil(by_turn - rounding)}));
+    const int count = static_cast<int>(
+        std::max({1.0, std::ceil(measured.length() / edge_length - 0.25), std::ceil(by_turn - rounding)}));
     std::vector<double> places{measured.breaks.front()};
     for (int k = 1; k < count; ++k) places.push_back(measured.place_of(measured.length() * k / count));
     places.push_back(measured.breaks.back());
