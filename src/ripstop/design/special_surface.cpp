@@ -72,23 +72,17 @@ void WorkSurface::pair(int h, int g, int curve) {
     curves_[at(g)] = curve;
 }
 
-int WorkSurface::split(int h, const Vec3& place) {
+WorkSurface::Diamond WorkSurface::around(int h) const {
     const int g = twin(h);
-    const int t = h / 3;
-    const int u = g / 3;
-    const int a = from(h);
-    const int b = to(h);
-    const int c = opposite(h);
-    const int d = opposite(g);
-    const int bc = twin(next(h));
-    const int ca = twin(previous(h));
-    const int ad = twin(next(g));
-    const int db = twin(previous(g));
-    const int on = curve(h);
-    const int on_bc = curve(bc);
-    const int on_ca = curve(ca);
-    const int on_ad = curve(ad);
-    const int on_db = curve(db);
+    Diamond d{h / 3, g / 3, from(h), to(h), opposite(h), opposite(g), {}, {}};
+    d.outer = {twin(next(h)), twin(previous(h)), twin(next(g)), twin(previous(g))};
+    for (std::size_t k = 0; k < 4; ++k) d.on[k] = curve(d.outer[k]);
+    return d;
+}
+
+int WorkSurface::split(int h, const Vec3& place) {
+    const auto [t, u, a, b, c, d, outer, on] = around(h);
+    const int on_edge = curve(h);
     const int m = vertex_count();
     position.push_back(place);
     is_fixed.push_back(0);
@@ -99,40 +93,26 @@ int WorkSurface::split(int h, const Vec3& place) {
     set(u, b, m, d);
     set(v, m, b, c);
     set(w, m, a, d);
-    pair(3 * t, 3 * w, on);
-    pair(3 * u, 3 * v, on);
+    pair(3 * t, 3 * w, on_edge);
+    pair(3 * u, 3 * v, on_edge);
     pair(3 * t + 1, 3 * v + 2, -1);
     pair(3 * u + 1, 3 * w + 2, -1);
-    pair(3 * t + 2, ca, on_ca);
-    pair(3 * v + 1, bc, on_bc);
-    pair(3 * u + 2, db, on_db);
-    pair(3 * w + 1, ad, on_ad);
+    pair(3 * v + 1, outer[bc], on[bc]);
+    pair(3 * t + 2, outer[ca], on[ca]);
+    pair(3 * w + 1, outer[ad], on[ad]);
+    pair(3 * u + 2, outer[db], on[db]);
     return m;
 }
 
 void WorkSurface::flip(int h) {
-    const int g = twin(h);
-    const int t = h / 3;
-    const int u = g / 3;
-    const int a = from(h);
-    const int b = to(h);
-    const int c = opposite(h);
-    const int d = opposite(g);
-    const int bc = twin(next(h));
-    const int ca = twin(previous(h));
-    const int ad = twin(next(g));
-    const int db = twin(previous(g));
-    const int on_bc = curve(bc);
-    const int on_ca = curve(ca);
-    const int on_ad = curve(ad);
-    const int on_db = curve(db);
+    const auto [t, u, a, b, c, d, outer, on] = around(h);
     set(t, c, d, b);
     set(u, d, c, a);
     pair(3 * t, 3 * u, -1);
-    pair(3 * t + 1, db, on_db);
-    pair(3 * t + 2, bc, on_bc);
-    pair(3 * u + 1, ca, on_ca);
-    pair(3 * u + 2, ad, on_ad);
+    pair(3 * t + 1, outer[db], on[db]);
+    pair(3 * t + 2, outer[bc], on[bc]);
+    pair(3 * u + 1, outer[ca], on[ca]);
+    pair(3 * u + 2, outer[ad], on[ad]);
 }
 
 bool WorkSurface::can_collapse(int h) const {

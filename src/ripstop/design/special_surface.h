@@ -57,6 +57,16 @@ class WorkSurface {
 
   private:
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+    /// The two triangles at a half-edge from a to b, t = (a, b, c) and u = (b, a, d).
+    struct Diamond {
+        int t, u, a, b, c, d;
+        std::array<int, 4> outer;  ///< the half-edges on the far side of bc, ca, ad and db
+        std::array<int, 4> on;     ///< their curves
+    };
+    enum Side : std::size_t { bc, ca, ad, db };
+    Diamond around(int h) const;
+
     int add_triangle(int like, int a, int b, int c);
     void set(int t, int a, int b, int c);
     void pair(int h, int g, int curve);

@@ -7,6 +7,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/io/fabric_json.h"
 #include "ripstop/io/json_text.h"
+#include "ripstop/io/plan_reader.h"
 #include "ripstop/io/text.h"
 
 namespace ripstop {
@@ -77,149 +78,97 @@ Json piece_json(const PatternPiece& piece) {
             {"labels", labels}};
 }
 
-/// A place in the file and what stands there.
-class Reader {
-  public:
-    Reader(const json& value, std::string place) : value_(value), place_(std::move(place)) {
-        if (!value_.is_object()) refuse("no object, expected one in braces");
-    }
+Vec2 point_of(const PlanReader& from, const json& at, const char* key) {
+    if (!at.is_array() || at.size() != 2 || !at[0].is_number() || !at[1].is_number() ||
+        !(std::abs(at[0].get<double>()) <= largest) || !(std::abs(at[1].get<double>()) <= largest))
+        from.refuse(std::string(key) + " holds no point, expected [x, y] in metres");
+    return {at[0].get<double>(), at[1].get<double>()};
+}
 
-    [[noreturn]] void refuse(const std::string& what) const {
-        throw InputError(place_ + ": " + what + "; flatten the envelope again");
-    }
-    double number(const char* key) const {
-        const std::optional<double> value = number_at(value_, key, place_);
-        if (!value || std::abs(*value) > largest)
-            refuse(std::string(key) + " is missing or too large, expected a number within " +
-                   std::to_string(int(largest)));
-        return *value;
-    }
-    int whole(const char* key, int least, int most) const {
-        const double value = number_or_refuse(key);
-        if (value != std::floor(value) || value < least || value > most)
-            refuse(std::string(key) + " is out of range, expected a whole number from " + std::to_string(least) +
-                   " to " + std::to_string(most));
-        return static_cast<int>(value);
-    }
-    bool flag(const char* key) const {
-        const auto found = value_.find(key);
-        if (found == value_.end() || !found->is_boolean())
-            refuse(std::string(key) + " is missing, expected true or false");
-        return *found;
-    }
-    std::string text(const char* key) const { return text_at(value_, key, place_).value_or(""); }
-    const json& list(const char* key) const {
-        const auto found = value_.find(key);
-        if (found == value_.end() || !found->is_array()) refuse(std::string(key) + " is no list");
-        return *found;
-    }
-    Points2 points(const char* key, Eigen::Index least) const {
-        const json& rows = list(key);
-        Points2 result(static_cast<Eigen::Index>(rows.size()), 2);
-        for (std::size_t i = 0; i < rows.size(); ++i) result.row(static_cast<Eigen::Index>(i)) = point(rows[i], key);
-        if (result.rows() != 0 && result.rows() < least) refuse(std::string(key) + " has too few points");
-        return result;
-    }
-    Vec2 point(const char* key) const {
-        const auto found = value_.find(key);
-        if (found == value_.end()) refuse(std::string(key) + " is missing, expected [x, y]");
-        return point(*found, key);
-    }
-    template <class Item, class Read>
-    std::vector<Item> each(const char* key, Read&& read) const {
-        std::vector<Item> items;
-        for (const json& item : list(key))
-            items.push_back(read(Reader(item, place_ + ": " + key + " " + std::to_string(items.size() + 1))));
-        return items;
-    }
-    const json& value() const { return value_; }
-    const std::string& place() const { return place_; }
+Vec2 point_at(const PlanReader& from, const char* key) {
+    if (!from.has(key)) from.refuse(std::string(key) + " is missing, expected [x, y]");
+    return point_of(from, from.value().at(key), key);
+}
 
-  private:
-    double number_or_refuse(const char* key) const {
-        const std::optional<double> value = number_at(value_, key, place_);
-        if (!value) refuse(std::string(key) + " is missing");
-        return *value;
-    }
-    Vec2 point(const json& at, const char* key) const {
-        if (!at.is_array() || at.size() != 2 || !at[0].is_number() || !at[1].is_number() ||
-            !(std::abs(at[0].get<double>()) <= largest) || !(std::abs(at[1].get<double>()) <= largest))
-            refuse(std::string(key) + " holds no point, expected [x, y] in metres");
-        return {at[0].get<double>(), at[1].get<double>()};
-    }
+Points2 points_at(const PlanReader& from, const char* key, Eigen::Index least) {
+    const json& rows = from.list(key);
+    Points2 result(static_cast<Eigen::Index>(rows.size()), 2);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        result.row(static_cast<Eigen::Index>(i)) = point_of(from, rows[i], key);
+    if (result.rows() != 0 && result.rows() < least) from.refuse(std::string(key) + " has too few points");
+    return result;
+}
 
-    const json& value_;
-    std::string place_;
-};
-
-PieceEdge read_edge(const Reader& from, int points) {
+PieceEdge read_edge(const PlanReader& from, int points) {
     PieceEdge edge;
     edge.first = from.whole("first", 0, std::max(0, points - 1));
-    edge.length = from.number("length_m");
-    edge.allowance = from.number("allowance_m");
+    edge.length = from.number("length_m", largest);
+    edge.allowance = from.number("allowance_m", largest);
     if (edge.allowance < 0) from.refuse("allowance_m is negative");
-    edge.seam_type = from.text("type");
-    edge.mates = from.each<Mate>("mates", [](const Reader& mate) {
-        return Mate{mate.text("seam"), mate.text("piece"), mate.number("length_m"), mate.text("type")};
+    edge.seam_type = from.text_or_none("type");
+    edge.mates = from.each<Mate>("mates", [](const PlanReader& mate) {
+        return Mate{mate.text_or_none("seam"), mate.text_or_none("piece"), mate.number("length_m", largest),
+                    mate.text_or_none("type")};
     });
     return edge;
 }
 
-PieceNotch read_notch(const Reader& from, int edges) {
+PieceNotch read_notch(const PlanReader& from, int edges) {
     PieceNotch notch;
     notch.edge = from.whole("edge", 0, std::max(0, edges - 1));
-    notch.seam = from.text("seam");
-    notch.along = from.number("along_m");
-    notch.on_sew = from.point("on_sew_m");
-    notch.outward = from.point("outward");
+    notch.seam = from.text_or_none("seam");
+    notch.along = from.number("along_m", largest);
+    notch.on_sew = point_at(from, "on_sew_m");
+    notch.outward = point_at(from, "outward");
     if (std::abs(notch.outward.norm() - 1) > 1e-6) from.refuse("outward has not the length 1");
-    notch.reach = from.number("reach_m");
-    notch.depth = from.number("depth_m");
+    notch.reach = from.number("reach_m", largest);
+    notch.depth = from.number("depth_m", largest);
     notch.count = from.whole("count", 1, 2);
     return notch;
 }
 
-PatternPiece read_piece(const Reader& from) {
+PatternPiece read_piece(const PlanReader& from) {
     PatternPiece piece;
-    piece.name = from.text("name");
-    piece.file = from.text("file");
+    piece.name = from.text_or_none("name");
+    piece.file = from.text_or_none("file");
     if (piece.file.empty() || piece.file.find_first_of("/\\") != std::string::npos)
         from.refuse("file is no name for a file");
-    piece.gore = from.text("gore");
-    piece.row = from.text("row");
-    piece.fabric = from.text("fabric");
-    piece.colour = from.text("colour");
-    piece.revision = from.text("revision");
+    piece.gore = from.text_or_none("gore");
+    piece.row = from.text_or_none("row");
+    piece.fabric = from.text_or_none("fabric");
+    piece.colour = from.text_or_none("colour");
+    piece.revision = from.text_or_none("revision");
     piece.quantity = from.whole("quantity", 0, 1000000);
     piece.quantity_mirrored = from.whole("quantity_mirrored", 0, 1000000);
-    piece.pattern = from.text("pattern");
+    piece.pattern = from.text_or_none("pattern");
     piece.mirrored = from.flag("mirrored");
-    piece.sew_line = from.points("sew_line_m", 3);
+    piece.sew_line = points_at(from, "sew_line_m", 3);
     if (piece.sew_line.rows() == 0) from.refuse("sew_line_m is empty");
     const int points = static_cast<int>(piece.sew_line.rows());
-    piece.edges = from.each<PieceEdge>("edges", [points](const Reader& edge) { return read_edge(edge, points); });
+    piece.edges = from.each<PieceEdge>("edges", [points](const PlanReader& edge) { return read_edge(edge, points); });
     for (std::size_t e = 1; e < piece.edges.size(); ++e)
         if (piece.edges[e].first <= piece.edges[e - 1].first) from.refuse("its edges are out of order");
-    piece.cut_line = from.points("cut_line_m", 3);
+    piece.cut_line = points_at(from, "cut_line_m", 3);
     const int edges = static_cast<int>(piece.edges.size());
-    piece.notches = from.each<PieceNotch>("notches", [edges](const Reader& notch) { return read_notch(notch, edges); });
+    piece.notches =
+        from.each<PieceNotch>("notches", [edges](const PlanReader& notch) { return read_notch(notch, edges); });
     if (edges == 0 && !piece.notches.empty()) from.refuse("has notches and no edges");
-    piece.grain_line = from.points("grain_line_m", 2);
+    piece.grain_line = points_at(from, "grain_line_m", 2);
     if (piece.grain_line.rows() > 2) from.refuse("grain_line_m has more than its two ends");
-    piece.lines = from.each<DrawnLine>("lines", [](const Reader& line) {
-        DrawnLine drawn{line.text("name"), line.points("points_m", 2)};
+    piece.lines = from.each<DrawnLine>("lines", [](const PlanReader& line) {
+        DrawnLine drawn{line.text_or_none("name"), points_at(line, "points_m", 2)};
         if (drawn.points.rows() == 0) line.refuse("points_m is empty");
         return drawn;
     });
-    piece.labels = from.each<Label>("labels", [](const Reader& label) {
-        return Label{label.text("text"), label.point("middle_m"), label.number("height_m"), label.number("turn_rad"),
-                     label.flag("counts")};
+    piece.labels = from.each<Label>("labels", [](const PlanReader& label) {
+        return Label{label.text_or_none("text"), point_at(label, "middle_m"), label.number("height_m", largest),
+                     label.number("turn_rad", largest), label.flag("counts")};
     });
     return piece;
 }
 
 /// Pieces go by their names: as mates, as patterns, on the roll.
-void check_names(const PieceSet& set, const Reader& from) {
+void check_names(const PieceSet& set, const PlanReader& from) {
     std::set<std::string> names, files, patterns, fabrics{""};
     for (const Fabric& fabric : set.fabrics) fabrics.insert(fabric.name);
     for (const PatternPiece& piece : set.pieces) {
@@ -252,17 +201,18 @@ std::string pieces_json(const PieceSet& set) {
 
 PieceSet read_pieces(std::istream& in, const std::string& name) {
     const json object = read_json_object(in, name);
-    const Reader from(object, name);
+    const PlanReader from(object, name);
     PieceSet set;
-    set.input = from.text("input");
-    set.revision = from.text("revision");
-    set.fabrics = from.each<Fabric>("fabrics", [](const Reader& fabric) {
+    set.input = from.text_or_none("input");
+    set.revision = from.text_or_none("revision");
+    set.fabrics = from.each<Fabric>("fabrics", [](const PlanReader& fabric) {
         std::istringstream text(fabric.value().dump());
         return read_fabric(text, fabric.place());
     });
     if (set.fabrics.empty()) from.refuse("no fabric");
-    set.seam_types = from.each<SeamType>("seam_types", [](const Reader& type) {
-        return SeamType{type.text("name"), type.number("allowance_m"), type.whole("rows", 0, 100), type.flag("tape")};
+    set.seam_types = from.each<SeamType>("seam_types", [](const PlanReader& type) {
+        return SeamType{type.text_or_none("name"), type.number("allowance_m", largest), type.whole("rows", 0, 100),
+                        type.flag("tape")};
     });
     set.pieces = from.each<PatternPiece>("pieces", read_piece);
     check_names(set, from);

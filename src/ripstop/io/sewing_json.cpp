@@ -7,6 +7,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/io/fabric_json.h"
 #include "ripstop/io/json_text.h"
+#include "ripstop/io/plan_reader.h"
 #include "ripstop/io/project_flight.h"
 
 namespace ripstop {
@@ -60,96 +61,23 @@ Json side_json(const SeamSide& side) {
     return object;
 }
 
-/// A place in the file and what stands there.
-class Reader {
-  public:
-    Reader(const json& value, std::string place) : value_(value), place_(std::move(place)) {
-        if (!value_.is_object()) refuse("no object, expected one in braces");
-    }
-    [[noreturn]] void refuse(const std::string& what) const {
-        throw InputError(place_ + ": " + what + "; flatten the envelope again");
-    }
-    double number(const char* key) const {
-        const std::optional<double> value = number_at(value_, key, place_);
-        if (!value) refuse(std::string(key) + " is missing, expected a number");
-        return *value;
-    }
-    int whole(const char* key, double most) const { return whole(number(key), key, most); }
-    bool flag(const char* key) const {
-        const auto found = value_.find(key);
-        if (found == value_.end() || !found->is_boolean())
-            refuse(std::string(key) + " is missing, expected true or false");
-        return *found;
-    }
-    std::string text(const char* key) const {
-        const std::optional<std::string> value = text_at(value_, key, place_);
-        if (!value) refuse(std::string(key) + " is missing, expected a text");
-        return *value;
-    }
-    const json& value(const char* key) const { return value_.at(key); }
-    bool has(const char* key) const { return value_.contains(key); }
-    const json& list(const char* key) const {
-        const auto found = value_.find(key);
-        if (found == value_.end() || !found->is_array()) refuse(std::string(key) + " is no list");
-        return *found;
-    }
-    Reader at(const char* key) const {
-        if (!has(key)) refuse(std::string(key) + " is missing");
-        return Reader(value_.at(key), place_ + ", " + key);
-    }
-    Reader in(const char* key, std::size_t i) const {
-        return Reader(list(key)[i], place_ + ", " + key + " " + std::to_string(i + 1));
-    }
-    std::vector<double> numbers(const char* key) const {
-        std::vector<double> result;
-        for (const json& each : list(key)) {
-            if (!each.is_number() || !std::isfinite(each.get<double>()))
-                refuse(std::string(key) + " holds something else than numbers");
-            result.push_back(each.get<double>());
-        }
-        return result;
-    }
-    std::vector<int> wholes(const char* key, double most) const {
-        std::vector<int> result;
-        for (const double each : numbers(key)) result.push_back(whole(each, key, most));
-        return result;
-    }
-    Vec3 point(const char* key) const {
-        const std::optional<Vec3> value = point_at(value_, key, place_);
-        if (!value) refuse(std::string(key) + " is missing, expected three numbers");
-        return *value;
-    }
-    const std::string& place() const { return place_; }
-
-  private:
-    int whole(double value, const char* key, double most) const {
-        if (value != std::floor(value) || value < 0 || value > most)
-            refuse(std::string(key) + " is out of range, expected a whole number from 0 to " +
-                   std::to_string(static_cast<long>(most)));
-        return static_cast<int>(value);
-    }
-
-    const json& value_;
-    std::string place_;
-};
-
 constexpr double most_vertices = 1e8;
 
-SeamType type_of(const Reader& reader) {
-    return {reader.text("name"), reader.number("allowance_m"), reader.whole("rows", 100), reader.flag("tape")};
+SeamType type_of(const PlanReader& reader) {
+    return {reader.text("name"), reader.number("allowance_m"), reader.whole("rows", 0, 100), reader.flag("tape")};
 }
 
-void read_tile(const Reader& reader, const std::vector<Fabric>& fabrics, Sewing& into) {
+void read_tile(const PlanReader& reader, const std::vector<Fabric>& fabrics, Sewing& into) {
     FlatTile flat;
     Tile& tile = flat.tile;
     tile.name = reader.text("name");
-    tile.fabric = fabrics[static_cast<std::size_t>(reader.whole("fabric", static_cast<double>(fabrics.size()) - 1))];
+    tile.fabric = fabrics[static_cast<std::size_t>(reader.whole("fabric", 0, static_cast<double>(fabrics.size()) - 1))];
     tile.grain = {reader.point("warp"), reader.text("warp_source")};
     flat.flattening.edges_on_curve = reader.flag("edges_on_curve");
     into.corners.emplace_back();
     for (std::size_t c = 0; c < reader.list("chains").size(); ++c) {
-        const Reader chain = reader.in("chains", c);
-        into.corners.back().push_back(chain.whole("first", most_vertices));
+        const PlanReader chain = reader.in("chains", c);
+        into.corners.back().push_back(chain.whole("first", 0, most_vertices));
         tile.chains.push_back({{}, type_of(chain.at("finish"))});
     }
     if (tile.chains.empty()) reader.refuse("chains is empty");
@@ -158,7 +86,7 @@ void read_tile(const Reader& reader, const std::vector<Fabric>& fabrics, Sewing&
         tile.curve_lengths = Eigen::Map<const Eigen::VectorXd>(lengths.data(), std::ssize(lengths));
     }
     if (reader.has("compensation")) {
-        const Reader longer = reader.at("compensation");
+        const PlanReader longer = reader.at("compensation");
         tile.compensation = {longer.number("warp"), longer.number("weft"), longer.numbers("chains")};
         if (longer.flag("for_flight")) into.plan.is_compensated = true;
     }
@@ -172,11 +100,11 @@ void read_tile(const Reader& reader, const std::vector<Fabric>& fabrics, Sewing&
     into.files.push_back(reader.text("file"));
 }
 
-SeamSide side_of(const Reader& reader, std::size_t tiles) {
+SeamSide side_of(const PlanReader& reader, std::size_t tiles) {
     SeamSide side;
-    side.tile = reader.whole("tile", static_cast<double>(tiles) - 1);
-    side.chain = reader.whole("chain", most_vertices);
-    const std::vector<int> edges = reader.wholes("edges", most_vertices);
+    side.tile = reader.whole("tile", 0, static_cast<double>(tiles) - 1);
+    side.chain = reader.whole("chain", 0, most_vertices);
+    const std::vector<int> edges = reader.wholes("edges", 0, most_vertices);
     const std::vector<double> lengths = reader.numbers("lengths_m");
     if (edges.empty() || edges.size() != lengths.size()) reader.refuse("edges and lengths_m differ in number");
     for (std::size_t i = 0; i < edges.size(); ++i) side.parts.push_back({edges[i], lengths[i]});
@@ -224,7 +152,7 @@ std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& fil
 
 Sewing read_sewing(std::istream& in, const std::string& name) {
     const json object = read_json_object(in, name);
-    const Reader reader(object, name);
+    const PlanReader reader(object, name);
     if (reader.text("schema") != "1.0") reader.refuse("is of another version");
     Sewing sewing;
     sewing.plan.input_file = reader.text("input");
@@ -236,13 +164,13 @@ Sewing read_sewing(std::istream& in, const std::string& name) {
     }
     if (fabrics.empty()) reader.refuse("fabrics is empty");
     sewing.plan.fabric = fabrics.front();
-    const Reader tolerances = reader.at("tolerances");
+    const PlanReader tolerances = reader.at("tolerances");
     sewing.plan.tolerances = {tolerances.number("area"),         tolerances.number("length"),
                               tolerances.number("strain"),       tolerances.number("shear_rad"),
                               tolerances.flag("strain_for_all"), tolerances.flag("shear_for_all")};
     for (std::size_t i = 0; i < reader.list("tiles").size(); ++i) read_tile(reader.in("tiles", i), fabrics, sewing);
     for (std::size_t i = 0; i < reader.list("seams").size(); ++i) {
-        const Reader each = reader.in("seams", i);
+        const PlanReader each = reader.in("seams", i);
         Seam seam{each.text("id"), side_of(each.at("a"), sewing.plan.tiles.size()),
                   side_of(each.at("b"), sewing.plan.tiles.size())};
         seam.length = each.number("length_m");
@@ -252,7 +180,8 @@ Sewing read_sewing(std::istream& in, const std::string& name) {
         sewing.plan.seams.push_back(std::move(seam));
     }
     sewing.plan.tape_factors = reader.numbers("tape_factors");
-    if (reader.has("flight")) sewing.plan.flight = read_flight(reader.value("flight"), 1, reader.place() + ", flight");
+    if (reader.has("flight"))
+        sewing.plan.flight = read_flight(reader.value().at("flight"), 1, reader.place() + ", flight");
     if (!sewing.plan.tape_factors.empty() && sewing.plan.tape_factors.size() != sewing.plan.seams.size())
         reader.refuse("tape_factors are not one a seam");
     return sewing;
