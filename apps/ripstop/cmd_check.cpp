@@ -27,7 +27,7 @@ ExitCode run(const Arguments& given) {
     check.notes.insert(check.notes.end(), unused.begin(), unused.end());
     const std::string file = given.input.file.filename().string();
     if (given.json)
-        fmt::print("{}", check_json(check, file, unit.name));
+        print("{}", check_json(check, file, unit.name));
     else if (!given.quiet)
         show(check_text(check, file, unit.name + (unit_assumed ? " (assumed; --unit changes it)" : "")));
     return check.sound() ? manufacturable : not_manufacturable;

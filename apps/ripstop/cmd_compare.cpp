@@ -82,12 +82,12 @@ ExitCode run(const Arguments& given) {
         plans.push_back(std::move(plan));
     }
     if (given.json)
-        fmt::print("{}", comparison_json(plans));
+        print("{}", comparison_json(plans));
     else
         show(comparison_table(plans));
     if (given.sheet.empty()) return manufacturable;
-    write_file(given.sheet, comparison_sheet(plans));
-    if (!given.json) fmt::print("{}\n", given.sheet.string());
+    replace_file(given.sheet, comparison_sheet(plans));
+    if (!given.json) print("{}\n", given.sheet.string());
     return manufacturable;
 }
 

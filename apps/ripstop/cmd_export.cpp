@@ -9,6 +9,7 @@
 #include "ripstop/base/glob.h"
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/whole_directory.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 namespace {
@@ -50,6 +51,7 @@ ExitCode run(Arguments given) {
     choose_formats(given.files, true);
     const PieceFileOptions files = file_options(given.files);
     if (given.output.empty()) given.output = given.plan / ("cut-" + default_name(given.files));
+    require_writable(given.output, given.force);
     PieceSet set = read_pieces_of(given.plan);
     keep_named(set, given.tiles);
     std::vector<std::string> sheets;
@@ -60,7 +62,7 @@ ExitCode run(Arguments given) {
         const Waiting waiting(fmt::format("Writing {}", fmt::join(given.files.formats, ", ")), given.quiet);
         write_cut_files(folder, set, given.files.formats, files);
     });
-    if (!given.quiet) fmt::print("{} pieces: {}\n", set.pieces.size(), given.output.string());
+    if (!given.quiet) print("{} pieces: {}\n", set.pieces.size(), given.output.string());
     return manufacturable;
 }
 

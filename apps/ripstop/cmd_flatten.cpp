@@ -153,7 +153,7 @@ ExitCode run(Arguments given) {
     }
     if (given.pictures && !given.quiet) tell_unpictured(plan);
     if (given.json)
-        fmt::print("{}", report_json(plan, given.reproducible, writing.warnings));
+        print("{}", report_json(plan, given.reproducible, writing.warnings));
     else if (!given.quiet)
         show(fmt::format("{}{}\n{}{}\n", tiles_table(plan), proposals_text(plan),
                          plan.inflated ? inflated_text(plan) + "\n" : "", given.directory.string()));

@@ -9,6 +9,7 @@
 #include "known.h"
 #include "progress_bar.h"
 #include "ripstop/base/error.h"
+#include "ripstop/base/folder_lock.h"
 #include "ripstop/base/units.h"
 #include "ripstop/io/piece_format.h"
 #include "ripstop/nest/nest_pieces.h"
@@ -54,7 +55,9 @@ void require_no_plan(const std::filesystem::path& folder) {
 }
 
 /// The page of the plan shows the roll too, once there is one.
-void show_in_report(const std::filesystem::path& page, const std::string& markers) {
+void show_in_report(const std::filesystem::path& plan, const std::string& markers) {
+    const FolderLock turn(plan);
+    const std::filesystem::path page = plan / "report.html";
     std::ifstream in(page, std::ios::binary);
     if (!in) return;
     std::ostringstream text;
@@ -73,9 +76,9 @@ ExitCode run(Arguments given) {
     write_whole_directory(
         given.output, given.force, {"marker*.*", "bom.csv"},
         [&](const std::filesystem::path& folder) { write_marker_files(folder, set, markers, given.formats); });
-    show_in_report(given.plan / "report.html", marker_json(set, markers, given.formats));
+    show_in_report(given.plan, marker_json(set, markers, given.formats));
     if (given.json)
-        fmt::print("{}", marker_json(set, markers, given.formats));
+        print("{}", marker_json(set, markers, given.formats));
     else if (!given.quiet || !markers.refusals.empty())
         show(marker_table(markers));
     return markers.refusals.empty() ? manufacturable : not_manufacturable;

@@ -220,8 +220,10 @@ void tell_unused(const std::vector<std::string>& unused) {
 
 EnvelopeInput read(const InputArguments& given, const Input& input, bool quiet) {
     EnvelopeInput read = [&] {
-        const Waiting waiting("Reading " + given.file.filename().string(), quiet);
-        return read_input(given.file, input.read);
+        Waiting waiting("Reading " + given.file.filename().string(), quiet);
+        ReadOptions options = input.read;
+        options.meshing.progress = waiting.progress();
+        return read_input(given.file, options);
     }();
     for (std::size_t i = 0; !quiet && i < read.remarks.size(); ++i) {
         if (i == shown_remarks) {
