@@ -188,6 +188,10 @@ class Modeller {
         if (placing.on_pages > 0)
             model_.remarks.push_back(plural(placing.on_pages, "object") +
                                      " on layouts left out; move them to the model (ChangeSpace) to use them");
+        if (!placing.unused_tile_texts.empty())
+            model_.remarks.push_back(Happened{placing.unused_tile_texts}.shown_names_of() +
+                                     ": the user text tile of a block names no tile where the block holds several "
+                                     "surfaces; name these in the block");
         if (!joined_.names.empty())
             model_.remarks.push_back(joined_.shown_names_of() + ": the faces did not hang together, so " +
                                      std::to_string(joined_.count) +
