@@ -308,10 +308,40 @@ TEST(CheckDrawing, IsNotSureOfCurvesItCannotRead) {
     PatternDrawing drawing = block_drawing();
     drawing.leave_unread("HATCH", "8", 3);
     EXPECT_TRUE(check_drawing(drawing).sound());
-    drawing.leave_unread("SPLINE", "1", 7);
+    drawing.leave_unread("SPLINE without control points", "1", 7);
     const DrawingCheck check = check_drawing(drawing);
     EXPECT_FALSE(check.sound());
-    EXPECT_THAT(check.issues.back().message, HasSubstr("line 7: 1 SPLINE on layer 1 cannot be checked"));
+    EXPECT_THAT(check.issues.back().message,
+                HasSubstr("line 7: 1 SPLINE without control points on layer 1 cannot be checked"));
+}
+
+TEST(CheckDrawing, TellsAnOutlineLeftOpenFromAMarkWhereTheLayersAreNotKnown) {
+    const DrawnPath piece = closed("0", square({0, 0}, 300));
+    const auto found = [&piece](const Points2& line) { return check_drawing(drawing_of({piece, open("0", line)})); };
+    // A whole side is missing.
+    const DrawingCheck side = found(points({{500, 0}, {800, 0}, {800, 300}, {500, 300}}));
+    EXPECT_EQ(codes(side), (std::vector<std::string>{"open"}));
+    EXPECT_THAT(message(side, "open"), HasSubstr("its ends are 300.0 mm apart"));
+    EXPECT_FALSE(found(points({{500, 0}, {800, 0}, {800, 300}, {500, 300}, {500, 20}})).sound());
+    // The same line within a piece may be a pocket; a straight one is a ruler or an arrow.
+    for (const Points2& mark : {points({{50, 50}, {100, 50}, {100, 100}, {50, 100}}), points({{400, 0}, {400, 300}})}) {
+        const DrawingCheck check = found(mark);
+        EXPECT_TRUE(check.sound());
+        EXPECT_EQ(codes(check), (std::vector<std::string>{"open_line"}));
+        EXPECT_EQ(check.open_lines, 1);
+    }
+}
+
+TEST(CheckDrawing, MeasuresTheSideThatTwoPiecesShare) {
+    const auto shared = [](double x, double y) {
+        return message(
+            check_drawing(drawing_of({closed("CUT", square({0, 0}, 300)), closed("CUT", square({x, y}, 300))})),
+            "common_side");
+    };
+    EXPECT_THAT(shared(300, 0), HasSubstr("have 300.0 mm of their outlines in common"));
+    EXPECT_THAT(shared(300, 100), HasSubstr("have 200.0 mm of their outlines in common"));
+    EXPECT_EQ(shared(300, 300), "none") << "a corner";
+    EXPECT_EQ(shared(300.1, 0), "none") << "as a cutter leaves between them";
 }
 
 TEST(CheckDrawing, CountsEveryClosedLineWhereTheLayersAreNotKnown) {
@@ -319,7 +349,8 @@ TEST(CheckDrawing, CountsEveryClosedLineWhereTheLayersAreNotKnown) {
         check_drawing(drawing_of({closed("Layer 1", square({0, 0}, 300)), open("Layer 1", points({{10, 10}, {50, 10}})),
                                   open("Layer 2", points({{0, 500}, {300, 500}, {300, 700}, {0, 500.4}}))}));
     EXPECT_EQ(check.contours.size(), 1U);
-    EXPECT_EQ(codes(check), (std::vector<std::string>{"gap"})) << "a short line may be anything, a near miss is one";
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"open_line", "gap"}))
+        << "a short line may be anything, a near miss is one";
     EXPECT_EQ(codes(check_drawing(drawing_of({}))), (std::vector<std::string>{"no_contour"}));
 }
 

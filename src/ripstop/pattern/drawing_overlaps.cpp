@@ -15,7 +15,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double tolerance = 0.1 * millimetre;  // no cutter is better, and arcs drawn as chords are no better
+constexpr double tolerance = 0.1 * millimetre;        // no cutter is better, and arcs drawn as chords are no better
+constexpr double side_tolerance = 0.01 * millimetre;  // as for lines that are drawn twice
 constexpr int most_told = 1000;
 
 /// Something that only a piece has, and where.
@@ -104,10 +105,22 @@ class OverlapFinder {
                              names(a, b), format_fixed(found.overlap.distance / millimetre, 2),
                              place_text(found.overlap.at)),
                  is_one_layer);
+        if (found.relation != Relation::same && found.relation != Relation::crossing) check_common_side(a, b);
         if (found.relation == Relation::same && is_one_layer)
             tell("overlap", contours_[a].facts.lower,
                  fmt::format("{} lie on each other at {}; delete one of them or move it", names(a, b),
                              place_text(contours_[a].facts.lower)));
+    }
+
+    /// Laid side by side pieces may share a cut; the cutter must know.
+    void check_common_side(std::size_t a, std::size_t b) {
+        constexpr double shortest = 1 * millimetre;
+        const CommonSide common = common_side(outline(a), outline(b), side_tolerance);
+        if (common.length >= shortest)
+            tell("common_side", common.at,
+                 fmt::format("{} have {} mm of their outlines in common from {}, which are cut twice", names(a, b),
+                             format_fixed(common.length / millimetre, 1), place_text(common.at)),
+                 false);
     }
 
     void take_parent(std::size_t child, std::size_t parent) {
