@@ -38,13 +38,20 @@ struct Drawing {
     double millimetres = 1;  ///< in one unit of the file; 1 where it says none
 };
 
+/// How STEP and IGES are read: with the names, layers and colours in them, or the shapes alone, where the kernel breaks down on
+/// the rest; a remark says so then.
+enum class Reading { with_names, plain };
+
 /// Reads a file by its extension: .step .stp .iges .igs .brep .brp, or .converted, whose objects carry NURBS faces beside
 /// their stored meshes. Throws InputError.
-Drawing read_drawing(const std::filesystem::path& file);
+Drawing read_drawing(const std::filesystem::path& file, Reading reading = Reading::with_names);
+
+/// Whether `reading` matters to a file.
+bool has_names(const std::filesystem::path& file);
 
 /// The parts of `read_drawing`.
-Drawing read_step(const std::filesystem::path& file);
-Drawing read_iges(const std::filesystem::path& file);
+Drawing read_step(const std::filesystem::path& file, Reading reading);
+Drawing read_iges(const std::filesystem::path& file, Reading reading);
 Drawing read_brep(const std::filesystem::path& file);
 Drawing read_nurbs(const std::filesystem::path& file);
 
@@ -65,6 +72,9 @@ void require_coordinates(const TopoDS_Shape& shape, const std::string& place);
 
 /// The edges of a shape without faces as polylines; its free points are named as left out.
 void add_wires(const TopoDS_Shape& shape, const std::string& name, const Attributes& attributes, Drawing& drawing);
+
+/// All of a shape without names; a null shape adds nothing. `place` names it in messages.
+void add_shape(const TopoDS_Shape& shape, const std::string& place, Drawing& drawing);
 
 /// Solids, shells and faces of a shape, each an object.
 struct Part {

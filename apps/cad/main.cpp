@@ -2,14 +2,19 @@
 /// under the GPL (gmsh), and what may crash on a faulty file.
 #include <fcntl.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include <CLI/CLI.hpp>
 #include <Standard_Failure.hxx>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 
+#include "contained.h"
 #include "meshing.h"
 #include "ripstop/base/error.h"
 #include "ripstop/version.h"
@@ -41,16 +46,28 @@ ripstop::MeshingOptions options_of(const Arguments& given) {
     return options;
 }
 
-int run(const Arguments& given) {
+int convert(const Arguments& given, const ripstop::MeshingOptions& options, ripstop::cad::Reading reading,
+            const ripstop::cad::Attempt* attempt) {
     using namespace ripstop;
-    const MeshingOptions options = options_of(given);
-    silence_stdout();
-    const ConvertedModel model = cad::convert(cad::read_drawing(given.input), options);
+    cad::Drawing drawing = cad::read_drawing(given.input, reading);
+    if (attempt != nullptr) attempt->past();
+    const ConvertedModel model = cad::convert(std::move(drawing), options);
     std::ofstream out(given.output, std::ios::binary);
     write_converted(out, model);
     out.flush();
     if (!out) throw InputError(given.output.string() + ": cannot be written; is there room on the disk?");
     return done;
+}
+
+int run(const Arguments& given) {
+    using namespace ripstop::cad;
+    const ripstop::MeshingOptions options = options_of(given);
+    silence_stdout();
+    if (!has_names(given.input)) return convert(given, options, Reading::with_names, nullptr);
+    const Attempt attempt;
+    if (attempt.is_here()) return convert(given, options, Reading::with_names, &attempt);
+    if (const std::optional<int> code = attempt.end(unusable_input)) return *code;
+    return convert(given, options, Reading::plain, nullptr);
 }
 
 int failed(const char* message, ExitCode code) {
@@ -61,6 +78,10 @@ int failed(const char* message, ExitCode code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef __linux__
+    // Whoever called it may have ended by a signal: nobody waits for the meshes then.
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
     CLI::App app("Meshes the surfaces of STEP, IGES and BREP files for ripstop, which calls it by itself.",
                  "ripstop-cad");
     app.set_version_flag("--version", std::string("ripstop-cad ") + ripstop::version);

@@ -7,7 +7,6 @@
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
-#include <StepGeom_CartesianPoint.hxx>
 #include <StepShape_Face.hxx>
 #include <TColStd_HSequenceOfExtendedString.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
@@ -30,12 +29,15 @@
 
 #include "drawing.h"
 #include "ripstop/base/error.h"
-#include "ripstop/base/number_text.h"
+#include "step_parts.h"
 
 namespace ripstop::cad {
 namespace {
 
 constexpr int deepest_assembly = 64;
+constexpr const char* without_names =
+    "Open CASCADE's reader with names breaks down on this file, so it was read without the names, layers and colours "
+    "in it";
 
 std::string utf8(const TCollection_ExtendedString& text) {
     std::string bytes(static_cast<std::size_t>(text.LengthOfCString()) + 1, '\0');
@@ -205,39 +207,42 @@ void add_failures(const Handle(XSControl_WorkSession) & session, Drawing& drawin
     }
 }
 
-/// Before shapes are made of them, which may take for ever.
-void require_points(const Interface_InterfaceModel& model, const std::string& file) {
-    for (int i = 1; i <= model.NbEntities(); ++i) {
-        const Handle(StepGeom_CartesianPoint) point = Handle(StepGeom_CartesianPoint)::DownCast(model.Value(i));
-        for (int k = 1; !point.IsNull() && k <= point->NbCoordinates(); ++k)
-            if (!(std::abs(point->CoordinatesValue(k)) < largest_coordinate))
-                throw InputError(unbearable(file + ": " + model.StringLabel(point)->ToCString(),
-                                            format_shortest(point->CoordinatesValue(k))));
-    }
-}
-
 }  // namespace
 
-Drawing read_step(const std::filesystem::path& file) {
+Drawing read_step(const std::filesystem::path& file, Reading reading) {
     require_whole_step(file);
     Drawing drawing;
-    STEPCAFControl_Reader reader;
-    reader.SetNameMode(true);
-    reader.SetColorMode(true);
-    reader.SetLayerMode(true);
+    STEPCAFControl_Reader named;
+    named.SetNameMode(true);
+    named.SetColorMode(true);
+    named.SetLayerMode(true);
+    STEPControl_Reader& reader = named.ChangeReader();
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
     Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
-    if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
+    // Beside it the kernel looks for the files of parts, and only where its path begins at the root.
+    const std::filesystem::path whole = std::filesystem::absolute(file);
+    if (named.ReadFile(whole.c_str()) != IFSelect_RetDone)
         throw InputError(file.string() + ": not a whole STEP file (ISO 10303-21); export it again");
-    require_points(*reader.Reader().WS()->Model(), file.string());
-    take_step_unit(reader.ChangeReader(), drawing);
-    Handle(TDocStd_Document) document = new_document();
-    if (reader.Transfer(document)) Walk(document, drawing);
-    add_failures(reader.Reader().WS(), drawing, false);
+    const Handle(XSControl_WorkSession) session = named.Reader().WS();
+    require_points(*session->Model(), file.string());
+    close_holes(*session->Model(), drawing);
+    take_step_unit(reader, drawing);
+    std::set<std::string> seen;
+    if (reading == Reading::plain) {
+        reader.TransferRoots();
+        add_shape(reader.OneShape(), file.string(), drawing);
+        drawing.rest.remarks.push_back(without_names);
+        name_missing_parts(session, nullptr, whole.parent_path(), seen, drawing);
+    } else {
+        Handle(TDocStd_Document) document = new_document();
+        if (named.Transfer(document)) Walk(document, drawing);
+        name_missing_parts(session, &named, whole.parent_path(), seen, drawing);
+    }
+    add_failures(session, drawing, false);
     return drawing;
 }
 
-Drawing read_iges(const std::filesystem::path& file) {
+Drawing read_iges(const std::filesystem::path& file, Reading reading) {
     require_whole_iges(file);
     Drawing drawing;
     IGESCAFControl_Reader reader;
@@ -250,8 +255,14 @@ Drawing read_iges(const std::filesystem::path& file) {
     const IGESData_GlobalSection& global = reader.IGESModel()->GlobalSection();
     const Handle(TCollection_HAsciiString) name = global.UnitName();
     set_unit(drawing, unit_called(name.IsNull() ? "" : name->ToCString(), drawing));
-    Handle(TDocStd_Document) document = new_document();
-    if (reader.Transfer(document)) Walk(document, drawing);
+    if (reading == Reading::plain) {
+        reader.TransferRoots();
+        add_shape(reader.OneShape(), file.string(), drawing);
+        drawing.rest.remarks.push_back(without_names);
+    } else {
+        Handle(TDocStd_Document) document = new_document();
+        if (reader.Transfer(document)) Walk(document, drawing);
+    }
     add_failures(reader.WS(), drawing, true);
     return drawing;
 }

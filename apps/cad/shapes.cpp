@@ -98,6 +98,17 @@ std::vector<Part> parts_of(const TopoDS_Shape& shape) {
     return parts;
 }
 
+void add_shape(const TopoDS_Shape& shape, const std::string& place, Drawing& drawing) {
+    if (shape.IsNull()) return;
+    require_coordinates(shape, place);
+    for (const Part& part : parts_of(shape)) {
+        DrawnObject object{.type = part.type};
+        for (const TopoDS_Face& face : faces_of(part.shape)) object.faces.push_back({.shape = face});
+        drawing.objects.push_back(std::move(object));
+    }
+    if (drawing.objects.empty()) add_wires(shape, "", {}, drawing);
+}
+
 Drawing read_brep(const std::filesystem::path& file) {
     require_whole_brep(file);
     TopoDS_Shape shape;
@@ -107,22 +118,30 @@ Drawing read_brep(const std::filesystem::path& file) {
     }
     if (shape.IsNull())
         throw InputError(file.string() + ": not a whole BREP file of Open CASCADE; write it again, or export STEP");
-    require_coordinates(shape, file.string());
     Drawing drawing;
-    for (const Part& part : parts_of(shape)) {
-        DrawnObject object{.type = part.type};
-        for (const TopoDS_Face& face : faces_of(part.shape)) object.faces.push_back({.shape = face});
-        drawing.objects.push_back(std::move(object));
-    }
-    if (drawing.objects.empty()) add_wires(shape, "", {}, drawing);
+    add_shape(shape, file.string(), drawing);
     return drawing;
 }
 
-Drawing read_drawing(const std::filesystem::path& file) {
+namespace {
+
+std::string lower_extension(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    if (extension == ".step" || extension == ".stp") return read_step(file);
-    if (extension == ".iges" || extension == ".igs") return read_iges(file);
+    return extension;
+}
+
+}  // namespace
+
+bool has_names(const std::filesystem::path& file) {
+    const std::string extension = lower_extension(file);
+    return extension == ".step" || extension == ".stp" || extension == ".iges" || extension == ".igs";
+}
+
+Drawing read_drawing(const std::filesystem::path& file, Reading reading) {
+    const std::string extension = lower_extension(file);
+    if (extension == ".step" || extension == ".stp") return read_step(file, reading);
+    if (extension == ".iges" || extension == ".igs") return read_iges(file, reading);
     if (extension == ".brep" || extension == ".brp") return read_brep(file);
     return read_nurbs(file);
 }

@@ -61,8 +61,10 @@ void require_room(const Arguments& given, std::size_t tiles) {
 ExitCode run(const Arguments& given) {
     const Input input = resolve(given.input);
     require_free_sheet(given);
-    const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
-    tell_unused(unused);
+    const EnvelopeInput found = read(given.input, input, given.quiet);
+    const Envelope& envelope = found.envelope;
+    for (const EnvelopeIssue& issue : found.issues) tell(fmt::format("Warning: {}\n", issue.message));
+    tell_unused(found.unused);
     require_room(given, envelope.tiles.size());
     std::vector<CutPlan> plans;
     const std::vector<std::string> names = methods_of(given);
@@ -77,17 +79,17 @@ ExitCode run(const Arguments& given) {
         CutPlan plan = flatten_envelope(envelope, options);
         plan.input_file = given.input.file.filename().string();
         plan.input_sha256 = sha256_of_file(given.input.file);
-        plan.unit = unit.name;
-        plan.remarks = remarks;
+        plan.unit = found.unit.unit.name;
+        plan.remarks = found.remarks;
         plans.push_back(std::move(plan));
     }
     if (given.json)
-        fmt::print("{}", comparison_json(plans));
+        print("{}", comparison_json(plans));
     else
         show(comparison_table(plans));
     if (given.sheet.empty()) return manufacturable;
-    write_file(given.sheet, comparison_sheet(plans));
-    if (!given.json) fmt::print("{}\n", given.sheet.string());
+    replace_file(given.sheet, comparison_sheet(plans));
+    if (!given.json) print("{}\n", given.sheet.string());
     return manufacturable;
 }
 

@@ -7,6 +7,7 @@
 #include "command_tree.h"
 #include "commands.h"
 #include "known.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 namespace {
@@ -221,7 +222,7 @@ void add_completion(CLI::App& app) {
         "`make install` puts them where the shells look.");
     command->callback([&app, shell] {
         const CommandText program = command_text(app);
-        fmt::print("{}", *shell == "bash" ? bash(program) : *shell == "zsh" ? zsh(program) : fish(program));
+        print("{}", *shell == "bash" ? bash(program) : *shell == "zsh" ? zsh(program) : fish(program));
     });
 }
 

@@ -10,6 +10,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/base/units.h"
 #include "ripstop/design/design_summary.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 namespace {
@@ -33,21 +34,20 @@ double positive_length(const std::string& text, const std::string& option) {
 void print_summary(const DesignSummary& summary) {
     const NaturalShape& shape = summary.shape;
     const int handles_closed = summary.euler + summary.openings;
-    fmt::print("{} tiles, {} panels a gore, {} triangles; Euler number {} with {} openings (a sphere with them: {})\n",
-               summary.tiles, summary.panels, summary.triangles, summary.euler, summary.openings,
-               handles_closed == 2 ? "right" : "WRONG");
-    fmt::print("                    as drawn   equilibrium\n");
-    fmt::print("height [m]        {:10.3f}    {:10.3f}\n", summary.height, shape.height);
-    fmt::print("diameter [m]      {:10.3f}    {:10.3f}\n", summary.diameter, 2 * shape.max_radius);
-    fmt::print("area [m2]         {:10.2f}    {:10.2f}\n", summary.area, shape.area);
-    fmt::print("volume [m3]       {:10.1f}    {:10.1f}\n", summary.volume, shape.volume);
-    fmt::print("gore length {:.3f} m, load {:.0f} N, crown pressure {:.1f} Pa, (F + W) / bV - 1 = {:.1e}\n",
-               shape.length, shape.load, shape.crown_pressure, shape.imbalance);
-    fmt::print("panels {:.3f} m high, up to {:.3f} m wide; edges {:.3f} to {:.3f} m, smallest angle {:.1f} degrees\n",
-               summary.panel_height, summary.panel_width, summary.edge_min, summary.edge_max,
-               summary.angle_min / degree);
-    fmt::print("triangles turn by up to {:.2f} degrees an edge, {:.2f} mm off the surface\n", summary.turn_max / degree,
-               summary.chord_error / millimetre);
+    print("{} tiles, {} panels a gore, {} triangles; Euler number {} with {} openings (a sphere with them: {})\n",
+          summary.tiles, summary.panels, summary.triangles, summary.euler, summary.openings,
+          handles_closed == 2 ? "right" : "WRONG");
+    print("                    as drawn   equilibrium\n");
+    print("height [m]        {:10.3f}    {:10.3f}\n", summary.height, shape.height);
+    print("diameter [m]      {:10.3f}    {:10.3f}\n", summary.diameter, 2 * shape.max_radius);
+    print("area [m2]         {:10.2f}    {:10.2f}\n", summary.area, shape.area);
+    print("volume [m3]       {:10.1f}    {:10.1f}\n", summary.volume, shape.volume);
+    print("gore length {:.3f} m, load {:.0f} N, crown pressure {:.1f} Pa, (F + W) / bV - 1 = {:.1e}\n", shape.length,
+          shape.load, shape.crown_pressure, shape.imbalance);
+    print("panels {:.3f} m high, up to {:.3f} m wide; edges {:.3f} to {:.3f} m, smallest angle {:.1f} degrees\n",
+          summary.panel_height, summary.panel_width, summary.edge_min, summary.edge_max, summary.angle_min / degree);
+    print("triangles turn by up to {:.2f} degrees an edge, {:.2f} mm off the surface\n", summary.turn_max / degree,
+          summary.chord_error / millimetre);
 }
 
 void run(Arguments given) {
@@ -65,7 +65,7 @@ void run(Arguments given) {
         return measure_design(design, tiles);
     }();
     print_summary(summary);
-    fmt::print("{}\n", given.file.string());
+    print("{}\n", given.file.string());
 }
 
 void add_division_and_mesh(CLI::App& natural, Arguments& given) {

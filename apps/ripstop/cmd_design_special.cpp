@@ -12,6 +12,7 @@
 #include "ripstop/design/tiles_summary.h"
 #include "ripstop/io/input_file.h"
 #include "ripstop/io/special_json.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 namespace {
@@ -34,17 +35,16 @@ std::string tiles_by_primitive(const SpecialShape& shape, const std::vector<Name
 void print_summary(const SpecialShape& shape, const std::vector<NamedMesh>& tiles) {
     const TilesSummary summary = measure_tiles(tiles);
     const int handles = (2 - summary.openings - summary.euler) / 2;
-    fmt::print("{} tiles ({})\n", summary.tiles, tiles_by_primitive(shape, tiles));
-    fmt::print("{} triangles; Euler number {}: {} opening{}, {} handle{}\n", summary.triangles, summary.euler,
-               summary.openings, summary.openings == 1 ? "" : "s", handles, handles == 1 ? "" : "s");
-    fmt::print("area {:.2f} m2, volume {:.2f} m3, height {:.3f} m\n", summary.area, summary.volume, summary.height);
+    print("{} tiles ({})\n", summary.tiles, tiles_by_primitive(shape, tiles));
+    print("{} triangles; Euler number {}: {} opening{}, {} handle{}\n", summary.triangles, summary.euler,
+          summary.openings, summary.openings == 1 ? "" : "s", handles, handles == 1 ? "" : "s");
+    print("area {:.2f} m2, volume {:.2f} m3, height {:.3f} m\n", summary.area, summary.volume, summary.height);
     if (summary.openings > 0)
-        fmt::print("mouth {:.3f} m round, as a circle of {:.3f} m across\n", summary.rim,
-                   summary.rim / std::numbers::pi);
-    fmt::print("tiles up to {:.3f} m long and {:.3f} m wide; edges {:.3f} to {:.3f} m, smallest angle {:.1f} degrees\n",
-               summary.tile_length, summary.tile_width, summary.edge_min, summary.edge_max, summary.angle_min / degree);
-    fmt::print("triangles turn by up to {:.2f} degrees an edge, {:.2f} mm off the surface\n", summary.turn_max / degree,
-               summary.chord_error / millimetre);
+        print("mouth {:.3f} m round, as a circle of {:.3f} m across\n", summary.rim, summary.rim / std::numbers::pi);
+    print("tiles up to {:.3f} m long and {:.3f} m wide; edges {:.3f} to {:.3f} m, smallest angle {:.1f} degrees\n",
+          summary.tile_length, summary.tile_width, summary.edge_min, summary.edge_max, summary.angle_min / degree);
+    print("triangles turn by up to {:.2f} degrees an edge, {:.2f} mm off the surface\n", summary.turn_max / degree,
+          summary.chord_error / millimetre);
 }
 
 void run(const Arguments& given) {
@@ -58,7 +58,7 @@ void run(const Arguments& given) {
         return designed;
     }();
     print_summary(shape, tiles);
-    fmt::print("{}\n", given.file.string());
+    print("{}\n", given.file.string());
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ void add_diff(CLI::App& app) {
         const std::vector<PieceChange> changes = compare_pieces(before, after, tolerance);
         const std::vector<SeamTypeChange> types = compare_seam_types(before, after, tolerance);
         if (given->json)
-            fmt::print("{}", revision_json(changes, types, given->before.string(), given->after.string()));
+            print("{}", revision_json(changes, types, given->before.string(), given->after.string()));
         else
             show(revision_text(changes, types));
         if (!changes.empty() || !types.empty()) throw CLI::RuntimeError(1);

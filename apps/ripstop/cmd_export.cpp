@@ -4,11 +4,13 @@
 
 #include "commands.h"
 #include "format_options.h"
+#include "piece_options.h"
 #include "progress_bar.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/glob.h"
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/whole_directory.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 namespace {
@@ -50,6 +52,7 @@ ExitCode run(Arguments given) {
     choose_formats(given.files, true);
     const PieceFileOptions files = file_options(given.files);
     if (given.output.empty()) given.output = given.plan / ("cut-" + default_name(given.files));
+    require_writable(given.output, given.force);
     PieceSet set = read_pieces_of(given.plan);
     keep_named(set, given.tiles);
     std::vector<std::string> sheets;
@@ -60,8 +63,8 @@ ExitCode run(Arguments given) {
         const Waiting waiting(fmt::format("Writing {}", fmt::join(given.files.formats, ", ")), given.quiet);
         write_cut_files(folder, set, given.files.formats, files);
     });
-    if (!given.quiet) fmt::print("{} pieces: {}\n", set.pieces.size(), given.output.string());
-    return manufacturable;
+    if (!given.quiet) print("{} pieces: {}\n", set.pieces.size(), given.output.string());
+    return warn_of_cut_lines(set);
 }
 
 }  // namespace
@@ -86,7 +89,7 @@ void add_export(CLI::App& app) {
         "  ripstop export cut-plan --dialect aama                     for garment CAD\n"
         "  ripstop export cut-plan --format pdf --paper a4            paper templates on sheets\n"
         "  ripstop export cut-plan --format hpgl --tile 'G01P*' -o gore-1\n\n"
-        "Exit codes: 0 written, 2 usage, 3 unusable input.");
+        "Exit codes: 0 written, 1 written, but a cut line does not go round its sew line, 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

@@ -7,6 +7,7 @@
 #include "command_tree.h"
 #include "commands.h"
 #include "guess.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 namespace {
@@ -45,7 +46,7 @@ void add_help(CLI::App& app) {
         "Examples:\n"
         "  ripstop help flatten\n"
         "  ripstop help design natural");
-    command->callback([&app, words] { fmt::print("{}", page_of(app, *words)); });
+    command->callback([&app, words] { print("{}", page_of(app, *words)); });
 }
 
 }  // namespace ripstop::cli

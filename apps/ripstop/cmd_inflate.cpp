@@ -14,6 +14,7 @@
 #include "ripstop/report/inflated_files.h"
 #include "ripstop/report/inflated_text.h"
 #include "ripstop/report/report_json.h"
+#include "ripstop/report/whole_directory.h"
 #include "tell.h"
 
 namespace ripstop::cli {
@@ -29,6 +30,7 @@ struct Arguments {
 
 ExitCode run(const Arguments& given) {
     CutPlan plan = read_cut_plan(given.plan);
+    require_writable(given.plan, true);
     const std::optional<Project> project = project_of(given.project, plan.unit);
     const Flight flight = flight_of(given.flight, project ? project->flight : plan.flight.value_or(Flight{}));
     tape_seams(plan, flight.tapes);
@@ -46,7 +48,7 @@ ExitCode run(const Arguments& given) {
         write_inflated(given.plan, plan, measure_strain_maps(plan, given.jobs), given.reproducible);
     }
     if (given.json)
-        fmt::print("{}", report_of(given.plan));
+        print("{}", report_of(given.plan));
     else if (!given.quiet)
         show(inflated_text(plan));
     return flies_as_drawn(plan) ? manufacturable : not_manufacturable;

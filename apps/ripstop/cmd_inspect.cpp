@@ -8,6 +8,7 @@
 #include "progress_bar.h"
 #include "ripstop/io/mesh_file.h"
 #include "ripstop/report/inspect_report.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 
@@ -31,11 +32,13 @@ void add_inspect(CLI::App& app) {
         "Exit codes: 0 read, 2 usage, 3 unusable input.");
     command->callback([given] {
         const CadModel model = [&] {
-            const Waiting waiting("Reading " + given->file.filename().string(), false);
-            return read_model(given->file, meshing_of(given->chord, given->edge, given->tiles_are));
+            Waiting waiting("Reading " + given->file.filename().string(), false);
+            MeshingOptions meshing = meshing_of(given->chord, given->edge, given->tiles_are);
+            meshing.progress = waiting.progress();
+            return read_model(given->file, meshing);
         }();
         const std::string file = given->file.filename().string();
-        fmt::print("{}", given->json ? inspect_json(model, file) : inspect_text(model, file));
+        print("{}", given->json ? inspect_json(model, file) : inspect_text(model, file));
     });
 }
 

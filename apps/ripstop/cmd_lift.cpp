@@ -35,10 +35,17 @@ NamedMesh flat_tile(const std::filesystem::path& plan, const PatternPiece& piece
     return std::move(model.surfaces[0]);
 }
 
-bool is_wanted(const Arguments& given, const NamedCurve& curve) {
-    return given.layers.empty() ||
-           std::any_of(given.layers.begin(), given.layers.end(),
-                       [&curve](const std::string& glob) { return glob_match(glob, curve.attributes.at("layer")); });
+bool is_wanted(const Arguments& given, const std::string& layer) {
+    return given.layers.empty() || std::any_of(given.layers.begin(), given.layers.end(),
+                                               [&](const std::string& glob) { return glob_match(glob, layer); });
+}
+
+/// What is drawn on the layers that are wanted and cannot be lifted, a sentence each.
+std::vector<std::string> left_out(const Arguments& given, const PatternDrawing& drawing, double metres_per_unit) {
+    std::vector<std::string> texts;
+    for (const UnreadEntity& entity : drawing.unread)
+        if (!entity.is_carried && is_wanted(given, entity.layer)) texts.push_back(unread_text(entity, metres_per_unit));
+    return texts;
 }
 
 /// None of the pieces, or some cut lines that are of none.
@@ -58,15 +65,19 @@ void tell_strangers(const Arguments& given, const LiftedLines& lifted) {
                          all.size(), all.size() == 1 ? " is" : "s are", text));
 }
 
-void keep_wanted(const Arguments& given, LiftedLines& lifted) {
+void keep_wanted(const Arguments& given, LiftedLines& lifted, const std::vector<std::string>& left_out) {
     std::set<std::string> layers;
     for (const NamedCurve& curve : lifted.curves) layers.insert(curve.attributes.at("layer"));
-    std::erase_if(lifted.curves, [&given](const NamedCurve& curve) { return !is_wanted(given, curve); });
+    std::erase_if(lifted.curves,
+                  [&given](const NamedCurve& curve) { return !is_wanted(given, curve.attributes.at("layer")); });
     if (!lifted.curves.empty()) return;
+    if (!left_out.empty())
+        throw InputError(fmt::format("{}: nothing that is drawn on its pieces can be lifted: {}",
+                                     given.drawing.string(), fmt::join(left_out, "; ")));
     if (layers.empty())
         throw InputError(
-            fmt::format("{}: nothing is drawn on its pieces but what they bring themselves; draw "
-                        "lines on them first",
+            fmt::format("{}: nothing is drawn on its pieces but what they bring themselves; draw lines on "
+                        "them first",
                         given.drawing.string()));
     throw InputError(fmt::format("{}: no line on a layer called {}; there are lines on {}", given.drawing.string(),
                                  fmt::join(given.layers, ", "), fmt::join(layers, ", ")));
@@ -82,11 +93,13 @@ ExitCode run(const Arguments& given) {
     const auto tile = [&given](const PatternPiece& piece) { return flat_tile(given.plan, piece); };
     LiftedLines lifted = lift_drawing(drawing, scale, set, tile, given.drawing.stem().string());
     tell_strangers(given, lifted);
-    keep_wanted(given, lifted);
+    const std::vector<std::string> unread = left_out(given, drawing, scale);
+    keep_wanted(given, lifted, unread);
+    for (const std::string& text : unread) tell("Warning: left out: " + text + "\n");
     for (NamedCurve& curve : lifted.curves) curve.points /= unit.metres;
-    write_file(given.output, [&lifted](std::ostream& out) { write_obj_curves(out, lifted.curves); });
-    fmt::print("pieces found: {}, lines lifted: {}, in {}: {}\n", lifted.pieces, lifted.curves.size(), unit.name,
-               given.output.string());
+    replace_file(given.output, [&lifted](std::ostream& out) { write_obj_curves(out, lifted.curves); });
+    print("pieces found: {}, lines lifted: {}, in {}: {}\n", lifted.pieces, lifted.curves.size(), unit.name,
+          given.output.string());
     return manufacturable;
 }
 

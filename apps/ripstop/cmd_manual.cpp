@@ -7,6 +7,7 @@
 #include "command_tree.h"
 #include "commands.h"
 #include "ripstop/version.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 namespace {
@@ -118,7 +119,7 @@ std::string manual(const CommandText& program) {
 void add_manual(CLI::App& app) {
     CLI::App* command = app.add_subcommand("manual", "Print the manual page");
     command->footer("Example:\n  ripstop manual | man -l -\n`make install` puts it where `man ripstop` finds it.");
-    command->callback([&app] { fmt::print("{}", manual(command_text(app))); });
+    command->callback([&app] { print("{}", manual(command_text(app))); });
 }
 
 }  // namespace ripstop::cli

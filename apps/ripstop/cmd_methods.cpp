@@ -3,6 +3,7 @@
 
 #include "commands.h"
 #include "ripstop/flatten/method.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 
@@ -15,8 +16,8 @@ void add_methods(CLI::App& app) {
         "  ripstop flatten envelope.obj --method paper -o by-paper\n"
         "  ripstop compare envelope.obj --tile G01P03    all of them on one tile");
     command->callback([] {
-        for (const Method& method : methods()) fmt::print("{:<16} {}\n", method.name, method.origin);
-        fmt::print("{:<16} {}\n", "given", "no flattening: judges the flat positions (vt) that came with the input");
+        for (const Method& method : methods()) print("{:<16} {}\n", method.name, method.origin);
+        print("{:<16} {}\n", "given", "no flattening: judges the flat positions (vt) that came with the input");
     });
 }
 

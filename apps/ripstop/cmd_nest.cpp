@@ -7,8 +7,10 @@
 #include "commands.h"
 #include "format_options.h"
 #include "known.h"
+#include "piece_options.h"
 #include "progress_bar.h"
 #include "ripstop/base/error.h"
+#include "ripstop/base/folder_lock.h"
 #include "ripstop/base/units.h"
 #include "ripstop/io/piece_format.h"
 #include "ripstop/nest/nest_pieces.h"
@@ -54,7 +56,9 @@ void require_no_plan(const std::filesystem::path& folder) {
 }
 
 /// The page of the plan shows the roll too, once there is one.
-void show_in_report(const std::filesystem::path& page, const std::string& markers) {
+void show_in_report(const std::filesystem::path& plan, const std::string& markers) {
+    const FolderLock turn(plan);
+    const std::filesystem::path page = plan / "report.html";
     std::ifstream in(page, std::ios::binary);
     if (!in) return;
     std::ostringstream text;
@@ -73,12 +77,13 @@ ExitCode run(Arguments given) {
     write_whole_directory(
         given.output, given.force, {"marker*.*", "bom.csv"},
         [&](const std::filesystem::path& folder) { write_marker_files(folder, set, markers, given.formats); });
-    show_in_report(given.plan / "report.html", marker_json(set, markers, given.formats));
+    show_in_report(given.plan, marker_json(set, markers, given.formats));
     if (given.json)
-        fmt::print("{}", marker_json(set, markers, given.formats));
+        print("{}", marker_json(set, markers, given.formats));
     else if (!given.quiet || !markers.refusals.empty())
         show(marker_table(markers));
-    return markers.refusals.empty() ? manufacturable : not_manufacturable;
+    const ExitCode cut_lines = warn_of_cut_lines(set, given.jobs);
+    return markers.refusals.empty() ? cut_lines : not_manufacturable;
 }
 
 }  // namespace
@@ -123,7 +128,9 @@ void add_nest(CLI::App& app) {
         "  ripstop nest cut-plan --roll 1500mm\n"
         "  ripstop nest cut-plan --roll 1500mm --roll-length 100m --force     with joins, in place of the last\n"
         "  ripstop nest cut-plan --one-way --effort 400 -o marker             cloth with a nap, a longer search\n\n"
-        "Exit codes: 0 all laid, 1 some pieces do not fit the roll (the others are laid), 2 usage, 3 unusable input.");
+        "Exit codes: 0 all laid, 1 some pieces do not fit the roll (the others are laid) or a cut line does not go "
+        "round\n"
+        "its sew line, 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

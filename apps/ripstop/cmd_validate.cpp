@@ -33,7 +33,7 @@ ExitCode run(const Arguments& given) {
     }();
     const std::string file = given.file.filename().string();
     if (given.json)
-        fmt::print("{}", drawing_json(check, file));
+        print("{}", drawing_json(check, file));
     else if (!given.quiet)
         show(drawing_text(check, file));
     return check.sound() ? manufacturable : not_manufacturable;

@@ -1,9 +1,8 @@
 #include "design_file.h"
 
-#include <fstream>
-
 #include "ripstop/base/error.h"
 #include "ripstop/io/mesh_file.h"
+#include "ripstop/report/output_file.h"
 
 namespace ripstop::cli {
 
@@ -18,17 +17,7 @@ void require_design_file(const std::filesystem::path& file, bool force) {
 }
 
 void write_design_file(const std::filesystem::path& file, const std::vector<NamedMesh>& tiles) {
-    const std::filesystem::path partial = file.string() + ".partial";
-    std::ofstream out(partial, std::ios::binary);
-    write_model(out, file, tiles);
-    out.close();
-    std::error_code error;
-    if (out) std::filesystem::rename(partial, file, error);
-    if (!out || error) {
-        std::filesystem::remove(partial, error);
-        throw InputError(file.string() +
-                         ": cannot be written; is its folder open to you, and is there room on the disk?");
-    }
+    replace_file(file, [&](std::ostream& out) { write_model(out, file, tiles); });
 }
 
 }  // namespace ripstop::cli

@@ -1,11 +1,13 @@
 /// ripstop: curved tiles in, cut patterns out.
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <string>
 
 #include "commands.h"
+#include "ending.h"
 #include "help.h"
 #include "ripstop/base/error.h"
 #include "ripstop/numeric/symmetric_solver.h"
@@ -21,9 +23,11 @@ std::string built_with() {
                                                : "\nbuilt without CGAL: tiles keep their meshes");
 }
 
-/// What was printed is a result: where it did not arrive, the run has failed.
+/// What was printed is a result: where it did not arrive, the run has failed. A reader that closed the pipe has read what it
+/// wanted (`ripstop check balloon.obj | head -1`).
 int arrived(int code) {
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    if (std::fflush(stdout) != 0) output_error() = errno;
+    if (output_error() == 0 || output_error() == EPIPE) return code;
     tell("ripstop: standard output cannot be written; is there room on the disk?\n");
     return unusable_input;
 }
@@ -33,6 +37,7 @@ int arrived(int code) {
 
 int main(int argc, char** argv) {
     using namespace ripstop;
+    cli::end_cleanly_on_signals();
     CLI::App app("Ripstop turns a 3D envelope divided into tiles by its seams into flat cut patterns", "ripstop");
     app.set_version_flag("--version",
                          fmt::format("ripstop {}\nsources Apache-2.0; built with {}", version, cli::built_with()),
@@ -74,7 +79,6 @@ int main(int argc, char** argv) {
         cli::tell(fmt::format("ripstop: {}\n", error.what()));
         return cli::unusable_input;
     } catch (const std::exception& error) {
-        if (std::ferror(stdout) != 0) return cli::arrived(cli::unusable_input);
         cli::tell(fmt::format("ripstop: this is our fault, please report it: {}\n", error.what()));
         return cli::our_fault;
     }

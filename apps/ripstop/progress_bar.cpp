@@ -70,20 +70,42 @@ Waiting::~Waiting() {
     thread_.join();
 }
 
+Progress Waiting::progress() {
+    return [this](double fraction, const std::string& where) {
+        {
+            const std::lock_guard lock(guard_);
+            where_ = ": " + where;
+            tenths_ = static_cast<int>(fraction * 10 + 1e-9);
+        }
+        changed_.notify_all();
+    };
+}
+
 void Waiting::tell_how_long() {
-    const auto start = Clock::now();
     const bool is_terminal = isatty(STDERR_FILENO) != 0;
     std::unique_lock lock(guard_);
-    const auto ends_within = [&](Clock::duration time) {
-        return changed_.wait_for(lock, time, [this] { return done_; });
-    };
-    if (ends_within(is_terminal ? std::chrono::milliseconds(500) : std::chrono::milliseconds(2000))) return;
-    if (!is_terminal) return tell(what_ + " …\n");
+    if (changed_.wait_for(lock, std::chrono::milliseconds(is_terminal ? 500 : 2000), [this] { return done_; })) return;
+    is_terminal ? tell_on_terminal(lock) : tell_in_lines(lock);
+}
+
+void Waiting::tell_on_terminal(std::unique_lock<std::mutex>& lock) {
+    const auto start = Clock::now() - std::chrono::milliseconds(500);
     do
-        tell(fmt::format("\r\033[K{}, {}", what_,
+        tell(fmt::format("\r\033[K{}{}, {}", what_, where_,
                          duration(std::chrono::duration<double>(Clock::now() - start).count())));
-    while (!ends_within(std::chrono::milliseconds(500)));
+    while (!changed_.wait_for(lock, std::chrono::milliseconds(500), [this] { return done_; }));
     tell("\r\033[K");
+}
+
+void Waiting::tell_in_lines(std::unique_lock<std::mutex>& lock) {
+    int told = tenths_;
+    tell(what_ + (where_.empty() ? " …" : where_) + "\n");
+    for (;;) {
+        changed_.wait(lock, [&] { return done_ || tenths_ > told; });
+        if (done_) return;
+        told = tenths_;
+        tell(what_ + where_ + "\n");
+    }
 }
 
 }  // namespace ripstop::cli

@@ -121,7 +121,7 @@ TEST(Cad, NeighboursShareTheVerticesOfTheirSeam) {
         ReadOptions options;
         options.meshing.mesher = RIPSTOP_CAD_PROGRAM;
         const EnvelopeInput input = read_input(scratch.path(name), options);
-        EXPECT_EQ(input.unit.name, "mm");
+        EXPECT_EQ(input.unit.unit.name, "mm");
         EXPECT_EQ(input.envelope.tiles.at(0).name, "G01");
         ASSERT_EQ(input.envelope.seams.size(), 8U);
         for (const Seam& seam : input.envelope.seams) {

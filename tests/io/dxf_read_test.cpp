@@ -146,7 +146,7 @@ TEST(ReadDxf, NamesWhatItDoesNotRead) {
     const PatternDrawing found =
         read(drawing("0 SPLINE 8 CUT 0 SPLINE 8 CUT 0 HATCH 8 A 0 LINE 67 1 8 A 10 0 20 0 11 1 21 1"));
     ASSERT_EQ(found.unread.size(), 2U);
-    EXPECT_EQ(found.unread[0].kind, "SPLINE");
+    EXPECT_EQ(found.unread[0].kind, "SPLINE without control points");
     EXPECT_EQ(found.unread[0].count, 2);
     EXPECT_TRUE(found.paths.empty()) << "the line is on paper";
 }

@@ -372,5 +372,36 @@ TEST(Rhino3dm, GivesBackExactlyTheMeshesOpenNurbsWasGiven) {
     }
 }
 
+TEST(Rhino3dm, CallsATileByTheTextOfTheBlockThatHoldsItAlone) {
+    EXPECT_THAT(names_of(read(content(fixtures + "block_tile_text_v7.3dm"))), ElementsAre("ONE", "TWO"));
+}
+
+TEST(Rhino3dm, CallsTilesByTheTextOfBlocksInBlocksAndSaysWhichTextNamesNone) {
+    RIPSTOP_REQUIRE_RHINO();
+    const ScratchDirectory scratch;
+    const auto block = [](const std::string& name, const std::string& of, double x, const std::string& tile) {
+        Json object = {{"kind", "block"},
+                       {"definition", of},
+                       {"name", name},
+                       {"xform", {1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}};
+        if (!tile.empty()) object["text"] = {{"tile", tile}};
+        return object;
+    };
+    const Json single = {{"name", "single"}, {"objects", {mesh_object(testing::rectangle(1, 1, 1, 1), "A")}}};
+    const Json twice = {{"name", "twice"},
+                        {"objects", {block("left", "single", 0, "L"), block("right", "single", 2, "")}}};
+    const Json outer = {{"name", "outer"}, {"objects", {block("inner", "single", 0, "within")}}};
+    const Json scene = {{"layers", {{{"name", "Default"}}}},
+                        {"definitions", {single, twice, outer}},
+                        {"objects",
+                         {block("I1", "twice", 0, "PAIR"), block("", "twice", 10, "CROWN"),
+                          block("I3", "outer", 20, "THREE"), block("I4", "outer", 30, "")}}};
+    testing::write_by_rhino(scene, scratch.path("blocks.json"), {7});
+    const CadModel model = read_model(scratch.path("blocks_v7.3dm"));
+    // A block without a name of its own is called by its text, which so is in use.
+    EXPECT_THAT(names_of(model), ElementsAre("I1/L", "I1/right/A", "CROWN/L", "CROWN/right/A", "THREE", "I4/within"));
+    EXPECT_THAT(model.remarks, ElementsAre(StartsWith("I1 (\"PAIR\"): the user text tile of a block names no tile")));
+}
+
 }  // namespace
 }  // namespace ripstop

@@ -97,6 +97,32 @@ TEST_F(RhinoNames, CarryTheLayerTheGroupsAndTheTextOfObjectAndBlocks) {
     EXPECT_EQ(z, 1);
 }
 
+TEST_F(RhinoNames, GoByTheTileTextOfTheBlockThatHoldsThemAlone) {
+    RhinoObject &gore = object("gore", 0), &part = object("part", 0);
+    gore.text = {{"tile", "ONE"}, {"warp", "1, 0, 0"}};
+    part.text = {{"tile", "TWO"}, {"warp", "0, 2, 0"}};
+    const Eigen::Affine3d quarter(Eigen::AngleAxisd(3.14159265358979323846 / 2, Vec3::UnitZ()));
+    RhinoPlaced& alone = placed("A", 0, "gore/part");
+    const_cast<RhinoObject*>(alone.object)->text["tile"] = "own";
+    alone.instances = {&gore, &part};
+    alone.around = {Eigen::Affine3d::Identity(), quarter};
+    alone.named_by = &gore;
+    EXPECT_EQ(rhino_attributes(alone, tables_).at("tile"), "ONE");
+    RhinoPlaced& inner = placed("A", 0, "gore/part");
+    inner.instances = {&gore, &part};
+    inner.around = {Eigen::Affine3d::Identity(), quarter};
+    inner.named_by = &part;
+    inner.named_in = "gore";
+    placed("B", 0, "gore/part");
+    EXPECT_THAT(names(), ElementsAre("ONE", "gore/TWO", "gore/part/B"));
+    EXPECT_EQ(rhino_other_names(placed_, "unnamed"), names());
+    double x = 1, y = 0, z = 1;
+    const std::string warp = rhino_attributes(placed_[1], tables_).at("warp");
+    ASSERT_EQ(std::sscanf(warp.c_str(), "%lf, %lf, %lf", &x, &y, &z), 3) << warp;
+    EXPECT_EQ(x, -2) << "the inner block's own text is turned by the block around it";
+    EXPECT_NEAR(y, 0, 1e-15);
+}
+
 TEST(RhinoCalled, NumbersAreAsWideAsTheLast) {
     EXPECT_EQ(numbered(3, 9), "03");
     EXPECT_EQ(numbered(3, 120), "003");

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "support/openings.h"
+
 namespace ripstop {
 namespace {
 
@@ -213,6 +215,51 @@ TEST(CheckDrawing, NamesASewLineOutsideOfThePieces) {
                 HasSubstr("at (400.00, 40.00) mm lies in no closed contour that is cut"));
 }
 
+/// A closed path of these lines in millimetres.
+DrawnPath drawn(const char* layer, const Points2& metres) {
+    return closed(layer, 1000 * metres);
+}
+
+TEST(CheckDrawing, NamesAnOpeningOfTheSewLineThatNothingCuts) {
+    const auto cut_of = [](const PatternPiece& piece) {
+        Points2 outside(4, 2);
+        const Vec2 lower = piece.lower(), upper = piece.upper();
+        outside << lower.x(), lower.y(), upper.x(), lower.y(), upper.x(), upper.y(), lower.x(), upper.y();
+        return outside;
+    };
+    for (const double slit : {0.0, 0.01, 0.03, 0.045, 0.06, 0.2})
+        for (const bool is_turned : {false, true}) {
+            const PatternPiece piece = testing::cut_piece(testing::square_keyhole(slit, 0.25, 0.025));
+            const Points2 sew = is_turned ? Points2(piece.sew_line.colwise().reverse()) : piece.sew_line;
+            EXPECT_TRUE(check_drawing(drawing_of({drawn("CUT", piece.cut_line), drawn("SEW", sew)})).sound() ||
+                        slit == 0)
+                << slit;
+            const DrawingCheck check = check_drawing(drawing_of({drawn("CUT", cut_of(piece)), drawn("SEW", sew)}));
+            if (slit == 0) continue;  // it touches itself, and that is said
+            EXPECT_EQ(codes(check), (std::vector<std::string>{"opening"})) << slit;
+            EXPECT_THAT(message(check, "opening"), HasSubstr("nothing on layer CUT is cut between")) << slit;
+        }
+    const PatternPiece ring = testing::cut_piece(testing::open_ring(6.2, 0.025));
+    EXPECT_TRUE(check_drawing(drawing_of({drawn("CUT", ring.cut_line), drawn("SEW", ring.sew_line)})).sound());
+    EXPECT_EQ(codes(check_drawing(drawing_of({drawn("CUT", cut_of(ring)), drawn("SEW", ring.sew_line)}))),
+              (std::vector<std::string>{"opening"}));
+}
+
+TEST(CheckDrawing, TakesCornersThatAllowancesCloseAndHolesThatAreCutForSound) {
+    for (const double angle : {1.1, 1.6, 2.5}) {
+        const PatternPiece notched = testing::cut_piece(testing::notched_strip(angle, 0.025));
+        EXPECT_TRUE(
+            check_drawing(drawing_of({drawn("CUT", notched.cut_line), drawn("SEW", notched.sew_line)})).sound());
+    }
+    // A square hole of the cloth, sewn round and cut, with a slit of the sew line to it that is not: the seam goes there and back.
+    const PatternPiece piece = testing::cut_piece(testing::square_keyhole(0.06, 0.25, 0.025));
+    DrawnPath hole = closed("CUT", square({300, 275}, 200)), outside = closed("CUT", square({-25, -25}, 850));
+    const DrawingCheck check = check_drawing(drawing_of({outside, hole, drawn("SEW", piece.sew_line)}));
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"opening"})) << "the slit";
+    const DrawnPath seam = closed("SEW", square({0, 0}, 800)), round = closed("SEW", square({275, 250}, 250));
+    EXPECT_TRUE(check_drawing(drawing_of({outside, hole, seam, round})).sound());
+}
+
 TEST(CheckDrawing, DoesNotTakeLinesWithinEachOtherForPiecesWhereTheLayersAreNotKnown) {
     const DrawnPath piece = closed("Layer 1", square({0, 0}, 300));
     EXPECT_TRUE(check_drawing(drawing_of({piece, closed("Layer 1", square({15, 15}, 270))})).issues.empty());
@@ -312,6 +359,35 @@ TEST(CheckDrawing, IsNotSureOfCurvesItCannotRead) {
     const DrawingCheck check = check_drawing(drawing);
     EXPECT_FALSE(check.sound());
     EXPECT_THAT(check.issues.back().message, HasSubstr("line 7: 1 SPLINE on layer 1 cannot be checked"));
+}
+
+TEST(CheckDrawing, TellsAnOutlineLeftOpenFromAMarkWhereTheLayersAreNotKnown) {
+    const DrawnPath piece = closed("0", square({0, 0}, 300));
+    const auto found = [&piece](const Points2& line) { return check_drawing(drawing_of({piece, open("0", line)})); };
+    // A whole side is missing.
+    const DrawingCheck side = found(points({{500, 0}, {800, 0}, {800, 300}, {500, 300}}));
+    EXPECT_EQ(codes(side), (std::vector<std::string>{"open"}));
+    EXPECT_THAT(message(side, "open"), HasSubstr("its ends are 300.0 mm apart"));
+    EXPECT_FALSE(found(points({{500, 0}, {800, 0}, {800, 300}, {500, 300}, {500, 20}})).sound());
+    // The same line within a piece may be a pocket; a straight one is a ruler or an arrow.
+    for (const Points2& mark : {points({{50, 50}, {100, 50}, {100, 100}, {50, 100}}), points({{400, 0}, {400, 300}})}) {
+        const DrawingCheck check = found(mark);
+        EXPECT_TRUE(check.sound());
+        EXPECT_EQ(codes(check), (std::vector<std::string>{"open_line"}));
+        EXPECT_EQ(check.open_lines, 1);
+    }
+}
+
+TEST(CheckDrawing, MeasuresTheSideThatTwoPiecesShare) {
+    const auto shared = [](double x, double y) {
+        return message(
+            check_drawing(drawing_of({closed("CUT", square({0, 0}, 300)), closed("CUT", square({x, y}, 300))})),
+            "common_side");
+    };
+    EXPECT_THAT(shared(300, 0), HasSubstr("have 300.0 mm of their outlines in common"));
+    EXPECT_THAT(shared(300, 100), HasSubstr("have 200.0 mm of their outlines in common"));
+    EXPECT_EQ(shared(300, 300), "none") << "a corner";
+    EXPECT_EQ(shared(300.1, 0), "none") << "as a cutter leaves between them";
 }
 
 TEST(CheckDrawing, CountsEveryClosedLineWhereTheLayersAreNotKnown) {

@@ -1,10 +1,13 @@
 #include "ripstop/io/convert.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 #include <vector>
 
 #include "ripstop/base/child_process.h"
@@ -28,25 +31,24 @@ constexpr std::array<CadFormat, 6> formats = {{{".step", "STEP"},
 constexpr const char* say_where =
     "build it with gmsh and Open CASCADE (make setup, then make), or name it in RIPSTOP_CAD";
 
-/// A folder of this run alone, removed with everything in it.
-class Workplace {
+/// A file without a name, which programs started from here may write and read: it is gone with the last of them, however they
+/// end.
+class Between {
   public:
-    Workplace() {
+    Between() {
         std::string pattern = (fs::temp_directory_path() / "ripstop-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr)
-            throw InputError(pattern + ": no folder can be made there; is there room on the disk?");
-        path_ = pattern;
+        descriptor_ = ::mkstemp(pattern.data());
+        if (descriptor_ < 0) throw InputError(pattern + ": no file can be made there; is there room on the disk?");
+        ::unlink(pattern.c_str());
     }
-    ~Workplace() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Workplace(const Workplace&) = delete;
-    Workplace& operator=(const Workplace&) = delete;
-    fs::path file(const std::string& name) const { return path_ / name; }
+    ~Between() { ::close(descriptor_); }
+    Between(const Between&) = delete;
+    Between& operator=(const Between&) = delete;
+    /// For them and for this program.
+    fs::path path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
   private:
-    fs::path path_;
+    int descriptor_ = -1;
 };
 
 fs::path beside_this_program() {
@@ -83,10 +85,23 @@ std::string reason_in(const std::string& complaints, const std::string& program,
     return readable_name(line.substr(0, 400));
 }
 
+/// Lines of progress as the converters write them, `progress 12 160 face`: the 12th of 160.
+TakesLine progress_lines(const Progress& progress) {
+    return [&progress](const std::string& line) {
+        std::istringstream words(line);
+        std::string first, what;
+        double done = 0, all = 0;
+        if (!(words >> first >> done >> all >> what) || first != "progress" || !(all > 0)) return false;
+        if (progress) progress(done / all, what + " " + format_shortest(done) + " of " + format_shortest(all));
+        return true;
+    };
+}
+
 /// `name`: what to call the program in a message. Throws InputError unless it ended well.
 void require_run(const std::vector<std::string>& arguments, const std::string& name, const fs::path& file,
-                 double timeout) {
-    const ChildEnd end = run_child(arguments, timeout);
+                 const MeshingOptions& options) {
+    const double timeout = options.timeout;
+    const ChildEnd end = run_child(arguments, timeout, progress_lines(options.progress));
     const std::string begin = file.string() + ": ";
     switch (end.how) {
         case ChildEnd::How::not_started:
@@ -116,12 +131,13 @@ void run_mesher(const fs::path& mesher, const fs::path& input, const fs::path& o
     if (options.metres_per_unit)
         arguments.insert(arguments.end(), {"--metres-per-unit", format_fixed(*options.metres_per_unit, 12)});
     arguments.insert(arguments.end(), {"--", fs::absolute(input).string(), output.string()});
-    require_run(arguments, "ripstop-cad", file, options.timeout);
+    require_run(arguments, "ripstop-cad", file, options);
 }
 
 ConvertedModel answer(const fs::path& output, const fs::path& file, const std::string& program) {
     std::ifstream in(output, std::ios::binary);
-    if (!in) throw InputError(file.string() + ": " + program + " gave no answer; is it the one of this version?");
+    if (!in || in.peek() == std::ifstream::traits_type::eof())
+        throw InputError(file.string() + ": " + program + " gave no answer; is it the one of this version?");
     return read_converted(in, file.string() + ": the answer of " + program);
 }
 
@@ -149,10 +165,9 @@ CadModel convert_cad(const fs::path& file, const MeshingOptions& options) {
     if (mesher.empty())
         throw InputError(file.string() + ": the program ripstop-cad, which meshes CAD files, is not installed; " +
                          say_where);
-    const Workplace workplace;
-    const fs::path output = workplace.file("meshes.converted");
-    run_mesher(mesher, file, output, options, file);
-    return as_surfaces(answer(output, file, "ripstop-cad"), options.tiles, file.stem().string());
+    const Between meshes;
+    run_mesher(mesher, file, meshes.path(), options, file);
+    return as_surfaces(answer(meshes.path(), file, "ripstop-cad"), options.tiles, file.stem().string());
 }
 
 ConvertedModel convert_rhino(const fs::path& file, const MeshingOptions& options) {
@@ -163,16 +178,15 @@ ConvertedModel convert_rhino(const fs::path& file, const MeshingOptions& options
         throw InputError(file.string() +
                          ": the converter of Rhino's surfaces is not installed; run make setup, or mesh the "
                          "surfaces in Rhino (Mesh) and save again");
-    const Workplace workplace;
-    const fs::path nurbs = workplace.file("nurbs.converted"), meshes = workplace.file("meshes.converted");
-    require_run({"node", script.string(), fs::absolute(file).string(), nurbs.string()}, "rhino3dm", file,
-                options.timeout);
+    const Between nurbs, meshes;
+    require_run({"node", script.string(), fs::absolute(file).string(), nurbs.path().string()}, "rhino3dm", file,
+                options);
     const fs::path mesher = find_mesher(options);
     if (!mesher.empty()) {
-        run_mesher(mesher, nurbs, meshes, options, file);
-        return answer(meshes, file, "ripstop-cad");
+        run_mesher(mesher, nurbs.path(), meshes.path(), options, file);
+        return answer(meshes.path(), file, "ripstop-cad");
     }
-    ConvertedModel model = answer(nurbs, file, "rhino3dm");
+    ConvertedModel model = answer(nurbs.path(), file, "rhino3dm");
     double chord_error = 0;
     for (ConvertedObject& object : model.objects) {
         const std::size_t all = object.faces.size();

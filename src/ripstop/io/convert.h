@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "ripstop/base/progress.h"
 #include "ripstop/base/units.h"
 #include "ripstop/io/converted.h"
 
@@ -23,6 +24,7 @@ struct MeshingOptions {
     TilesAs tiles = TilesAs::faces;
     double timeout = 1800;              ///< [s]
     std::filesystem::path mesher = {};  ///< the `ripstop-cad` to run; empty: beside this program, else installed
+    Progress progress = {};             ///< told the share of faces that are meshed, and `face 12 of 160`
 };
 
 /// Throws InputError for lengths that are not positive.

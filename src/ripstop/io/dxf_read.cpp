@@ -20,19 +20,32 @@ constexpr double farthest = 1e9;
 constexpr int mesh_flags = 16 | 64;  // of a POLYLINE
 
 struct Block {
+    std::string name;
     DxfTagSpan tags;  // its entities
-    Vec2 base = Vec2::Zero();
+    Vec3 base = Vec3::Zero();
     std::string layer;
     long line = 0;
     bool is_space = false, is_used = false;
 };
 
-/// Where an entity is drawn: inserted how, in which group.
+/// Where an entity is drawn: inserted how, in which group. What a block has on layer 0 is on the layer of its INSERT.
 struct Place {
-    Eigen::Affine2d motion = Eigen::Affine2d::Identity();
+    Eigen::Affine3d motion = Eigen::Affine3d::Identity();
     int group = -1;
     std::size_t depth = 0;
+    std::string layer = "0";
 };
+
+/// Names of blocks and layers have no case.
+std::string key_of(std::string_view symbol) {
+    std::string key = readable_name(symbol);
+    for (char& c : key)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return key;
+}
+
+/// In the file's units, whatever these are: 0.05 mm in a drawing in inches.
+constexpr double chord_error = 0.002;
 
 class Reader {
   public:
@@ -49,8 +62,8 @@ class Reader {
         if (!has_entities_)
             refuse(tags_.back().line, "no section ENTITIES, so nothing is drawn; export the drawing again");
         draw(entities_, {});
-        for (const auto& [block_name, block] : blocks_)
-            if (!block.is_used && !block.is_space) drawing_.groups.push_back({block_name, block.layer, 0, block.line});
+        for (const auto& [key, block] : blocks_)
+            if (!block.is_used && !block.is_space) drawing_.groups.push_back({block.name, block.layer, 0, block.line});
         for (const DrawnText& text : drawing_.texts)
             if (const auto unit = unit_of_text(text.text))
                 drawing_.units.push_back({"the text \"" + text.text + "\"", *unit});
@@ -98,8 +111,13 @@ class Reader {
     void read_tables(DxfTagSpan tags) {
         for (std::size_t i = 0; i < tags.size(); ++i) {
             if (tags[i].code != 0 || tags[i].value != "LAYER") continue;
-            const std::string_view layer = first_entity(tags.subspan(i), name_).text(2);
-            if (!layer.empty()) drawing_.declared_layers.push_back(readable_name(layer));
+            const DxfEntity layer = first_entity(tags.subspan(i), name_);
+            if (layer.text(2).empty()) continue;
+            drawing_.declared_layers.push_back(readable_name(layer.text(2)));
+            spellings_.try_emplace(key_of(layer.text(2)), drawing_.declared_layers.back());
+            constexpr int frozen = 1;
+            // A layer that is off has its colour below zero.
+            if (layer.number(62, 7) < 0 || (layer.flags() & frozen) != 0) hidden_layers_.insert(key_of(layer.text(2)));
         }
     }
 
@@ -112,10 +130,10 @@ class Reader {
             const std::size_t begin = i;
             while (i < tags.size() && !(tags[i].code == 0 && tags[i].value == "ENDBLK")) ++i;
             if (i == tags.size()) refuse(head.line(), "a BLOCK without ENDBLK; export the drawing again");
-            Block block{tags.subspan(begin, i - begin), head.point(10), head.layer(), head.line()};
-            std::string block_name = readable_name(head.text(2));
-            block.is_space = block_name.starts_with("*") || block_name.starts_with("$");
-            blocks_.insert_or_assign(std::move(block_name), block);
+            Block block{readable_name(head.text(2)), tags.subspan(begin, i - begin), head.place(10),
+                        layer_named(head.layer()), head.line()};
+            block.is_space = block.name.starts_with("*") || block.name.starts_with("$");
+            blocks_.insert_or_assign(key_of(head.text(2)), std::move(block));
         }
     }
 
@@ -127,22 +145,25 @@ class Reader {
             count(1, entity);
             if (entity.number(67) == 1) continue;  // paper space
             if (entity.type() == "POLYLINE") {
-                const DxfShape shape = dxf_polyline(entity, tags, i, name_);
+                const DxfShape shape = dxf_polyline(entity, tags, i, name_, chord_error / scale_of(place));
+                if (is_hidden(entity, place)) continue;
                 if ((entity.flags() & mesh_flags) != 0)
-                    drawing_.leave_unread("POLYLINE mesh", entity.layer(), entity.line());
+                    leave_unread("POLYLINE mesh", entity, place);
                 else
                     add_path(entity, shape, place);
-            } else {
+            } else if (!is_hidden(entity, place)) {
                 draw_entity(entity, place);
             }
         }
     }
 
     void draw_entity(const DxfEntity& entity, const Place& place) {
-        static const std::set<std::string_view> paths{"LINE", "LWPOLYLINE", "ARC", "CIRCLE"};
+        static const std::set<std::string_view> paths{"LINE", "LWPOLYLINE", "ARC", "CIRCLE", "ELLIPSE"};
         static const std::set<std::string_view> silent{"VIEWPORT", "SEQEND", "ATTDEF"};
         if (paths.contains(entity.type()))
-            add_path(entity, dxf_shape(entity), place);
+            add_path(entity, dxf_shape(entity, chord_error / scale_of(place)), place);
+        else if (entity.type() == "SPLINE" || entity.type() == "HELIX")
+            add_spline(entity, place);
         else if (entity.type() == "POINT")
             add_point(entity, place);
         else if (entity.type() == "TEXT" || entity.type() == "MTEXT" || entity.type() == "ATTRIB")
@@ -150,7 +171,40 @@ class Reader {
         else if (entity.type() == "INSERT")
             insert(entity, place);
         else if (!silent.contains(entity.type()))
-            drawing_.leave_unread(readable_name(entity.type().substr(0, 40)), entity.layer(), entity.line());
+            leave_unread(readable_name(entity.type().substr(0, 40)), entity, place);
+    }
+
+    static double scale_of(const Place& place) {
+        return std::max(1e-9, place.motion.linear().colwise().norm().maxCoeff());
+    }
+
+    /// As the file first spells it.
+    std::string layer_named(const std::string& layer) {
+        return spellings_.try_emplace(key_of(layer), layer).first->second;
+    }
+
+    std::string layer_of(const DxfEntity& entity, const Place& place) {
+        const std::string layer = layer_named(entity.layer());
+        return layer == "0" && place.depth > 0 ? place.layer : layer;
+    }
+
+    void leave_unread(const std::string& kind, const DxfEntity& entity, const Place& place) {
+        drawing_.leave_unread(kind, layer_of(entity, place), entity.line());
+    }
+
+    /// What a CAD does not show is not cut; it is named.
+    bool is_hidden(const DxfEntity& entity, const Place& place) {
+        const bool is_off = hidden_layers_.contains(key_of(layer_of(entity, place)));
+        if (entity.number(60) != 1 && !is_off) return false;
+        const std::string type = readable_name(entity.type().substr(0, 40));
+        leave_unread(is_off ? type + " on a hidden layer" : "invisible " + type, entity, place);
+        return true;
+    }
+
+    void add_spline(const DxfEntity& entity, const Place& place) {
+        const DxfShape shape = dxf_spline(entity, chord_error / scale_of(place));
+        if (shape.points.empty()) return leave_unread("SPLINE without control points", entity, place);
+        add_path(entity, shape, place);
     }
 
     void count(std::size_t points, const DxfEntity& entity) {
@@ -160,18 +214,15 @@ class Reader {
                                       " points; explode them or export less");
     }
 
-    Vec2 moved(const DxfEntity& entity, const Place& place, const Vec2& p) const {
-        const Vec2 at = place.motion * p;
+    Vec3 moved(const DxfEntity& entity, const Place& place, const Vec3& p) const {
+        const Vec3 at = place.motion * p;
         if (!(at.cwiseAbs().maxCoeff() <= farthest))
             refuse(entity.line(), "a point further than 1e9 from the origin; scale or move the drawing");
         return at;
     }
 
-    /// Lines and points are drawn in space, the others in a plane that may be seen from below.
     static Place plane_of(const DxfEntity& entity, Place place) {
-        const bool is_in_space =
-            entity.type() == "LINE" || entity.type() == "POINT" || (entity.type() == "POLYLINE" && entity.flags() & 8);
-        if (!is_in_space && entity.is_seen_from_below()) place.motion.linear().col(0) *= -1;
+        place.motion.linear() *= dxf_plane(entity);
         return place;
     }
 
@@ -179,19 +230,26 @@ class Reader {
         if (shape.points.empty()) return;
         count(shape.points.size(), entity);
         const Place place = plane_of(entity, at);
-        DrawnPath path{entity.layer(),
+        DrawnPath path{layer_of(entity, at),
                        place.group,
                        Points2(static_cast<Eigen::Index>(shape.points.size()), 2),
                        shape.is_closed,
                        std::string(entity.type()),
-                       entity.line()};
-        for (std::size_t i = 0; i < shape.points.size(); ++i)
-            path.points.row(static_cast<Eigen::Index>(i)) = moved(entity, place, shape.points[i]);
+                       entity.line(),
+                       farthest,
+                       -farthest};
+        for (std::size_t i = 0; i < shape.points.size(); ++i) {
+            const Vec3 point = moved(entity, place, shape.points[i]);
+            path.points.row(static_cast<Eigen::Index>(i)) = point.head<2>();
+            path.low = std::min(path.low, point.z());
+            path.high = std::max(path.high, point.z());
+        }
         drawing_.paths.push_back(std::move(path));
     }
 
     void add_point(const DxfEntity& entity, const Place& place) {
-        drawing_.points.push_back({entity.layer(), place.group, moved(entity, place, entity.point(10)),
+        drawing_.points.push_back({layer_of(entity, place), place.group,
+                                   moved(entity, place, {entity.number(10), entity.number(20), 0}).head<2>(),
                                    entity.number(30), entity.number(39), entity.number(50)});
     }
 
@@ -201,13 +259,13 @@ class Reader {
         std::string text;
         for (const DxfTag& tag : entity.tags().subspan(1))
             if (tag.code == 1 || (tag.code == 3 && entity.type() == "MTEXT")) text += tag.value;
-        drawing_.texts.push_back({entity.layer(), place.group, readable_name(text),
-                                  moved(entity, place, entity.point(is_aligned ? 11 : 10)), entity.number(40),
+        drawing_.texts.push_back({layer_of(entity, at), place.group, readable_name(text),
+                                  moved(entity, place, entity.place(is_aligned ? 11 : 10)).head<2>(), entity.number(40),
                                   entity.number(50)});
     }
 
     void insert(const DxfEntity& entity, const Place& at) {
-        const auto found = blocks_.find(readable_name(entity.text(2)));
+        const auto found = blocks_.find(key_of(entity.text(2)));
         if (found == blocks_.end())
             refuse(entity.line(), "INSERT of " + shown(entity.text(2)) +
                                       ", expected a block of the file; export the drawing with its blocks");
@@ -218,20 +276,21 @@ class Reader {
         block.is_used = true;
         Place place = plane_of(entity, at);
         ++place.depth;
+        place.layer = layer_of(entity, at);
         const int columns = std::max(1, entity.flags(70)), rows = std::max(1, entity.flags(71));
         for (int row = 0; row < rows; ++row)
             for (int column = 0; column < columns; ++column) {
                 count(1, entity);
                 if (at.group < 0) {
                     place.group = static_cast<int>(drawing_.groups.size());
-                    drawing_.groups.push_back({found->first, entity.layer(), 1, entity.line()});
+                    drawing_.groups.push_back({block.name, place.layer, 1, entity.line()});
                 }
-                const Vec2 cell(column * entity.number(44), row * entity.number(45));
+                const Vec3 cell(column * entity.number(44), row * entity.number(45), 0);
+                const Vec3 scale(entity.number(41, 1), entity.number(42, 1), entity.number(43, 1));
                 Place inside = place;
-                inside.motion = place.motion * Eigen::Translation2d(entity.point(10)) *
-                                Eigen::Rotation2Dd(entity.number(50) * degree) * Eigen::Translation2d(cell) *
-                                Eigen::Scaling(entity.number(41, 1), entity.number(42, 1)) *
-                                Eigen::Translation2d(-block.base);
+                inside.motion = place.motion * Eigen::Translation3d(entity.place(10)) *
+                                Eigen::AngleAxisd(entity.number(50) * degree, Vec3::UnitZ()) *
+                                Eigen::Translation3d(cell) * Eigen::Scaling(scale) * Eigen::Translation3d(-block.base);
                 draw(block.tags, inside);
             }
     }
@@ -240,7 +299,9 @@ class Reader {
     std::vector<DxfTag> tags_;
     DxfTagSpan entities_;
     bool has_entities_ = false;
-    std::map<std::string, Block> blocks_;
+    std::map<std::string, Block> blocks_;  // by `key_of`, as the next two
+    std::map<std::string, std::string> spellings_;
+    std::set<std::string> hidden_layers_;
     PatternDrawing drawing_;
     std::size_t drawn_ = 0, most_ = 0;
 };
@@ -248,7 +309,9 @@ class Reader {
 }  // namespace
 
 PatternDrawing read_dxf(std::istream& in, const std::string& name) {
-    const std::string text = text_of(read_bytes(in, name), name);
+    std::string bytes = read_bytes(in, name);
+    require_ascii_dxf(bytes, name);
+    const std::string text = text_of(std::move(bytes), name);
     return Reader(text, name).read();
 }
 

@@ -8,16 +8,26 @@
 
 namespace ripstop {
 
-/// Points in a row, an arc a point a degree.
+/// Points in a row. Curves are sampled: no chord is farther from its curve than the chord error [file's units], and circles have
+/// at least a point a degree.
 struct DxfShape {
-    std::vector<Vec2> points;
+    std::vector<Vec3> points;
     bool is_closed = false;
 };
 
-/// LINE, ARC, CIRCLE and LWPOLYLINE in their own plane. `most` as in `dxf_polyline`.
-DxfShape dxf_shape(const DxfEntity& entity);
+/// LINE, ARC, CIRCLE, ELLIPSE and LWPOLYLINE; those of a plane in the coordinates of their plane (`dxf_plane`).
+DxfShape dxf_shape(const DxfEntity& entity, double chord_error);
 
 /// A POLYLINE with the VERTEX entities behind it; `next` is moved beyond its SEQEND. Requires one that is no mesh.
-DxfShape dxf_polyline(const DxfEntity& head, DxfTagSpan tags, std::size_t& next, const std::string& name);
+DxfShape dxf_polyline(const DxfEntity& head, DxfTagSpan tags, std::size_t& next, const std::string& name,
+                      double chord_error);
+
+/// A SPLINE or HELIX of any degree, rational or not, by its knots and control points. No point where it has none, as one that
+/// only says the points it goes through, or where its knots do not fit.
+DxfShape dxf_spline(const DxfEntity& entity, double chord_error);
+
+/// From the plane of an entity to space: its axes by the arbitrary axis algorithm of the DXF reference from the extrusion
+/// direction (210, 220, 230). A rotation; the identity for what is drawn in space itself.
+Eigen::Matrix3d dxf_plane(const DxfEntity& entity);
 
 }  // namespace ripstop

@@ -25,9 +25,12 @@ std::optional<int> parse_code(std::string_view text) {
 
 }  // namespace
 
+void require_ascii_dxf(std::string_view bytes, const std::string& name) {
+    if (bytes.starts_with("AutoCAD Binary DXF")) refuse(name, 1, "a binary DXF, expected ASCII; save it as ASCII DXF");
+    if (bytes.starts_with("AC10")) refuse(name, 1, "a DWG, expected a DXF; save it as ASCII DXF");
+}
+
 std::vector<DxfTag> read_dxf_tags(std::string_view text, const std::string& name) {
-    if (text.starts_with("AutoCAD Binary DXF")) refuse(name, 1, "a binary DXF, expected ASCII; save it as ASCII DXF");
-    if (text.starts_with("AC10")) refuse(name, 1, "a DWG, expected a DXF; save it as ASCII DXF");
     std::vector<DxfTag> tags;
     Lines lines(text);
     while (lines.next()) {

@@ -19,8 +19,11 @@ struct DxfTag {
 
 using DxfTagSpan = std::span<const DxfTag>;
 
+/// Throws InputError for the bytes of a binary DXF or a DWG, before anything looks for zero bytes in a text.
+void require_ascii_dxf(std::string_view bytes, const std::string& name);
+
 /// All groups of an ASCII DXF, the last being EOF. Throws InputError with `name`, the line, what was found and what to do for
-/// a code that is no whole number, a file that ends before EOF, a binary DXF and a DWG. O(size).
+/// a code that is no whole number and a file that ends before EOF. O(size).
 std::vector<DxfTag> read_dxf_tags(std::string_view text, const std::string& name);
 
 /// One entity, from its code 0 to the next.
@@ -40,8 +43,8 @@ class DxfEntity {
     int flags(int code = 70) const;
     /// `code` and `code` + 10.
     Vec2 point(int code) const { return {number(code), number(code + 10)}; }
-    /// Entities drawn in a plane seen from below have their x counted backwards (extrusion 0, 0, -1).
-    bool is_seen_from_below() const { return number(230, 1) < 0; }
+    /// And `code` + 20.
+    Vec3 place(int code) const { return {number(code), number(code + 10), number(code + 20)}; }
 
   private:
     const DxfTag* find(int code) const;

@@ -127,6 +127,7 @@ class Modeller {
         for (std::size_t i = 0; i < surfaces.size(); ++i) {
             const RhinoMesh& found = mesh_of(*surfaces[i].object);
             joined_.to(names[i], found.joined);
+            model_.rounding = std::max(model_.rounding, found.rounding);
             narrow_.to(names[i], found.faces_left_out);
             TriangleMesh mesh = surfaces[i].instances.empty() ? found.mesh : moved(found.mesh, surfaces[i].place);
             model_.surfaces.push_back(
@@ -188,6 +189,10 @@ class Modeller {
         if (placing.on_pages > 0)
             model_.remarks.push_back(plural(placing.on_pages, "object") +
                                      " on layouts left out; move them to the model (ChangeSpace) to use them");
+        if (!placing.unused_tile_texts.empty())
+            model_.remarks.push_back(Happened{placing.unused_tile_texts}.shown_names_of() +
+                                     ": the user text tile of a block names no tile where the block holds several "
+                                     "surfaces; name these in the block");
         if (!joined_.names.empty())
             model_.remarks.push_back(joined_.shown_names_of() + ": the faces did not hang together, so " +
                                      std::to_string(joined_.count) +

@@ -9,6 +9,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/mesh/coincident.h"
 #include "ripstop/mesh/components.h"
+#include "ripstop/model/cad_model.h"
 
 namespace ripstop {
 namespace {
@@ -80,7 +81,7 @@ std::optional<Points3> double_vertices_within(RhinoBytes& data, int minor, unsig
 }
 
 Points3 read_vertices(RhinoBytes& data, std::size_t count, RhinoBytes::Version version, unsigned writer,
-                      const RhinoClass& object) {
+                      const RhinoClass& object, double& rounding) {
     Points3 coarse;
     std::optional<Points3> fine = double_vertices_beside(object);
     if (version.major == 1) {
@@ -91,7 +92,9 @@ Points3 read_vertices(RhinoBytes& data, std::size_t count, RhinoBytes::Version v
         for (int unused = 0; unused < 4; ++unused) data.skip_buffer();  // normals, texture, curvature, colours
         if (auto within = double_vertices_within(data, version.minor, writer)) fine = std::move(within);
     }
-    return fine && fits(*fine, coarse) ? std::move(*fine) : std::move(coarse);
+    if (fine && fits(*fine, coarse)) return std::move(*fine);
+    if (coarse.size() > 0) rounding = single_rounding(coarse.cwiseAbs().maxCoeff());
+    return coarse;
 }
 
 void require_sound(const Points3& points, const Quads& faces, const RhinoBytes& data, const std::string& called) {
@@ -174,9 +177,9 @@ RhinoMesh read_rhino_mesh(const RhinoClass& object, unsigned writer, const std::
     for (int i = 0; i < 4; ++i)
         if (data.flag()) data.chunk();  // curvature
     const Quads quads = read_faces(data, faces);
-    const Points3 points = read_vertices(data, vertices, version, writer, object);
-    require_sound(points, quads, data, called);
     RhinoMesh found;
+    const Points3 points = read_vertices(data, vertices, version, writer, object, found.rounding);
+    require_sound(points, quads, data, called);
     found.mesh = drop_unused({points, triangulated(points, quads, found.faces_left_out)});
     join_parts(found);
     return found;

@@ -55,6 +55,13 @@ std::string after(const std::string& path, const std::string& name) {
     return path.empty() || name.empty() ? path + name : path + "/" + name;
 }
 
+/// What the designer called it, after the blocks it is in; empty: nothing.
+std::string given_name(const RhinoPlaced& placed) {
+    if (placed.named_by != nullptr) return after(placed.named_in, placed.named_by->text.at("tile"));
+    const std::string own = own_name(*placed.object);
+    return own.empty() ? "" : after(placed.path, own);
+}
+
 void make_unique(std::vector<std::string>& names, const std::vector<Attributes>& attributes) {
     std::map<std::string, int> times;
     for (const std::string& name : names) ++times[name];
@@ -84,8 +91,10 @@ Attributes rhino_attributes(const RhinoPlaced& placed, const RhinoTables& tables
     Attributes found = placed.object->text;
     if (const auto warp = found.find("warp"); warp != found.end() && !placed.instances.empty())
         warp->second = turned(warp->second, placed.place);
-    for (auto block = placed.instances.rbegin(); block != placed.instances.rend(); ++block)
-        found.insert((*block)->text.begin(), (*block)->text.end());
+    for (std::size_t i = placed.instances.size(); i-- > 0;)
+        for (const auto& [key, value] : placed.instances[i]->text)
+            found.emplace(key, key == "warp" && i < placed.around.size() ? turned(value, placed.around[i]) : value);
+    if (placed.named_by != nullptr) found["tile"] = placed.named_by->text.at("tile");
     if (const RhinoLayer* layer = layer_of(*placed.object, tables)) found["layer"] = layer->path;
     if (const std::string groups = groups_of(placed, tables); !groups.empty()) found["group"] = groups;
     return found;
@@ -111,14 +120,13 @@ std::vector<std::string> rhino_surface_names(const std::vector<RhinoPlaced>& sur
         return path.empty() ? on_layer[layer(i)] == 1 && !last_part(layer(i)).empty() : on_path[path] == 1;
     };
     for (std::size_t i = 0; i < surfaces.size(); ++i)
-        if (own_name(*surfaces[i].object).empty() && !is_alone(i)) ++nameless[surfaces[i].path];
+        if (given_name(surfaces[i]).empty() && !is_alone(i)) ++nameless[surfaces[i].path];
     std::map<std::string, std::size_t> next;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         const std::string& path = surfaces[i].path;
-        const std::string own = own_name(*surfaces[i].object);
-        if (!own.empty()) {
-            names.push_back(after(path, own));
+        if (const std::string given = given_name(surfaces[i]); !given.empty()) {
+            names.push_back(given);
         } else if (is_alone(i)) {
             names.push_back(path.empty() ? last_part(layer(i)) : path);
         } else {
@@ -134,9 +142,10 @@ std::vector<std::string> rhino_other_names(const std::vector<RhinoPlaced>& objec
     std::size_t next = 0;
     std::vector<std::string> names;
     for (const RhinoPlaced& placed : objects) {
-        std::string own = own_name(*placed.object);
-        if (own.empty() && placed.path.empty()) own = fallback + "_" + numbered(++next, objects.size());
-        names.push_back(after(placed.path, own));
+        std::string name = given_name(placed);
+        if (name.empty()) name = placed.path;
+        if (name.empty()) name = fallback + "_" + numbered(++next, objects.size());
+        names.push_back(name);
     }
     return names;
 }

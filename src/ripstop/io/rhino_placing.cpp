@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "ripstop/base/error.h"
 #include "ripstop/io/text.h"
@@ -57,6 +58,7 @@ class Placer {
         name_instances(model);
         for (const auto& [id, definition] : definitions_) name_instances(members(*definition));
         for (const RhinoObject* object : model) place({object, Eigen::Affine3d::Identity()});
+        name_by_instances();
     }
 
     RhinoPlacing placing;
@@ -145,8 +147,9 @@ class Placer {
                              ": the block holds itself, or blocks are in blocks more than " + std::to_string(deepest) +
                              " deep; explode it in Rhino");
         open_.push_back(reference.definition);
-        RhinoPlaced part{nullptr, instance.place * reference.place, instance.instances, instance.path};
+        RhinoPlaced part{nullptr, instance.place * reference.place, instance.instances, instance.path, instance.around};
         part.instances.push_back(instance.object);
+        part.around.push_back(instance.place);
         part.path += (part.path.empty() ? "" : "/") + names_[instance.object];
         if (part.path.size() > longest_path)
             throw InputError(archive_.name + ": " + rhino_called(*instance.object) +
@@ -156,6 +159,40 @@ class Placer {
             place(part);
         }
         open_.pop_back();
+    }
+
+    using Chain = std::vector<const RhinoObject*>;  // an instance with those it is in, the outermost first
+
+    /// A user text `tile` of an instance is meant for what is placed there, and goes before that of the block's own parts.
+    void name_by_instances() {
+        std::map<Chain, int> surfaces;
+        for (const RhinoPlaced& placed : placing.placed)
+            for (Chain chain = placed.instances; is_surface(*placed.object) && !chain.empty(); chain.pop_back())
+                ++surfaces[chain];
+        std::set<Chain> told;
+        for (RhinoPlaced& placed : placing.placed) {
+            Chain chain;
+            std::string outside;
+            for (std::size_t i = 0; is_surface(*placed.object) && i < placed.instances.size(); ++i) {
+                const RhinoObject* instance = placed.instances[i];
+                chain.push_back(instance);
+                const auto text = instance->text.find("tile");
+                const bool has_text = text != instance->text.end() && !text->second.empty();
+                const std::string called = outside + (outside.empty() ? "" : "/") + names_[instance];
+                if (has_text && surfaces[chain] == 1 && placed.named_by == nullptr) {
+                    placed.named_by = instance;
+                    placed.named_in = outside;
+                } else if (has_text && surfaces[chain] > 1 && !instance->name.empty() && told.insert(chain).second) {
+                    placing.unused_tile_texts.push_back(called + " (" + shown(text->second) + ")");
+                }
+                outside = called;
+            }
+        }
+    }
+
+    static bool is_surface(const RhinoObject& object) {
+        return object.geometry.id == rhino_mesh_class || object.type == rhino_surface || object.type == rhino_brep ||
+               object.type == rhino_subd || object.type == rhino_extrusion;
     }
 
     const RhinoArchive& archive_;

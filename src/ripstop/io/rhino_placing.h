@@ -15,6 +15,10 @@ struct RhinoPlaced {
     Eigen::Affine3d place;  ///< from the file's coordinates of the object to those of the model
     std::vector<const RhinoObject*> instances = {};  ///< the blocks it is part of, the outermost first
     std::string path = {};                           ///< their names: `Gore 3`, `Gore 3/crown`; empty without
+    std::vector<Eigen::Affine3d> around = {};  ///< where each of them stands: what the blocks outside of it do to it
+    /// The outermost of them that holds this surface alone and has a user text `tile`, and the names of those outside of it.
+    const RhinoObject* named_by = nullptr;
+    std::string named_in = {};
 };
 
 /// Blocks that cannot be followed, and why.
@@ -29,6 +33,8 @@ struct RhinoPlacing {
     std::map<std::string, int> on_hidden_layer = {};  ///< how many objects are left out, by the path of their layer
     int hidden = 0;                                   ///< objects left out that are hidden themselves
     int on_pages = 0;                                 ///< and that lie on a layout
+    std::vector<std::string> unused_tile_texts =
+        {};  ///< blocks with a name whose user text `tile` names none of several
 };
 
 /// Follows every block of the model to the objects it is made of. An instance is called by its name, else by its user text

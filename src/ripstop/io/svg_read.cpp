@@ -1,17 +1,18 @@
 #include "ripstop/io/svg_read.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <optional>
-#include <pugixml.hpp>
 #include <set>
-#include <string_view>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/stated_unit.h"
 #include "ripstop/base/units.h"
+#include "ripstop/io/svg_clip.h"
 #include "ripstop/io/svg_path.h"
+#include "ripstop/io/svg_scale.h"
+#include "ripstop/io/svg_shape.h"
+#include "ripstop/io/svg_text.h"
+#include "ripstop/io/svg_view.h"
 #include "ripstop/io/text.h"
 
 namespace ripstop {
@@ -19,132 +20,159 @@ namespace {
 
 constexpr int deepest = 256;
 constexpr double farthest = 1e9;
-constexpr double pixel = 0.0254 / 96;  // of CSS [m]
+constexpr int most_used = 200'000;              // elements that uses draw again
+constexpr std::size_t most_points = 8'000'000;  // of curves
 
 /// What elements within each other hand down.
 struct Place {
     Eigen::Affine2d motion = Eigen::Affine2d::Identity();
     int group = -1;
-    std::string layer;
+    std::string layer = {};
     int depth = 0;
+    SvgBasis basis = {};
+    bool is_visible = true, is_filled = true, is_stroked = false, is_dashed = false;
+    SvgClips clips = {};
 };
+
+bool is_none(std::string_view value) {
+    return value.empty() || value == "none" || value == "initial";
+}
 
 class Reader {
   public:
-    Reader(const std::string& bytes, const std::string& name) : name_(name) {
-        const pugi::xml_parse_result result = document_.load_buffer(bytes.data(), bytes.size());
-        if (!result)
-            throw InputError(name + ": byte " + std::to_string(result.offset) + ": " + result.description() +
-                             ", expected XML; export the drawing again");
-    }
+    Reader(std::string bytes, const std::string& name) : document_(std::move(bytes), name), styles_(document_) {}
 
     PatternDrawing read() {
-        const pugi::xml_node root = document_.document_element();
-        if (local_name(root) != "svg")
-            refuse(root, "the root is " + shown(root.name()) + ", expected svg; export the drawing as SVG");
+        const pugi::xml_node root = document_.root();
+        const SvgStyle style = styles_.of(root);
+        scale_ = svg_scale(document_, style);
         drawing_.format = "SVG";
-        read_unit(root);
+        drawing_.units = scale_.units;
+        sampling_ = scale_.sampling();
         Place place;
-        place.motion.linear()(1, 1) = -1;  // y up
-        place.layer = "";
-        for (const pugi::xml_node& child : root.children()) draw(child, place);
+        place.motion = scale_.motion;
+        place.basis.viewport = scale_.viewport;
+        inherit(style, place);
+        place.basis.root_font_size = place.basis.font_size;
+        for (const SvgStyleDoubt& doubt : styles_.doubts())
+            drawing_.leave_unread({"style rule (" + readable_name(doubt.text.substr(0, 80)) + ")", "", 1, doubt.line,
+                                   "is not understood, and may hide or move lines; write its styles on the elements",
+                                   true});
+        if (!is_none(style["transform"]))
+            leave(root, place, "transform of the whole page", "is not followed; put it on a group", true);
+        if (style["display"] != "none")
+            for (const pugi::xml_node& child : root.children()) draw(child, place);
         return std::move(drawing_);
     }
 
   private:
-    static std::string_view local_name(const pugi::xml_node& node) {
-        const std::string_view name = node.name();
-        const std::size_t colon = name.find(':');
-        return colon == std::string_view::npos ? name : name.substr(colon + 1);
-    }
-
-    std::string place_of(const pugi::xml_node& node) const {
-        return name_ + ": byte " + std::to_string(node.offset_debug());
-    }
-
-    [[noreturn]] void refuse(const pugi::xml_node& node, const std::string& what) const {
-        throw InputError(place_of(node) + ": " + what);
-    }
-
-    double number(const pugi::xml_node& node, const char* key) const {
-        const auto length = stated_length(node.attribute(key).value());
-        if (!length) {
-            if (node.attribute(key)) refuse(node, std::string(key) + " is no number; export the drawing again");
-            return 0;
-        }
-        if (std::abs(length->number) > farthest) refuse(node, std::string(key) + " is beyond 1e9; scale the drawing");
-        return length->number;
-    }
-
-    /// One user unit along a side, from `width="210mm"` and `viewBox="0 0 210 297"`.
-    std::optional<StatedUnit> unit_along(const pugi::xml_node& root, const std::string& key, double extent) const {
-        const auto length = stated_length(root.attribute(key.c_str()).value());
-        if (!length || !(length->number > 0) || !(extent > 0)) return std::nullopt;
-        const double unit = length->number * (length->unit ? length->unit->metres : pixel) / extent;
-        if (!(unit > 1e-9 && unit < 10))
-            refuse(root, key + " makes a user unit of " + std::to_string(unit) +
-                             " m, expected less than 10 m and some length; export the drawing again");
-        return StatedUnit{key + " and viewBox", unit_of(unit)};
-    }
-
-    /// Where the sides make two units of it, the drawing fits into both (`meet`) or fills both (`slice`). Many readers know only
-    /// the width, so the other one is told too where that can be measured on a piece.
-    void read_unit(const pugi::xml_node& root) {
-        const auto has_unit = [&root](const char* key) {
-            const auto length = stated_length(root.attribute(key).value());
-            return length && length->unit && length->number > 0;
+    void leave(const pugi::xml_node& node, const Place& place, std::string_view kind, const std::string& reason,
+               bool may_be_cut, bool is_carried = false) {
+        const auto along = [&](const char* key, const char* other, SvgAxis axis) {
+            const pugi::xml_attribute given = node.attribute(key);
+            return svg_length((given ? given : node.attribute(other)).value(), axis, place.basis);
         };
-        if (!has_unit("width") && !has_unit("height")) return;
-        const std::vector<double> box = svg_numbers(root.attribute("viewBox").value(), place_of(root));
-        if (box.size() != 4) {
-            // Without a viewBox a user unit is 1/96 inch, whatever the width.
-            drawing_.units.push_back({has_unit("width") ? "width" : "height", unit_of(pixel)});
-            return;
+        std::optional<Vec2> at;
+        const auto x = along("x", "cx", SvgAxis::x), y = along("y", "cy", SvgAxis::y);
+        if (x && y) at = place.motion * Vec2(*x, *y);
+        if (at && !(at->cwiseAbs().maxCoeff() <= farthest)) at.reset();
+        drawing_.leave_unread({readable_name(kind.substr(0, 60)), place.layer, 1, document_.line_of(node), reason,
+                               may_be_cut, is_carried, at});
+    }
+
+    void inherit(const SvgStyle& style, Place& place) const {
+        const auto is_given = [&style](const char* key) { return !style[key].empty() && style[key] != "inherit"; };
+        if (is_given("visibility")) place.is_visible = style["visibility"] == "visible";
+        if (is_given("fill")) place.is_filled = style["fill"] != "none" && style["fill"] != "transparent";
+        if (is_given("stroke")) place.is_stroked = style["stroke"] != "none" && style["stroke"] != "transparent";
+        if (is_given("stroke-dasharray"))
+            place.is_dashed = style["stroke-dasharray"].find_first_of("123456789") != std::string_view::npos;
+        place.basis = svg_basis_within(place.basis, style);
+    }
+
+    void draw(const pugi::xml_node& node, Place place, bool is_used = false) {
+        if (node.type() != pugi::node_element || is_foreign_to_svg(node)) return;
+        static const std::set<std::string_view> undrawn{
+            "defs",      "symbol",   "clipPath",  "mask",          "marker", "pattern",        "style",
+            "namedview", "metadata", "title",     "desc",          "script", "linearGradient", "radialGradient",
+            "filter",    "font",     "font-face", "color-profile", "view"};
+        const std::string_view kind = svg_local_name(node);
+        if ((undrawn.contains(kind) && !(is_used && kind == "symbol")) || !is_offered_by_svg(node)) return;
+        const SvgStyle style = styles_.of(node);
+        if (style["display"] == "none") return;
+        if (++place.depth > deepest)
+            document_.refuse(node, "elements more than 256 deep, expected fewer; ungroup them");
+        if (!using_.empty() && ++used_ > most_used)
+            document_.refuse(node, "its uses draw more than 200000 elements; unlink the clones");
+        inherit(style, place);
+        if (scale_.is_pixel && drawing_.units.empty()) state_pixels(node);
+        if (!move(node, kind, style, place)) return;
+        look_at_effects(node, kind, style, place);
+        if (kind == "g" || kind == "a" || kind == "switch")
+            draw_group(node, kind, place);
+        else if (kind == "svg" || kind == "symbol")
+            draw_viewport(node, kind, style, place);
+        else if (kind == "use")
+            draw_use(node, style, place);
+        else
+            draw_leaf(node, kind, style, place);
+    }
+
+    /// By `transform` about its origin. False for what is moved in another way, which is left out.
+    bool move(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, Place& place) {
+        for (const char* other : {"translate", "rotate", "scale", "zoom", "offset-path"})
+            if (!is_none(style[other])) {
+                leave(node, place, kind, std::string("is moved by the style ") + other + ", which is not followed",
+                      true);
+                return false;
+            }
+        if (is_none(style["transform"])) return true;
+        const Eigen::Affine2d motion = svg_transform(style["transform"], place.basis, document_.place_of(node));
+        const std::string_view box = style["transform-box"];
+        std::optional<double> x = 0, y = 0;
+        if (std::string_view rest = style["transform-origin"]; !rest.empty()) {
+            x = svg_length(svg_next_word(rest), SvgAxis::x, place.basis);
+            y = svg_length(svg_next_word(rest), SvgAxis::y, place.basis);
         }
-        auto first = unit_along(root, "width", box[2]), second = unit_along(root, "height", box[3]);
-        const bool is_slice =
-            std::string_view(root.attribute("preserveAspectRatio").value()).find("slice") != std::string_view::npos;
-        if (first && second && (second->unit.metres < first->unit.metres) != is_slice) std::swap(first, second);
-        if (first) drawing_.units.push_back(*first);
-        if (second && (!first || std::abs(second->unit.metres / first->unit.metres - 1) > 1e-3))
-            drawing_.units.push_back(*second);
-    }
-
-    static LengthUnit unit_of(double metres) {
-        for (const char* known : {"mm", "cm", "m", "in", "ft"})
-            if (std::abs(metres / metres_per_unit(known) - 1) < 1e-6) return {known, metres_per_unit(known)};
-        return {std::to_string(metres / millimetre) + " mm", metres};
-    }
-
-    void draw(const pugi::xml_node& node, Place place) {
-        if (node.type() != pugi::node_element) return;
-        static const std::set<std::string_view> undrawn{"defs",  "symbol",    "clipPath", "mask",  "marker", "pattern",
-                                                        "style", "namedview", "metadata", "title", "desc",   "script"};
-        const std::string_view kind = local_name(node);
-        if (undrawn.contains(kind) || is_hidden(node)) return;
-        if (++place.depth > deepest) refuse(node, "elements more than 256 deep, expected fewer; ungroup them");
-        place.motion = place.motion * motion_of(node);
-        if (kind == "svg" && (node.attribute("x") || node.attribute("y") || node.attribute("viewBox")))
-            return drawing_.leave_unread("svg", place.layer, node.offset_debug());  // has a scale of its own
-        if (kind == "g" || kind == "a" || kind == "svg" || kind == "switch") {
-            enter(node, place);
-            for (const pugi::xml_node& child : node.children()) draw(child, place);
-            return;
+        if (!x || !y || !(box.empty() || box == "view-box")) {
+            leave(node, place, kind, "is turned about an origin that is not known here; apply its transform", true);
+            return false;
         }
-        if (const std::string own = node.attribute("class").value(); !own.empty()) place.layer = readable_name(own);
-        if (kind == "path")
-            draw_path(node, place);
-        else if (kind == "text")
-            draw_text(node, place);
-        else if (!draw_shape(node, kind, place))
-            drawing_.leave_unread(readable_name(kind.substr(0, 40)), place.layer, node.offset_debug());
+        const Vec2 origin(*x, *y);
+        place.motion = place.motion * Eigen::Translation2d(origin) * motion * Eigen::Translation2d(-origin);
+        return true;
     }
 
-    static bool is_hidden(const pugi::xml_node& node) {
-        std::string style = node.attribute("style").value();
-        std::erase(style, ' ');
-        return style.find("display:none") != std::string::npos ||
-               std::string_view(node.attribute("display").value()) == "none";
+    /// What is drawn of an element beside its line, and openings it is seen through.
+    void look_at_effects(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, Place& place) {
+        if (!is_none(style["filter"])) leave(node, place, kind, "is read without its filter", false, true);
+        if (!is_none(style["mask"])) leave(node, place, kind, "is read without its mask", false, true);
+        for (const char* marker : {"marker", "marker-start", "marker-mid", "marker-end"})
+            if (!is_none(style[marker])) {
+                leave(node, place, kind, "is read without its markers", false, true);
+                break;
+            }
+        for (const pugi::xml_node& child : node.children()) {
+            const std::string_view name = svg_local_name(child);
+            if (name.starts_with("animate") || name == "set")
+                leave(node, place, kind, "is read as it is without its animation", false, true);
+        }
+        const std::string_view clip = style["clip-path"];
+        if (is_none(clip)) return;
+        const pugi::xml_node target = document_.target_of(clip);
+        if (!target && clip.starts_with("url(")) return;  // it clips nothing
+        place.clips.push_back(std::make_shared<const SvgClip>(
+            target ? SvgClip::path(document_, styles_, target, place.motion, place.basis) : SvgClip::unknown()));
+    }
+
+    void draw_group(const pugi::xml_node& node, std::string_view kind, Place& place) {
+        enter(node, place);
+        for (const pugi::xml_node& child : node.children()) {
+            draw(child, place);
+            const bool is_choice =
+                child.type() == pugi::node_element && !is_foreign_to_svg(child) && is_offered_by_svg(child);
+            if (kind == "switch" && is_choice) return;
+        }
     }
 
     void enter(const pugi::xml_node& node, Place& place) {
@@ -158,125 +186,153 @@ class Reader {
         if (id.empty()) id = readable_name(node.attribute("id").value());
         if (id.empty()) return;
         place.group = static_cast<int>(drawing_.groups.size());
-        drawing_.groups.push_back({id, place.layer, 1, node.offset_debug()});
+        drawing_.groups.push_back({id, place.layer, 1, document_.line_of(node)});
     }
 
-    /// translate, scale, rotate, skewX, skewY and matrix, one after the other.
-    Eigen::Affine2d motion_of(const pugi::xml_node& node) const {
-        Eigen::Affine2d motion = Eigen::Affine2d::Identity();
-        std::string_view rest = node.attribute("transform").value();
-        for (std::size_t open; (open = rest.find('(')) != std::string_view::npos;) {
-            const std::size_t close = rest.find(')', open);
-            if (close == std::string_view::npos) refuse(node, "a transform without end; export the drawing again");
-            std::string_view kind = rest.substr(0, open);
-            while (!kind.empty() && std::string_view(" \t\r\n,").find(kind.front()) != std::string_view::npos)
-                kind.remove_prefix(1);
-            const std::vector<double> n = svg_numbers(rest.substr(open + 1, close - open - 1), place_of(node));
-            motion = motion * one_motion(node, trimmed(kind), n);
-            rest.remove_prefix(close + 1);
-        }
-        return motion;
+    /// An svg within, or a symbol that is used: with a place, a size and a scale of its own.
+    void draw_viewport(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, Place& place) {
+        std::vector<std::string> unclear;
+        const Vec2 around = place.basis.viewport.value_or(Vec2(0, 0));
+        const auto length = [&](const char* key, SvgAxis axis, double otherwise) {
+            return svg_length_of(node, style, key, axis, place.basis, unclear, otherwise);
+        };
+        const Vec2 corner = kind == "svg" ? Vec2(length("x", SvgAxis::x, 0), length("y", SvgAxis::y, 0)) : Vec2(0, 0);
+        Vec2 size(length("width", SvgAxis::x, around.x()), length("height", SvgAxis::y, around.y()));
+        if (using_size_.x() >= 0) size.x() = using_size_.x();
+        if (using_size_.y() >= 0) size.y() = using_size_.y();
+        using_size_.setConstant(-1);
+        const std::optional<SvgViewBox> box = svg_view_box(node.attribute("viewBox").value());
+        if (!unclear.empty() || (box && !size.allFinite()))
+            return leave(node, place, kind, "has a place or size that is not known here; ungroup it", true);
+        if (size.minCoeff() <= 0) return;  // nothing of it is seen
+        place.motion = place.motion * Eigen::Translation2d(corner);
+        const std::string_view overflow = style["overflow"];
+        if (size.allFinite() && overflow != "visible" && overflow != "auto")
+            place.clips.push_back(std::make_shared<const SvgClip>(SvgClip::viewport(size, place.motion)));
+        if (box)
+            place.motion = place.motion * svg_view(*box, size, SvgFit(node.attribute("preserveAspectRatio").value()));
+        place.basis.viewport = box ? box->size : size;
+        enter(node, place);
+        for (const pugi::xml_node& child : node.children()) draw(child, place);
     }
 
-    Eigen::Affine2d one_motion(const pugi::xml_node& node, std::string_view kind, const std::vector<double>& n) const {
-        const auto at = [&n](std::size_t i, double otherwise) { return i < n.size() ? n[i] : otherwise; };
-        Eigen::Affine2d motion = Eigen::Affine2d::Identity();
-        if (n.empty()) refuse(node, "a transform without numbers; export the drawing again");
-        if (kind == "translate")
-            motion.translation() = Vec2(n[0], at(1, 0));
-        else if (kind == "scale")
-            motion.linear() = Vec2(n[0], at(1, n[0])).asDiagonal();
-        else if (kind == "skewX")
-            motion.linear()(0, 1) = std::tan(n[0] * degree);
-        else if (kind == "skewY")
-            motion.linear()(1, 0) = std::tan(n[0] * degree);
-        else if (kind == "rotate") {
-            const Vec2 centre(at(1, 0), at(2, 0));
-            motion = Eigen::Translation2d(centre) * Eigen::Rotation2Dd(n[0] * degree) * Eigen::Translation2d(-centre);
-        } else if (kind == "matrix" && n.size() == 6) {
-            motion.linear() << n[0], n[2], n[1], n[3];
-            motion.translation() = Vec2(n[4], n[5]);
-        } else {
-            refuse(node, "the transform " + shown(kind) + ", expected one of SVG; export the drawing again");
-        }
-        return motion;
+    void draw_use(const pugi::xml_node& node, const SvgStyle& style, Place& place) {
+        if (!place.is_visible && svg_href(node).empty()) return;
+        const pugi::xml_node target = document_.target_of(node);
+        if (!target)
+            return leave(node, place, "use",
+                         "refers to " + shown(svg_href(node)) + ", which is not in the file; put it in", true);
+        if (std::find(using_.begin(), using_.end(), target) != using_.end() || is_around(target, node))
+            return leave(node, place, "use", "refers to what it stands in itself; delete it", true);
+        std::vector<std::string> unclear;
+        const auto length = [&](const char* key, SvgAxis axis, double otherwise) {
+            return svg_length_of(node, style, key, axis, place.basis, unclear, otherwise);
+        };
+        const Vec2 by(length("x", SvgAxis::x, 0), length("y", SvgAxis::y, 0));
+        const std::string_view kind = svg_local_name(target);
+        using_size_.setConstant(-1);
+        if (kind == "svg" || kind == "symbol")
+            using_size_ = Vec2(length("width", SvgAxis::x, -1), length("height", SvgAxis::y, -1));
+        if (!unclear.empty())
+            return leave(node, place, "use", "has " + unclear.front() + ", which is not known here; unlink it", true);
+        if (const std::string own = node.attribute("class").value(); !own.empty()) place.layer = readable_name(own);
+        if (node.attribute("id")) enter(node, place);
+        place.motion = place.motion * Eigen::Translation2d(by);
+        using_.push_back(target);
+        draw(target, place, true);
+        using_.pop_back();
+        using_size_.setConstant(-1);
     }
 
-    Vec2 moved(const pugi::xml_node& node, const Place& place, const Vec2& p) const {
-        const Vec2 at = place.motion * p;
-        if (!(at.cwiseAbs().maxCoeff() <= farthest)) refuse(node, "a point beyond 1e9; scale the drawing");
+    static bool is_around(const pugi::xml_node& target, pugi::xml_node node) {
+        while (node && node != target) node = node.parent();
+        return static_cast<bool>(node);
+    }
+
+    void draw_leaf(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, Place& place) {
+        if (const std::string own = node.attribute("class").value(); !own.empty()) place.layer = readable_name(own);
+        if (kind == "text") return draw_text(node, place);
+        if (!place.is_visible) return;
+        const auto shape = svg_shape(node, style, place.basis, document_.place_of(node));
+        if (!shape) return leave(node, place, kind, "", false);
+        if (!shape->unclear.empty())
+            return leave(node, place, kind,
+                         "has " + shape->unclear.front() + ", which is not known here; give it in mm", true);
+        for (const SvgRun& run : shape->runs) add(node, place, run);
+        if (shape->runs.empty()) return;
+        if (place.is_dashed && place.is_stroked)
+            leave(node, place, kind, "with dashes is read as a whole line", false, true);
+        if (!place.is_stroked && (!place.is_filled || kind == "line"))
+            leave(node, place, kind, "is read though nothing is seen of it: it has no stroke and no fill", false, true);
+    }
+
+    /// Without a viewBox a length in mm says how large a user unit is.
+    void state_pixels(const pugi::xml_node& node) {
+        for (const char* key : {"width", "height", "x", "y", "r", "rx", "ry", "cx", "cy", "x1", "y1", "x2", "y2"})
+            if (is_absolute_svg_length(node.attribute(key).value())) {
+                drawing_.units.push_back(
+                    {std::string(key) + " of its " + std::string(svg_local_name(node)),
+                     {std::to_string(1 / svg_units_per_mm) + " mm", millimetre / svg_units_per_mm}});
+                return;
+            }
+    }
+
+    Vec2 checked(const pugi::xml_node& node, const Vec2& at) const {
+        if (!(at.cwiseAbs().maxCoeff() <= farthest)) document_.refuse(node, "a point beyond 1e9; scale the drawing");
         return at;
     }
 
-    void add(const pugi::xml_node& node, const Place& place, const std::vector<Vec2>& points, bool is_closed) {
-        if (points.empty()) return;
+    void add(const pugi::xml_node& node, const Place& place, const SvgRun& run) {
+        const std::vector<Vec2> points = sampled(run, place.motion, sampling_);
+        if (points.size() > run.segments.size() + 1 && (points_ += points.size()) > most_points)
+            document_.refuse(node, "its curves are more than 8 million points; draw less in a file");
         DrawnPath path{place.layer,
                        place.group,
                        Points2(static_cast<Eigen::Index>(points.size()), 2),
-                       is_closed,
-                       std::string(local_name(node)),
-                       static_cast<long>(node.offset_debug())};
+                       run.is_closed,
+                       std::string(svg_local_name(node)),
+                       document_.line_of(node)};
         for (std::size_t i = 0; i < points.size(); ++i)
-            path.points.row(static_cast<Eigen::Index>(i)) = moved(node, place, points[i]);
+            path.points.row(static_cast<Eigen::Index>(i)) = checked(node, points[i]);
+        for (const auto& clip : place.clips) {
+            const SvgSeen seen = clip->seen(path.points);
+            if (seen == SvgSeen::part)
+                leave(node, place, path.entity,
+                      "is cut off by a clip, and what is left is not known; draw it as a line", true);
+            if (seen != SvgSeen::all) return;
+        }
         const Eigen::Index last = path.points.rows() - 1;
-        if (is_closed && last > 0 && path.points.row(last) == path.points.row(0))
+        if (path.is_closed && last > 0 && path.points.row(last) == path.points.row(0))
             path.points.conservativeResize(last, 2);
         drawing_.paths.push_back(std::move(path));
     }
 
-    void draw_path(const pugi::xml_node& node, const Place& place) {
-        const SvgPath path = svg_path(node.attribute("d").value(), place_of(node));
-        if (path.has_arcs) return drawing_.leave_unread("path", place.layer, node.offset_debug());
-        for (const SvgRun& run : path.runs) add(node, place, run.points, run.is_closed);
-    }
-
-    bool draw_shape(const pugi::xml_node& node, std::string_view kind, const Place& place) {
-        if (kind == "line") {
-            add(node, place,
-                {Vec2(number(node, "x1"), number(node, "y1")), Vec2(number(node, "x2"), number(node, "y2"))}, false);
-        } else if (kind == "polyline" || kind == "polygon") {
-            const std::vector<double> n = svg_numbers(node.attribute("points").value(), place_of(node));
-            std::vector<Vec2> points;
-            for (std::size_t i = 0; i + 1 < n.size(); i += 2) points.emplace_back(n[i], n[i + 1]);
-            add(node, place, points, kind == "polygon");
-        } else if (kind == "rect") {
-            const Vec2 a(number(node, "x"), number(node, "y"));
-            const double w = number(node, "width"), h = number(node, "height");
-            add(node, place, {a, a + Vec2(w, 0), a + Vec2(w, h), a + Vec2(0, h)}, true);
-        } else if (kind == "circle" || kind == "ellipse") {
-            const Vec2 centre(number(node, "cx"), number(node, "cy"));
-            const Vec2 radii = kind == "circle" ? Vec2(number(node, "r"), number(node, "r"))
-                                                : Vec2(number(node, "rx"), number(node, "ry"));
-            std::vector<Vec2> points;
-            for (int i = 0; i < 360; ++i)
-                points.push_back(centre + radii.cwiseProduct(Vec2(std::cos(i * degree), std::sin(i * degree))));
-            add(node, place, points, true);
-        } else {
-            return false;
-        }
-        return true;
-    }
-
     void draw_text(const pugi::xml_node& node, const Place& place) {
-        std::string text = node.text().get();
-        for (const pugi::xml_node& part : node.children())
-            if (local_name(part) == "tspan") text += part.text().get();
-        const Vec2 at(number(node, "x"), number(node, "y"));
-        const Vec2 along = place.motion.linear().col(0);
-        drawing_.texts.push_back({place.layer, place.group, readable_name(trimmed(text)), moved(node, place, at),
-                                  number(node, "font-size"), std::atan2(along.y(), along.x()) / degree});
+        const SvgText text = svg_text(node, styles_, place.basis, place.is_visible);
+        if (text.has_text_path) leave(node, place, "textPath", "", false);
+        const Vec2 along = place.motion.linear().col(0), up = place.motion.linear().col(1);
+        for (const SvgTextLine& line : text.lines) {
+            const double height = line.height * up.norm();
+            drawing_.texts.push_back({place.layer, place.group, line.text, checked(node, place.motion * line.at),
+                                      std::isfinite(height) ? height : 0, std::atan2(along.y(), along.x()) / degree});
+        }
     }
 
-    const std::string& name_;
-    pugi::xml_document document_;
+    const SvgDocument document_;
+    const SvgStyles styles_;
+    SvgScale scale_;
+    SvgSampling sampling_;
+    std::vector<pugi::xml_node> using_;  // what the uses on the way here refer to
+    Vec2 using_size_ = Vec2(-1, -1);     // of the svg or symbol that is used next; below 0: its own
+    int used_ = 0;
+    std::size_t points_ = 0;
     PatternDrawing drawing_;
 };
 
 }  // namespace
 
 PatternDrawing read_svg(std::istream& in, const std::string& name) {
-    const std::string bytes = read_bytes(in, name);
-    return Reader(bytes, name).read();
+    return Reader(read_bytes(in, name), name).read();
 }
 
 }  // namespace ripstop

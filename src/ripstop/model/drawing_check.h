@@ -42,6 +42,7 @@ struct DrawingCheck {
     std::string unit_from = {};           ///< where it is stated
     std::optional<double> square = {};    ///< side of the reference square as drawn [m]
     int blocks = 0;                       ///< inserted
+    int open_lines = 0;                   ///< on layers of contours, without those that begin at a contour (slits)
     std::vector<DrawingLayer> layers = {};
     std::vector<DrawingContour> contours = {};
     std::vector<DrawingIssue> issues = {};

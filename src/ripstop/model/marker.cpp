@@ -28,6 +28,10 @@ void run_backwards(PatternPiece& piece) {
         piece.edges[e].first = e == 0 ? 0 : (start - edges[old + 1].first + points) % points;
     }
     for (PieceNotch& notch : piece.notches) notch.edge = static_cast<int>(count) - 1 - notch.edge;
+    for (MetAllowances& met : piece.met) {
+        met.edge = static_cast<int>(count) - 1 - met.edge;
+        met.mate_edge = static_cast<int>(count) - 1 - met.mate_edge;
+    }
 }
 
 /// Within a quarter turn of upright, whatever way the piece lies.
@@ -89,6 +93,7 @@ PatternPiece placed_piece(const PatternPiece& piece, const Placement& placement)
         notch.outward = at(notch.outward) - origin;
         notch.on_sew = at(notch.on_sew);
     }
+    for (MetAllowances& met : laid.met) met.at = at(met.at);
     const int copies = piece.quantity + piece.quantity_mirrored;
     const std::string copy = std::to_string(placement.copy) + "/" + std::to_string(copies);
     for (Label& label : laid.labels) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,11 @@ namespace ripstop {
 struct DrawnPath {
     std::string layer;
     int group = -1;  ///< in `PatternDrawing::groups`; -1: none
-    Points2 points;  ///< #P x 2; curves are sampled, a point a degree
+    Points2 points;  ///< #P x 2; curves are sampled, as the reader of the format says
     bool is_closed = false;
-    std::string entity = {};  ///< what it is called in the file: `POLYLINE`, `path`
-    long line = 0;            ///< of the file, where it begins
+    std::string entity = {};   ///< what it is called in the file: `POLYLINE`, `path`
+    long line = 0;             ///< of the file, where it begins
+    double low = 0, high = 0;  ///< between which heights it is drawn, where the file has any
 };
 
 /// A point that stands for a notch, a corner or a hole.
@@ -45,11 +47,16 @@ struct DrawingGroup {
     long line = 0;
 };
 
-/// What is drawn and not understood, counted a kind and layer.
+/// What is drawn and not understood, counted a kind, layer and reason.
 struct UnreadEntity {
     std::string kind, layer;
     int count = 1;
-    long line = 0;  ///< of the first
+    long line = 0;            ///< of the first
+    std::string reason = {};  ///< how it goes on after `1 image on layer art`; empty: by its kind
+    bool may_be_cut = false;  ///< a line that somebody cuts may be in it
+    bool is_carried =
+        false;  ///< its line is in `paths`; what is left out is something else of it, its dashes or its filter
+    std::optional<Vec2> at = {};  ///< of the first, where it is known
 };
 
 /// A place where a file says what its numbers are.
@@ -71,18 +78,23 @@ struct PatternDrawing {
     std::vector<UnreadEntity> unread = {};
 
     /// Counts it with those of its kind and layer; after a hundred of them with the last.
-    void leave_unread(const std::string& kind, const std::string& layer, long line) {
+    void leave_unread(const UnreadEntity& entity) {
         constexpr std::size_t most = 100;
-        if (unread.size() == most) {
-            ++unread.back().count;
-            return;
-        }
-        for (UnreadEntity& entity : unread)
-            if (entity.kind == kind && entity.layer == layer) {
-                ++entity.count;
+        for (UnreadEntity& other : unread)
+            if (other.kind == entity.kind && other.layer == entity.layer && other.reason == entity.reason) {
+                ++other.count;
                 return;
             }
-        unread.push_back({kind, layer, 1, line});
+        if (unread.size() < most) {
+            unread.push_back(entity);
+            return;
+        }
+        ++unread.back().count;
+        unread.back().may_be_cut = unread.back().may_be_cut || entity.may_be_cut;
+        unread.back().is_carried = unread.back().is_carried && entity.is_carried;
+    }
+    void leave_unread(const std::string& kind, const std::string& layer, long line) {
+        leave_unread({kind, layer, 1, line});
     }
 };
 

@@ -23,6 +23,11 @@ std::string millimetres(double metres, int decimals = 1) {
     return format_fixed(metres / millimetre, decimals);
 }
 
+bool is_curve(const UnreadEntity& entity) {
+    static const std::set<std::string> curves{"SPLINE without control points", "MLINE", "REGION"};
+    return entity.may_be_cut || curves.contains(entity.kind);
+}
+
 class Checker {
   public:
     Checker(const PatternDrawing& drawing, const DrawingCheckOptions& options)
@@ -213,14 +218,9 @@ class Checker {
     bool by_group() const { return survey_.convention == LayerConvention::numbered; }
 
     void check_unread() {
-        static const std::set<std::string> curves{"SPLINE", "ELLIPSE", "HELIX", "path", "svg"};
         for (const UnreadEntity& entity : drawing_.unread) {
-            const bool is_curve = curves.contains(entity.kind);
-            add("unread",
-                fmt::format(
-                    "line {}: {} {} on layer {} {}", entity.line, entity.count, entity.kind, entity.layer,
-                    is_curve ? "cannot be checked, nor cut by many cutters; export polylines" : "not looked at"),
-                {}, is_curve);
+            const std::optional<Vec2> at = entity.at ? std::optional(Vec2(*entity.at * unit_.metres)) : std::nullopt;
+            add("unread", unread_text(entity, unit_.metres), at, is_curve(entity));
         }
     }
 
@@ -234,6 +234,19 @@ class Checker {
 };
 
 }  // namespace
+
+std::string unread_text(const UnreadEntity& entity, double metres_per_unit) {
+    std::string what = entity.kind;
+    if (entity.reason.empty()) what = fmt::format("{} {}", entity.count, entity.kind);
+    if (!entity.layer.empty()) what += " on layer " + entity.layer;
+    if (entity.at) what += " at " + place_text(*entity.at * metres_per_unit);
+    if (!entity.reason.empty() && entity.count > 1)
+        return fmt::format("line {}: {} {}; and {} more like this", entity.line, what, entity.reason, entity.count - 1);
+    return fmt::format("line {}: {} {}", entity.line, what,
+                       !entity.reason.empty() ? entity.reason
+                       : is_curve(entity)     ? "cannot be checked, nor cut by many cutters; export polylines"
+                                              : "not looked at");
+}
 
 DrawingCheck check_drawing(const PatternDrawing& drawing, const DrawingCheckOptions& options) {
     return Checker(drawing, options).run();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "ripstop/model/drawing_check.h"
 #include "ripstop/model/pattern_drawing.h"
@@ -20,5 +21,8 @@ struct DrawingCheckOptions {
 /// an outline in edges is closed. Of the places with a fault the first of each kind and piece is told. A drawing without
 /// contour is not sound. O(n log n) for n points, and at worst each contour against itself.
 DrawingCheck check_drawing(const PatternDrawing& drawing, const DrawingCheckOptions& options = {});
+
+/// What is left out, in words: `line 12: 2 image on layer art at (10, 20) mm not looked at`.
+std::string unread_text(const UnreadEntity& entity, double metres_per_unit);
 
 }  // namespace ripstop

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -88,14 +90,49 @@ class ContourFinder {
     }
 
     void add_to(std::vector<FoundContour>& contours) {
-        const bool is_known = survey_.convention != LayerConvention::unknown;
-        const bool counts = use_ == LayerUse::cut || use_ == LayerUse::sew || (!is_known && use_ == LayerUse::other);
-        if (!counts) return;
+        if (!counts()) return;
         for (const Ring& ring : closed_) contours.push_back(contour_of(*ring.line));
-        for (const JoinedLine* line : open_) report_open(*line, is_known);
+    }
+
+    /// What is left open. `contours` are those of all layers.
+    void report_open(const std::vector<FoundContour>& contours) {
+        if (!counts()) return;
+        OpenLines marks;
+        for (const JoinedLine* line : open_) {
+            if (is_slit(*line, closed_)) continue;
+            ++survey_.check.open_lines;
+            const bool is_told = is_known() ? tell_open(*line) : tell_open_outline(*line, contours);
+            if (!is_told) marks.add(*line);
+        }
+        if (marks.count == 0) return;
+        const bool is_one = marks.count == 1;
+        survey_.check.issues.push_back(
+            {"open_line",
+             fmt::format("layer {}: {} of {} mm{}, {}at {}, {} no piece; {} not looked at", layer_.layer,
+                         is_one ? "an open line" : fmt::format("{} open lines", marks.count),
+                         format_fixed(marks.length / millimetre, 1), is_one ? "" : " in all",
+                         is_one ? "" : "the first ", place_text(marks.first), is_one ? "bounds" : "bound",
+                         is_one ? "it was" : "they were"),
+             false, marks.first});
     }
 
   private:
+    /// Lines that are no outlines.
+    struct OpenLines {
+        int count = 0;
+        double length = 0;
+        Vec2 first = Vec2::Zero();
+        void add(const JoinedLine& line) {
+            if (count++ == 0) first = line.points.row(0);
+            length += line_length(line);
+        }
+    };
+
+    bool is_known() const { return survey_.convention != LayerConvention::unknown; }
+    bool counts() const {
+        return use_ == LayerUse::cut || use_ == LayerUse::sew || (!is_known() && use_ == LayerUse::other);
+    }
+
     FoundContour contour_of(const JoinedLine& line) {
         FoundContour found{{}, layer_.group, use_, line.points};
         DrawingContour& facts = found.facts;
@@ -107,6 +144,7 @@ class ContourFinder {
         facts.perimeter = line_length(line);
         facts.parts = static_cast<int>(line.lines.size());
         facts.is_cut = use_ != LayerUse::sew;
+        check_plane(line, facts.piece);
         if (line.points.rows() < 3)
             issue("crossing", line.points.row(0),
                   fmt::format("{}: the contour on layer {} runs there and back from {}, with nothing in it; delete it",
@@ -120,23 +158,73 @@ class ContourFinder {
         return found;
     }
 
-    void report_open(const JoinedLine& line, bool is_known) {
-        if (is_slit(line, closed_)) return;
+    /// On layers that are cut or sewn along, where every line is to be closed.
+    bool tell_open(const JoinedLine& line) {
         const double length = line_length(line);
         const Gap gap = nearest_gap(open_, line);
-        const bool is_near = gap.width < (is_known ? 0.2 : 0.01) * length;
-        if (!is_near && !is_known) return;
-        const std::string piece = piece_name(survey_, layer_.group, line.points);
-        if (is_near)
-            issue("gap", gap.from,
-                  fmt::format("{}: the contour on layer {} is open by {} mm between {} and {}; join its ends", piece,
-                              layer_.layer, format_fixed(gap.width / millimetre, 3), place_text(gap.from),
-                              place_text(gap.to)));
+        if (gap.width < 0.2 * length)
+            tell_gap(line, gap);
         else
             issue("open", gap.from,
                   fmt::format("{}: a line of {} mm on layer {} is no closed contour, it ends at {}; close it or put it "
                               "on a layer for lines that are not cut",
-                              piece, format_fixed(length / millimetre, 1), layer_.layer, place_text(gap.from)));
+                              piece_name(survey_, layer_.group, line.points), format_fixed(length / millimetre, 1),
+                              layer_.layer, place_text(gap.from)));
+        return true;
+    }
+
+    /// Where no layer tells what is cut: a line whose ends all but meet, or that goes round cloth which no contour goes round.
+    bool tell_open_outline(const JoinedLine& line, const std::vector<FoundContour>& contours) {
+        const double length = line_length(line);
+        const Gap gap = nearest_gap(open_, line);
+        const bool is_mark = is_within_one(line, contours);
+        if (gap.width < (is_mark ? 0.01 : 0.2) * length) {
+            tell_gap(line, gap);
+            return true;
+        }
+        // 0.02 is a strip 12 times as long as wide; a circle has 0.08.
+        const double own_gap = (line.points.row(0) - line.points.row(line.points.rows() - 1)).norm();
+        if (is_mark || std::abs(signed_area(line.points)) < 0.02 * std::pow(length + own_gap, 2)) return false;
+        issue("open", gap.from,
+              fmt::format(
+                  "{}: a line of {} mm on layer {} goes round cloth and is not closed, its ends are {} mm apart at "
+                  "{} and {}; close it",
+                  piece_name(survey_, layer_.group, line.points), format_fixed(length / millimetre, 1), layer_.layer,
+                  format_fixed(own_gap / millimetre, 1), place_text(line.points.row(0)),
+                  place_text(line.points.row(line.points.rows() - 1))));
+        return true;
+    }
+
+    void tell_gap(const JoinedLine& line, const Gap& gap) {
+        issue("gap", gap.from,
+              fmt::format("{}: the contour on layer {} is open by {} mm between {} and {}; join its ends",
+                          piece_name(survey_, layer_.group, line.points), layer_.layer,
+                          format_fixed(gap.width / millimetre, 3), place_text(gap.from), place_text(gap.to)));
+    }
+
+    static bool is_within_one(const JoinedLine& line, const std::vector<FoundContour>& contours) {
+        const Vec2 middle = line.points.row(line.points.rows() / 2);
+        return std::any_of(contours.begin(), contours.end(), [&middle](const FoundContour& contour) {
+            return (middle.array() >= contour.facts.lower.array()).all() &&
+                   (middle.array() <= contour.facts.upper.array()).all() && contains(contour.points, middle);
+        });
+    }
+
+    /// Cutters see the drawing from above, so a contour that rises is cut too short.
+    void check_plane(const JoinedLine& line, const std::string& piece) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const int number : line.lines) {
+            const DrawnPath& path = *layer_.paths[static_cast<std::size_t>(number)];
+            low = std::min(low, path.low * survey_.metres_per_unit);
+            high = std::max(high, path.high * survey_.metres_per_unit);
+        }
+        constexpr double flat = 0.1 * millimetre;
+        if (high - low <= flat) return;
+        issue("out_of_plane", line.points.row(0),
+              fmt::format(
+                  "{}: the contour on layer {} does not lie in a plane that is seen from above, it rises by {} mm; "
+                  "flatten the piece before it is exported",
+                  piece, layer_.layer, format_fixed((high - low) / millimetre, 1)));
     }
 
     void issue(const char* code, const Vec2& at, const std::string& message) {
@@ -201,7 +289,9 @@ std::vector<const DrawnPath*> sound_lines(DrawingSurvey& survey) {
 
 std::vector<FoundContour> find_contours(DrawingSurvey& survey, const std::vector<LayerLines>& layers) {
     std::vector<FoundContour> contours;
-    for (const LayerLines& layer : layers) ContourFinder(survey, layer).add_to(contours);
+    std::vector<ContourFinder> finders;
+    for (const LayerLines& layer : layers) finders.emplace_back(survey, layer).add_to(contours);
+    for (ContourFinder& finder : finders) finder.report_open(contours);
     return contours;
 }
 

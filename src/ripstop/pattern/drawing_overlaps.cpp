@@ -10,12 +10,14 @@
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/geometry/polygon.h"
+#include "ripstop/pattern/drawing_openings.h"
 #include "ripstop/pattern/drawing_relation.h"
 
 namespace ripstop {
 namespace {
 
-constexpr double tolerance = 0.1 * millimetre;  // no cutter is better, and arcs drawn as chords are no better
+constexpr double tolerance = 0.1 * millimetre;        // no cutter is better, and arcs drawn as chords are no better
+constexpr double side_tolerance = 0.01 * millimetre;  // as for lines that are drawn twice
 constexpr int most_told = 1000;
 
 /// Something that only a piece has, and where.
@@ -42,7 +44,7 @@ class OverlapFinder {
         if (survey_.convention == LayerConvention::unknown) return;
         if (survey_.convention == LayerConvention::named) check_holes();
         for (std::size_t i = 0; i < contours_.size(); ++i)
-            if (contours_[i].use == LayerUse::sew && has_area(i) && !sew_[i].is_held) report_sew(i);
+            if (contours_[i].use == LayerUse::sew && has_area(i)) sew_[i].is_held ? check_opening(i) : report_sew(i);
     }
 
   private:
@@ -50,6 +52,7 @@ class OverlapFinder {
     struct Sewn {
         bool is_held = false;
         int crossed = -1;  // cut contour
+        int holder = -1;   // the smallest cut contour around
     };
 
     bool has_area(std::size_t i) const { return contours_[i].points.rows() > 2; }
@@ -104,10 +107,22 @@ class OverlapFinder {
                              names(a, b), format_fixed(found.overlap.distance / millimetre, 2),
                              place_text(found.overlap.at)),
                  is_one_layer);
+        if (found.relation != Relation::same && found.relation != Relation::crossing) check_common_side(a, b);
         if (found.relation == Relation::same && is_one_layer)
             tell("overlap", contours_[a].facts.lower,
                  fmt::format("{} lie on each other at {}; delete one of them or move it", names(a, b),
                              place_text(contours_[a].facts.lower)));
+    }
+
+    /// Laid side by side pieces may share a cut; the cutter must know.
+    void check_common_side(std::size_t a, std::size_t b) {
+        constexpr double shortest = 1 * millimetre;
+        const CommonSide common = common_side(outline(a), outline(b), side_tolerance);
+        if (common.length >= shortest)
+            tell("common_side", common.at,
+                 fmt::format("{} have {} mm of their outlines in common from {}, which are cut twice", names(a, b),
+                             format_fixed(common.length / millimetre, 1), place_text(common.at)),
+                 false);
     }
 
     void take_parent(std::size_t child, std::size_t parent) {
@@ -117,9 +132,13 @@ class OverlapFinder {
     }
 
     void place_sew(std::size_t sew, std::size_t cut) {
-        if (sew_[sew].is_held) return;
+        const int holder = sew_[sew].holder;
+        if (holder >= 0 && contours_[static_cast<std::size_t>(holder)].facts.area <= contours_[cut].facts.area) return;
         const Relation relation = relate(outline(sew), outline(cut), tolerance).relation;
-        sew_[sew].is_held = relation == Relation::within || relation == Relation::same;
+        if (relation == Relation::within || relation == Relation::same) {
+            sew_[sew].is_held = true;
+            sew_[sew].holder = static_cast<int>(cut);
+        }
         if (relation == Relation::crossing || relation == Relation::around) sew_[sew].crossed = static_cast<int>(cut);
     }
 
@@ -197,6 +216,35 @@ class OverlapFinder {
                         "cloth to sew; move one of them",
                         contours_[cut].facts.piece, facts.layer, format_fixed(out.distance / millimetre, 2),
                         contours_[cut].facts.layer, place_text(out.at)));
+    }
+
+    /// Is it the seam of a hole, or drawn within the piece?
+    bool is_within_sew_line(std::size_t sew) {
+        for (std::size_t i = 0; i < contours_.size(); ++i)
+            if (i != sew && sew_[i].holder == sew_[sew].holder && sew_[i].is_held &&
+                contours_[i].facts.area > contours_[sew].facts.area &&
+                outline(i).contains(contours_[sew].points.row(0)))
+                return true;
+        return false;
+    }
+
+    /// What the sew line runs round must be cut: by the line around it, or by one within that.
+    void check_opening(std::size_t sew) {
+        const int holder = sew_[sew].holder;
+        if (is_within_sew_line(sew)) return;
+        std::vector<const Points2*> cut_lines;
+        for (std::size_t i = 0; i < contours_.size(); ++i)
+            if (contours_[i].facts.is_cut && (static_cast<int>(i) == holder || parents_[i] == holder))
+                cut_lines.push_back(&contours_[i].points);
+        const auto lost = find_lost_opening(contours_[sew].points, cut_lines);
+        if (!lost) return;
+        const DrawingContour& cut = contours_[static_cast<std::size_t>(holder)].facts;
+        tell("opening", lost->at,
+             fmt::format("{}: the contour on layer {} faces itself across {} mm at {}, and nothing on layer {} is cut "
+                         "between: {} mm of it lie round an opening that is lost where two allowances run together; "
+                         "draw what is cut there",
+                         cut.piece, contours_[sew].facts.layer, format_fixed(lost->width / millimetre, 1),
+                         place_text(lost->at), cut.layer, format_fixed(lost->length / millimetre, 0)));
     }
 
     /// Both, and where they are when one name stands for both.

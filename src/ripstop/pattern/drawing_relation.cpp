@@ -42,11 +42,12 @@ struct Meetings {
     }
 };
 
-void add_near(std::vector<Edge>& edges, const IndexedOutline& outline, const IndexedOutline& other, int owner) {
+void add_near(std::vector<Edge>& edges, const IndexedOutline& outline, const IndexedOutline& other, int owner,
+              double reach = 0) {
     for (Eigen::Index i = 0; i < outline.points().rows(); ++i) {
         const Edge edge{outline.corner(i), outline.corner(i + 1), i, owner};
-        const bool is_apart = (edge.lower().array() > other.upper().array()).any() ||
-                              (edge.upper().array() < other.lower().array()).any();
+        const bool is_apart = (edge.lower().array() > other.upper().array() + reach).any() ||
+                              (edge.upper().array() < other.lower().array() - reach).any();
         if (!is_apart) edges.push_back(edge);
     }
 }
@@ -78,22 +79,28 @@ void meet(const Edge& e, const Edge& f, Meetings& meetings) {
     if (lies_on(e.to, f, e_to)) meetings.add(e, f, e.to);
 }
 
-Meetings find_meetings(const IndexedOutline& first, const IndexedOutline& second) {
+/// Calls `look` for the pairs of edges, one of each outline, whose boxes come within `reach` of each other.
+template <class Look>
+void each_near_pair(const IndexedOutline& first, const IndexedOutline& second, double reach, Look&& look) {
     std::vector<Edge> edges;
-    add_near(edges, first, second, 0);
-    add_near(edges, second, first, 1);
+    add_near(edges, first, second, 0, reach);
+    add_near(edges, second, first, 1, reach);
     const Vec2 size = first.upper().cwiseMin(second.upper()) - first.lower().cwiseMax(second.lower());
     const int along = size.x() >= size.y() ? 0 : 1;
     std::sort(edges.begin(), edges.end(),
               [along](const Edge& e, const Edge& f) { return e.lower()[along] < f.lower()[along]; });
-    Meetings meetings;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const Vec2 lower = edges[i].lower(), upper = edges[i].upper();
-        for (std::size_t j = i + 1; j < edges.size() && edges[j].lower()[along] <= upper[along]; ++j)
-            if (edges[i].owner != edges[j].owner && edges[j].lower()[1 - along] <= upper[1 - along] &&
-                edges[j].upper()[1 - along] >= lower[1 - along])
-                meet(edges[i], edges[j], meetings);
+        for (std::size_t j = i + 1; j < edges.size() && edges[j].lower()[along] <= upper[along] + reach; ++j)
+            if (edges[i].owner != edges[j].owner && edges[j].lower()[1 - along] <= upper[1 - along] + reach &&
+                edges[j].upper()[1 - along] >= lower[1 - along] - reach)
+                look(edges[i], edges[j]);
     }
+}
+
+Meetings find_meetings(const IndexedOutline& first, const IndexedOutline& second) {
+    Meetings meetings;
+    each_near_pair(first, second, 0, [&](const Edge& e, const Edge& f) { meet(e, f, meetings); });
     return meetings;
 }
 
@@ -206,6 +213,23 @@ OutlineRelation relate(const IndexedOutline& first, const IndexedOutline& second
     if (!sides.is_out) return {Relation::within, {}};
     if (!others.is_out) return {Relation::around, {}};
     return {Relation::crossing, deepest};
+}
+
+CommonSide common_side(const IndexedOutline& first, const IndexedOutline& second, double tolerance) {
+    CommonSide common;
+    each_near_pair(first, second, tolerance, [&](const Edge& e, const Edge& f) {
+        const double length = (e.to - e.from).norm();
+        if (length <= tolerance) return;
+        const Vec2 along = (e.to - e.from) / length;
+        const double from = along.dot(f.from - e.from), to = along.dot(f.to - e.from);
+        const double start = std::max(0.0, std::min(from, to)), end = std::min(length, std::max(from, to));
+        if (end - start <= tolerance) return;
+        for (const double t : {start, end})
+            if (distance_to_edge(f.from, f.to, e.from + t * along) > tolerance) return;
+        if (common.length == 0) common.at = e.from + start * along;
+        common.length += end - start;
+    });
+    return common;
 }
 
 Reach reach_outside(const IndexedOutline& first, const IndexedOutline& second) {

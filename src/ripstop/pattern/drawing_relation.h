@@ -56,6 +56,16 @@ struct OutlineRelation {
 /// outlines that do not cross themselves. About O(n log n) for n corners, and for those on the other's line the corners near.
 OutlineRelation relate(const IndexedOutline& first, const IndexedOutline& second, double tolerance);
 
+/// The sides that two outlines have in common: their length [m], and where the first begins.
+struct CommonSide {
+    double length = 0;
+    Vec2 at = Vec2::Zero();
+};
+
+/// What of the line of `first` lies within `tolerance` [m] of edges of `second` along its whole length. O(n log n) for the n edges
+/// of both in the box that they share.
+CommonSide common_side(const IndexedOutline& first, const IndexedOutline& second, double tolerance);
+
 /// How far the line of `first` reaches out of `second`.
 Reach reach_outside(const IndexedOutline& first, const IndexedOutline& second);
 

@@ -11,6 +11,7 @@
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/equal_tiles.h"
 #include "ripstop/measure/judge.h"
+#include "ripstop/measure/judge_zigzags.h"
 #include "ripstop/mesh/split.h"
 #include "ripstop/model/better_verdict.h"
 #include "ripstop/pipeline/half_tile.h"
@@ -63,6 +64,7 @@ Trial try_tile(const Tile& tile, const Method& method, const Fabric& fabric, con
         throw InputError("tile " + tile.name + ": " + flat.summary.text());
     trial.accuracy = measure_accuracy(tile, flat.positions, fabric, flat.edges_on_curve);
     trial.verdict = judge(tile, measure_bounds(tile), flat, trial.accuracy, tolerances);
+    judge_zigzags(tile, walk_zigzags(tile, flat.positions, find_zigzags({&tile}, {})), tolerances, trial.verdict);
     if (flattening) *flattening = flat;
     return trial;
 }
@@ -195,9 +197,14 @@ bool add_proposals(CutPlan& plan, const Method& method, int threads, const Propo
 std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& method, int threads,
                                           const Progress& progress) {
     std::vector<std::optional<MergeProposal>> found(plan.seams.size());
+    std::vector<char> holds_further(plan.seams.size(), false);
+    for (std::size_t s = 0; s < plan.seams.size(); ++s)
+        if (const auto& into = plan.seams[s].into)
+            holds_further[s] = holds_further[static_cast<std::size_t>(into->seam)] = true;
     StepCounter counter(static_cast<int>(plan.seams.size()), progress);
     const auto try_seam = [&](int i) {
         const Seam& seam = plan.seams[static_cast<std::size_t>(i)];
+        if (holds_further[static_cast<std::size_t>(i)]) return;  // a further sheet would hang on nothing
         const FlatTile& a = plan.tiles[static_cast<std::size_t>(seam.a.tile)];
         const FlatTile& b = plan.tiles[static_cast<std::size_t>(seam.b.tile)];
         try {

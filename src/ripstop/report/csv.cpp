@@ -1,12 +1,20 @@
 #include "ripstop/report/csv.h"
 
 #include <cmath>
+#include <string_view>
 
 #include "ripstop/base/number_text.h"
 #include "ripstop/report/figures.h"
 
 namespace ripstop {
 namespace {
+
+/// Spreadsheets run a cell that begins so as a formula, quoted or not, unless it is a number; an apostrophe makes it text.
+std::string as_text(const std::string& field) {
+    const bool is_formula =
+        !field.empty() && std::string_view("=+-@\t\r").find(field.front()) != std::string_view::npos;
+    return is_formula && !parse_double(field) ? "'" + field : field;
+}
 
 std::string quoted(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -18,7 +26,7 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 void add_csv_line(std::string& text, const std::vector<std::string>& fields) {
-    for (std::size_t i = 0; i < fields.size(); ++i) text += (i > 0 ? "," : "") + quoted(fields[i]);
+    for (std::size_t i = 0; i < fields.size(); ++i) text += (i > 0 ? "," : "") + quoted(as_text(fields[i]));
     text += "\n";
 }
 

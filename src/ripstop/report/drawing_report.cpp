@@ -36,9 +36,9 @@ std::string contours_text(const DrawingCheck& check) {
         area += contour.area;
         largest = largest.cwiseMax(contour.upper - contour.lower);
     }
-    return fmt::format("{} closed to cut, {} m2, at most {} x {} mm; {} others", cut, format_fixed(area, 3),
+    return fmt::format("{} closed to cut, {} m2, at most {} x {} mm; {} to sew; {} open", cut, format_fixed(area, 3),
                        format_fixed(largest.x() / millimetre, 1), format_fixed(largest.y() / millimetre, 1),
-                       static_cast<int>(check.contours.size()) - cut);
+                       static_cast<int>(check.contours.size()) - cut, check.open_lines);
 }
 
 std::string issues_text(const DrawingCheck& check, bool wrong) {
@@ -104,6 +104,7 @@ std::string drawing_json(const DrawingCheck& check, const std::string& file) {
                        {"square_mm", check.square ? Json(clean(*check.square / millimetre)) : Json()},
                        {"convention", check.convention},
                        {"blocks", check.blocks},
+                       {"open_lines", check.open_lines},
                        {"layers", layers},
                        {"contours", contours},
                        {"issues", issues}};

@@ -5,12 +5,12 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/folder_lock.h"
 #include "ripstop/io/mesh_file.h"
 #include "ripstop/report/cut_files.h"
 #include "ripstop/report/html_report.h"
 #include "ripstop/report/output_file.h"
 #include "ripstop/report/report_json.h"
-#include "ripstop/report/whole_directory.h"
 
 namespace ripstop {
 namespace {
@@ -68,11 +68,12 @@ void write_inflated_shape(const fs::path& file, const CutPlan& plan) {
         const Tile& tile = plan.tiles[i].tile;
         tiles.push_back({tile.name, {plan.inflated->tiles[i].positions, tile.mesh.triangles}});
     }
-    write_file(file, [&](std::ostream& out) { write_model(out, file, tiles); });
+    replace_file(file, [&](std::ostream& out) { write_model(out, file, tiles); });
 }
 
 void write_inflated(const fs::path& folder, const CutPlan& plan, const std::vector<StrainMap>& strains,
                     bool reproducible) {
+    const FolderLock turn(folder);
     const fs::path file = folder / "report.json", page = folder / "report.html";
     const std::string before = text_of(file);
     const std::string report = inflated_report(before, plan, file.string(), reproducible);
@@ -84,8 +85,8 @@ void write_inflated(const fs::path& folder, const CutPlan& plan, const std::vect
         text << marker.rdbuf();
         html = with_roll(html, text.str());
     }
-    write_whole_directory(folder / "inflated", true, {"envelope.obj"},
-                          [&](const fs::path& partial) { write_inflated_shape(partial / "envelope.obj", plan); });
+    fs::create_directory(folder / "inflated");
+    write_inflated_shape(folder / "inflated" / "envelope.obj", plan);
     if (!html.empty()) replace_file(page, html);
     replace_file(file, report);
 }

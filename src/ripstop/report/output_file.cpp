@@ -1,10 +1,13 @@
 #include "ripstop/report/output_file.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <fstream>
 #include <system_error>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/leftover.h"
 
 namespace ripstop {
 
@@ -23,20 +26,22 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
     write_file(path, [&text](std::ostream& out) { out.write(text.data(), static_cast<std::streamsize>(text.size())); });
 }
 
-void replace_file(const std::filesystem::path& path, const std::string& text) {
-    const std::filesystem::path partial = path.string() + ".partial";
+void replace_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
     std::error_code error;
-    try {
-        write_file(partial, text);
-    } catch (...) {
-        std::filesystem::remove(partial, error);
-        throw;
-    }
-    std::filesystem::rename(partial, path, error);
-    if (!error) return;
-    const std::string reason = error.message();
-    std::filesystem::remove(partial, error);
-    throw InputError(path.string() + ": cannot be replaced: " + reason);
+    const bool is_there = std::filesystem::exists(path, error);
+    if (is_there && !std::filesystem::is_regular_file(path, error)) return write_file(path, write);  // a device, a pipe
+    const std::filesystem::path target = is_there ? std::filesystem::canonical(path) : path;         // a link stays one
+    Leftover partial(target.string() + ".partial-" + std::to_string(::getpid()));
+    write_file(partial.path(), write);
+    partial.finish([&] {
+        std::filesystem::rename(partial.path(), target, error);
+        if (error) throw InputError(path.string() + ": cannot be replaced: " + error.message());
+    });
+}
+
+void replace_file(const std::filesystem::path& path, const std::string& text) {
+    replace_file(path,
+                 [&text](std::ostream& out) { out.write(text.data(), static_cast<std::streamsize>(text.size())); });
 }
 
 }  // namespace ripstop

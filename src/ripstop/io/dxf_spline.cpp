@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ripstop/io/dxf_shapes.h"
+
+namespace ripstop {
+namespace {
+
+using Vec4 = Eigen::Vector4d;
+
+constexpr int highest_degree = 25, deepest = 10;
+constexpr std::size_t most_points = 200000;
+
+/// A B-spline whose control points carry their weights: (w x, w y, w z, w).
+struct Spline {
+    int degree = 3;
+    std::vector<double> knots;
+    std::vector<Vec4> controls;
+    bool is_closed = false;
+
+    bool is_whole() const {
+        const std::size_t n = controls.size(), p = static_cast<std::size_t>(degree);
+        return degree >= 1 && degree <= highest_degree && n > p && knots.size() == n + p + 1 &&
+               std::is_sorted(knots.begin(), knots.end()) && knots[p] < knots[n] &&
+               std::all_of(controls.begin(), controls.end(), [](const Vec4& c) { return c.w() > 0; });
+    }
+
+    /// By the algorithm of de Boor, within knots[span] and knots[span + 1].
+    Vec3 at(double t, std::size_t span) const {
+        const std::size_t p = static_cast<std::size_t>(degree);
+        std::vector<Vec4> d(controls.begin() + static_cast<long>(span - p),
+                            controls.begin() + static_cast<long>(span) + 1);
+        for (std::size_t r = 1; r <= p; ++r)
+            for (std::size_t j = p; j >= r; --j) {
+                const double low = knots[j + span - p], high = knots[j + 1 + span - r];
+                const double share = high > low ? (t - low) / (high - low) : 0;
+                d[j] = (1 - share) * d[j - 1] + share * d[j];
+            }
+        return d[p].head<3>() / d[p].w();
+    }
+};
+
+Spline spline_of(const DxfEntity& entity) {
+    Spline spline;
+    spline.degree = entity.flags(71);
+    spline.is_closed = (entity.flags(70) & 1) != 0;
+    std::vector<double> weights;
+    for (const DxfTag& tag : entity.tags().subspan(1)) {
+        // The axis of a HELIX follows under the same codes.
+        if (tag.code == 100 && tag.value == "AcDbHelix") break;
+        if (tag.code == 40) spline.knots.push_back(entity.number(tag));
+        if (tag.code == 41) weights.push_back(entity.number(tag));
+        if (tag.code == 10) spline.controls.emplace_back(entity.number(tag), 0, 0, 1);
+        if (tag.code == 20 && !spline.controls.empty()) spline.controls.back().y() = entity.number(tag);
+        if (tag.code == 30 && !spline.controls.empty()) spline.controls.back().z() = entity.number(tag);
+    }
+    if (weights.size() == spline.controls.size())
+        for (std::size_t i = 0; i < weights.size(); ++i) spline.controls[i] *= weights[i];
+    return spline;
+}
+
+double distance_to_chord(const Vec3& point, const Vec3& from, const Vec3& to) {
+    const Vec3 chord = to - from;
+    const double length = chord.squaredNorm();
+    const double along = length > 0 ? std::clamp((point - from).dot(chord) / length, 0.0, 1.0) : 0;
+    return (from + along * chord - point).norm();
+}
+
+/// Points after `from` up to `to`. Quarters are looked at too: an S has its middle on its chord.
+void divide(const Spline& spline, std::size_t span, double t0, const Vec3& from, double t1, const Vec3& to,
+            double chord_error, int depth, std::vector<Vec3>& points) {
+    double off = 0;
+    for (const double share : {0.25, 0.5, 0.75})
+        off = std::max(off, distance_to_chord(spline.at(t0 + share * (t1 - t0), span), from, to));
+    if (depth == deepest || points.size() > most_points || off <= 0.75 * chord_error) {
+        points.push_back(to);
+        return;
+    }
+    const double middle = (t0 + t1) / 2;
+    const Vec3 at = spline.at(middle, span);
+    divide(spline, span, t0, from, middle, at, chord_error, depth + 1, points);
+    divide(spline, span, middle, at, t1, to, chord_error, depth + 1, points);
+}
+
+}  // namespace
+
+DxfShape dxf_spline(const DxfEntity& entity, double chord_error) {
+    const Spline spline = spline_of(entity);
+    if (!spline.is_whole()) return {};
+    const auto first = static_cast<std::size_t>(spline.degree);
+    DxfShape shape;
+    shape.points.push_back(spline.at(spline.knots[first], first));
+    for (std::size_t span = first; span < spline.controls.size(); ++span) {
+        const double t0 = spline.knots[span], t1 = spline.knots[span + 1];
+        if (t0 == t1) continue;
+        if (shape.points.size() == 1) shape.points.front() = spline.at(t0, span);
+        // A span may hold as many bends as its degree; a few chords at least.
+        const int parts = spline.degree == 1 ? 1 : 4;
+        for (int i = 0; i < parts; ++i) {
+            const double a = t0 + (t1 - t0) * i / parts, b = t0 + (t1 - t0) * (i + 1) / parts;
+            divide(spline, span, a, shape.points.back(), b, spline.at(b, span), chord_error, 0, shape.points);
+        }
+    }
+    const double gap = (shape.points.front() - shape.points.back()).norm();
+    shape.is_closed = shape.points.size() > 3 && (spline.is_closed || gap == 0) && gap <= chord_error;
+    if (shape.is_closed) shape.points.pop_back();
+    return shape;
+}
+
+}  // namespace ripstop

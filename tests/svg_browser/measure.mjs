@@ -1,0 +1,97 @@
+// What Chromium makes of the drawing on its page: runs in the page. Replaces every use by the group that SVG says it
+// stands for, and holds that Chromium gives both the same box; then measures every shape that is drawn, in the order of
+// the file.
+export function measure(count) {
+    const root = document.documentElement;
+    const space = 'http://www.w3.org/2000/svg';
+    const undrawn = 'defs,symbol,clipPath,mask,pattern,marker';
+    const boxOf = (element) => {
+        const box = element.getBBox();
+        return [box.x, box.y, box.x + box.width, box.y + box.height];
+    };
+    const wrong = [];
+
+    for (let use; (use = [...root.querySelectorAll('use')].find((each) => !each.closest(undrawn)));) {
+        const href = use.getAttribute('href') ?? use.getAttribute('xlink:href');
+        const target = root.querySelector(href);
+        const before = boxOf(use);
+        const group = document.createElementNS(space, 'g');
+        for (const name of ['id', 'transform', 'class', 'style'])
+            if (use.hasAttribute(name)) group.setAttribute(name, use.getAttribute(name));
+        const moved = document.createElementNS(space, 'g');
+        moved.setAttribute('transform', `translate(${use.x.baseVal.value} ${use.y.baseVal.value})`);
+        let copy = target.cloneNode(true);
+        if (target.localName === 'symbol') {
+            copy = document.createElementNS(space, 'svg');
+            for (const { name, value } of target.attributes) copy.setAttribute(name, value);
+            copy.append(...[...target.childNodes].map((child) => child.cloneNode(true)));
+            copy.setAttribute('width', use.getAttribute('width') ?? '100%');
+            copy.setAttribute('height', use.getAttribute('height') ?? '100%');
+        }
+        moved.append(copy);
+        group.append(moved);
+        use.replaceWith(group);
+        // The box of the group is in the space around x and y, that of the use within.
+        const after = boxOf(group);
+        const size = Math.max(...before.map(Math.abs), 1);
+        if (before.some((value, i) => Math.abs(value - after[i]) > 1e-4 * size))
+            wrong.push(`${use.id}: a use of ${href} has the box ${before}, its group ${after}`);
+    }
+
+    // How many lines a path is: from M to M, and after Z without M.
+    const linesOf = (element) => {
+        const commands = element.getAttribute('d')?.match(/[a-df-z]/gi) ?? ['M'];
+        return commands.filter((c, i) => /m/i.test(c) || (i > 0 && /z/i.test(commands[i - 1]))).length;
+    };
+    // checkVisibility alone says yes of what stands in a group that is not displayed.
+    const isDrawn = (element) => {
+        if (!element.checkVisibility({ visibilityProperty: true })) return false;
+        for (let around = element; around instanceof Element; around = around.parentNode)
+            if (getComputedStyle(around).display === 'none') return false;
+        return true;
+    };
+    const page = root.getScreenCTM();
+    const origin = new DOMPoint(0, 0).matrixTransform(page);
+    const shapes = [],
+        texts = [];
+    const onPage = (point, matrix) => {
+        const at = new DOMPoint(point.x, point.y).matrixTransform(matrix);
+        return [at.x - origin.x, at.y - origin.y];
+    };
+    for (const element of root.querySelectorAll('path,rect,circle,ellipse,line,polyline,polygon,text')) {
+        if (element.closest(undrawn) || !isDrawn(element)) continue;
+        const matrix = element.getScreenCTM();
+        const box = element.getBBox();
+        if (element.localName === 'text') {
+            if (element.getNumberOfChars() === 0) continue;
+            texts.push({
+                text: element.textContent,
+                at: onPage(element.getStartPositionOfChar(0), matrix),
+                height: parseFloat(getComputedStyle(element).fontSize) * Math.hypot(matrix.c, matrix.d),
+            });
+            continue;
+        }
+        const total = element.getTotalLength();
+        if (total === 0 && box.width === 0 && box.height === 0) continue;
+        const points = Array.from({ length: count + 1 }, (_, i) =>
+            onPage(element.getPointAtLength((i / count) * total), matrix),
+        );
+        const { a, b, c, d } = matrix;
+        shapes.push({
+            id: element.id,
+            entity: element.localName,
+            lines: linesOf(element),
+            hasArcs: /a/i.test(element.getAttribute('d') ?? ''),
+            total,
+            points,
+            corners: [onPage(box, matrix), onPage({ x: box.x + box.width, y: box.y + box.height }, matrix)],
+            isUpright: b === 0 && c === 0,
+            // The matrix as a scale where it is one, times a turn.
+            scale:
+                Math.min(Math.hypot(a - d, b + c), Math.hypot(a + d, b - c)) < 1e-6 * Math.hypot(a, b)
+                    ? Math.hypot(a, b)
+                    : null,
+        });
+    }
+    return { shapes, texts, wrong, unit: { x: page.a, y: page.d } };
+}
