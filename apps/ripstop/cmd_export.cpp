@@ -51,8 +51,8 @@ ExitCode run(Arguments given) {
     choose_formats(given.files, true);
     const PieceFileOptions files = file_options(given.files);
     if (given.output.empty()) given.output = given.plan / ("cut-" + default_name(given.files));
-    require_writable(given.output, given.force);
     PieceSet set = read_pieces_of(given.plan);
+    require_writable(given.output, given.force);
     keep_named(set, given.tiles);
     std::vector<std::string> sheets;
     for (const PieceFormat& format : piece_formats()) sheets.push_back("envelope." + format.extension);

@@ -66,7 +66,7 @@ TEST(PieceSet, IsRefusedWhereItSaysWhatNoPieceHas) {
     EXPECT_EQ(refusal(sound), "accepted");
     PieceSet set = sound;
     set.pieces[0].edges[0].allowance = -0.001;
-    EXPECT_THAT(refusal(set), HasSubstr("pieces 1: edges 1: allowance_m is negative"));
+    EXPECT_THAT(refusal(set), HasSubstr("pieces 1, edges 1: allowance_m is negative"));
     set = sound;
     set.pieces[1].notches.emplace_back();
     set.pieces[1].notches[0].outward = Vec2(2, 0);
