@@ -19,7 +19,8 @@ class Attempt {
     bool is_here() const { return child_ <= 0; }  ///< in the process that does the work
     void past() const;                            ///< there: what may break down is done
 
-    /// In the process that waits: the exit code of the work. Nothing where it broke down before `past`: was killed, or ended
+    /// In the process that waits: the exit code of the work. Nothing where it broke down before `past`: was killed,
+    /// or ended
     /// by another code than 0 or `refused`. Where it is killed later this process ends by the same signal.
     std::optional<int> end(int refused) const;
 

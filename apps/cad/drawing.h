@@ -38,7 +38,8 @@ struct Drawing {
     double millimetres = 1;  ///< in one unit of the file; 1 where it says none
 };
 
-/// How STEP and IGES are read: with the names, layers and colours in them, or the shapes alone, where the kernel breaks down on
+/// How STEP and IGES are read: with the names, layers and colours in them, or the shapes alone, where the kernel
+/// breaks down on
 /// the rest; a remark says so then.
 enum class Reading { with_names, plain };
 

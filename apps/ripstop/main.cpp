@@ -23,7 +23,8 @@ std::string built_with() {
                                                : "\nbuilt without CGAL: tiles keep their meshes");
 }
 
-/// What was printed is a result: where it did not arrive, the run has failed. A reader that closed the pipe has read what it
+/// What was printed is a result: where it did not arrive, the run has failed. A reader that closed the pipe has read
+/// what it
 /// wanted (`ripstop check balloon.obj | head -1`).
 int arrived(int code) {
     if (std::fflush(stdout) != 0) output_error() = errno;

@@ -14,7 +14,8 @@ namespace ripstop::cli {
 Progress progress_bar(bool quiet);
 
 /// Work whose end nobody can foresee, while this lives: `Reading envelope.3dm, 4 s` on a terminal, wiped at the end; one
-/// plain line elsewhere, once it takes more than two seconds, and one for each tenth that `progress` tells of then; nothing
+/// plain line elsewhere, once it takes more than two seconds, and one for each tenth that `progress` tells of then;
+/// nothing
 /// when `quiet`.
 class Waiting {
   public:

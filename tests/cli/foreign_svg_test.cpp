@@ -57,7 +57,8 @@ TEST(ForeignSvg, ACircleOfBezierCurvesIsAsLargeAsACircle) {
     RIPSTOP_REQUIRE_SHARED(file, "faults/files/svg_bezier_16_chords.svg");
     const auto check = validated(file, 0);
     expect_size(check, 2000, 2000);
-    // Four cubics whose controls lie k from their ends go round 2 + 12 k / 5 - 3 k^2 / 5, by the integral of x dy; chords within
+    // Four cubics whose controls lie k from their ends go round 2 + 12 k / 5 - 3 k^2 / 5, by the integral of x dy;
+    // chords within
     // 0.05 mm take at most 0.05 mm times the way round.
     constexpr double k = 0.552285, area = 2 + 2.4 * k - 0.6 * k * k;
     EXPECT_NEAR(check.at("contours").at(0).at("area_m2").get<double>(), area, 0.05e-3 * 2 * std::numbers::pi);

@@ -1,4 +1,5 @@
-/// How a run of the program ends from outside: signals, closed pipes, limits, other runs, folders that are not its own to replace.
+/// How a run of the program ends from outside: signals, closed pipes, limits, other runs, folders that are not its
+/// own to replace.
 #include <gmock/gmock.h>
 #include <unistd.h>
 

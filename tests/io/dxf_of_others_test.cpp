@@ -1,4 +1,5 @@
-/// DXF files as CAD programs write them: what stands in /shared/data/faults/files, its neighbours, and drawings made at random
+/// DXF files as CAD programs write them: what stands in /shared/data/faults/files, its neighbours, and drawings made
+/// at random
 /// that ezdxf reads too.
 #include <gmock/gmock.h>
 
@@ -207,7 +208,8 @@ TEST(DxfOfOthers, AreReadAsEzdxfReadsThem) {
         }
         ++layers;
         ASSERT_TRUE(sums.contains(layer)) << number << " " << layer;
-        // A point a degree makes an arc shorter by 1.3e-5. The chord error of ezdxf is 0.02, by which it makes a curve of radius r
+        // A point a degree makes an arc shorter by 1.3e-5. The chord error of ezdxf is 0.02, by which it makes a
+        // curve of radius r
         // shorter by a third of 0.02 / r.
         EXPECT_GT(sums[layer].length, total * (1 - 2e-5) - 0.02) << number << " " << layer;
         EXPECT_LT(sums[layer].length, total * (1 + 5e-4) + 0.3) << number << " " << layer;

@@ -99,7 +99,8 @@ TEST(SvgElements, AreStretchedWithThePage) {
 TEST(SvgElements, AreRoundWhereRadiiSaySo) {
     const PatternDrawing found = read_body("<rect width='20' height='10' ry='50%'/>");
     expect_box(found, {0, 0, 20, 10});
-    // ry is 50 and rx as much, clamped to 10 and 5: an ellipse. Chords within 0.01 take 2/3 of that along 48 from its area.
+    // ry is 50 and rx as much, clamped to 10 and 5: an ellipse. Chords within 0.01 take 2/3 of that along 48 from its
+    // area.
     EXPECT_NEAR(signed_area(found.paths[0].points), -std::numbers::pi * 50, 0.4);
     EXPECT_GT(found.paths[0].points.rows(), 40);
 }

@@ -31,7 +31,8 @@ constexpr std::array<CadFormat, 6> formats = {{{".step", "STEP"},
 constexpr const char* say_where =
     "build it with gmsh and Open CASCADE (make setup, then make), or name it in RIPSTOP_CAD";
 
-/// A file without a name, which programs started from here may write and read: it is gone with the last of them, however they
+/// A file without a name, which programs started from here may write and read: it is gone with the last of them,
+/// however they
 /// end.
 class Between {
   public:

@@ -8,7 +8,8 @@
 
 namespace ripstop {
 
-/// Points in a row. Curves are sampled: no chord is farther from its curve than the chord error [file's units], and circles have
+/// Points in a row. Curves are sampled: no chord is farther from its curve than the chord error [file's units], and
+/// circles have
 /// at least a point a degree.
 struct DxfShape {
     std::vector<Vec3> points;
@@ -22,11 +23,13 @@ DxfShape dxf_shape(const DxfEntity& entity, double chord_error);
 DxfShape dxf_polyline(const DxfEntity& head, DxfTagSpan tags, std::size_t& next, const std::string& name,
                       double chord_error);
 
-/// A SPLINE or HELIX of any degree, rational or not, by its knots and control points. No point where it has none, as one that
+/// A SPLINE or HELIX of any degree, rational or not, by its knots and control points. No point where it has none, as
+/// one that
 /// only says the points it goes through, or where its knots do not fit.
 DxfShape dxf_spline(const DxfEntity& entity, double chord_error);
 
-/// From the plane of an entity to space: its axes by the arbitrary axis algorithm of the DXF reference from the extrusion
+/// From the plane of an entity to space: its axes by the arbitrary axis algorithm of the DXF reference from the
+/// extrusion
 /// direction (210, 220, 230). A rotation; the identity for what is drawn in space itself.
 Eigen::Matrix3d dxf_plane(const DxfEntity& entity);
 

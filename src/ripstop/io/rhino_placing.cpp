@@ -163,7 +163,8 @@ class Placer {
 
     using Chain = std::vector<const RhinoObject*>;  // an instance with those it is in, the outermost first
 
-    /// A user text `tile` of an instance is meant for what is placed there, and goes before that of the block's own parts.
+    /// A user text `tile` of an instance is meant for what is placed there, and goes before that of the block's own
+    /// parts.
     void name_by_instances() {
         std::map<Chain, int> surfaces;
         for (const RhinoPlaced& placed : placing.placed)

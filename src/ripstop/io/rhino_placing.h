@@ -16,7 +16,8 @@ struct RhinoPlaced {
     std::vector<const RhinoObject*> instances = {};  ///< the blocks it is part of, the outermost first
     std::string path = {};                           ///< their names: `Gore 3`, `Gore 3/crown`; empty without
     std::vector<Eigen::Affine3d> around = {};  ///< where each of them stands: what the blocks outside of it do to it
-    /// The outermost of them that holds this surface alone and has a user text `tile`, and the names of those outside of it.
+    /// The outermost of them that holds this surface alone and has a user text `tile`, and the names of those outside
+    /// of it.
     const RhinoObject* named_by = nullptr;
     std::string named_in = {};
 };

@@ -173,7 +173,8 @@ class ContourFinder {
         return true;
     }
 
-    /// Where no layer tells what is cut: a line whose ends all but meet, or that goes round cloth which no contour goes round.
+    /// Where no layer tells what is cut: a line whose ends all but meet, or that goes round cloth which no contour
+    /// goes round.
     bool tell_open_outline(const JoinedLine& line, const std::vector<FoundContour>& contours) {
         const double length = line_length(line);
         const Gap gap = nearest_gap(open_, line);

@@ -62,7 +62,8 @@ struct CommonSide {
     Vec2 at = Vec2::Zero();
 };
 
-/// What of the line of `first` lies within `tolerance` [m] of edges of `second` along its whole length. O(n log n) for the n edges
+/// What of the line of `first` lies within `tolerance` [m] of edges of `second` along its whole length. O(n log n)
+/// for the n edges
 /// of both in the box that they share.
 CommonSide common_side(const IndexedOutline& first, const IndexedOutline& second, double tolerance);
 

@@ -12,7 +12,8 @@ namespace ripstop {
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 void write_file(const std::filesystem::path& path, const std::string& text);
 
-/// The same, all or nothing: written beside it, the file takes its name at the end. A file that is there is replaced, or stays as
+/// The same, all or nothing: written beside it, the file takes its name at the end. A file that is there is replaced,
+/// or stays as
 /// it was. Throws as `write_file`.
 void replace_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 void replace_file(const std::filesystem::path& path, const std::string& text);
