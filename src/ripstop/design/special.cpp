@@ -6,6 +6,7 @@
 #include <set>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/design/special_cut.h"
@@ -19,10 +20,6 @@
 
 namespace ripstop {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 std::string listed(const SpecialBody& body, const std::set<int>& primitives) {
     std::string text;

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include "ripstop/base/index.h"
 
 namespace ripstop {
 namespace {
 
 using std::numbers::pi;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// The whole turn that `angle` lies in, from 0 on.
 double positive(double angle) {

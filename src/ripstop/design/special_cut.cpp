@@ -4,14 +4,11 @@
 #include <cmath>
 #include <functional>
 
+#include "ripstop/base/index.h"
 #include "ripstop/design/special_settle.h"
 
 namespace ripstop {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Splits edges where a function of the vertices changes its sign, on triangles of a kind.
 class Cut {

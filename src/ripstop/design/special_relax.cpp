@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/units.h"
 #include "ripstop/design/special_settle.h"
 #include "ripstop/geometry/triangle.h"
 
 namespace ripstop {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 class Relaxation {
   public:

@@ -5,14 +5,11 @@
 #include <numeric>
 #include <tuple>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/triangle.h"
 
 namespace ripstop {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 bool is_one_piece(const BodyCell& a, const BodyCell& b) {
     return a.below || b.below ? a.below == b.below : a == b;

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Matrix4d;
 using Eigen::Vector4d;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 Mat22 symmetric(const Mat22& lower) {
     Mat22 full = lower;
@@ -75,7 +75,7 @@ Eigen::Matrix4d WovenMembrane::form_in_H(const State& s) const {
 
 double WovenMembrane::energy(const TriangleMetric& metric, const Mat22& flat) const {
     const double det = flat(0, 0) * flat(1, 1) - flat(0, 1) * flat(1, 0);
-    if (!(det > 0)) return infinite;
+    if (!(det > 0)) return unbounded;
     const State s = state(metric, flat, det);
     return s.area * s.W;
 }
@@ -84,7 +84,7 @@ MembraneElement WovenMembrane::element(const TriangleMetric& metric, const Mat22
     MembraneElement result;
     const double det = flat(0, 0) * flat(1, 1) - flat(0, 1) * flat(1, 0);
     if (!(det > 0)) {
-        result.energy = infinite;
+        result.energy = unbounded;
         return result;
     }
     const State s = state(metric, flat, det);

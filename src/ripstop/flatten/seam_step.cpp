@@ -10,7 +10,7 @@ namespace {
 
 constexpr double edge_weight = 1e6;  ///< rho, in mean stiffnesses of the cloth
 constexpr int max_attempts = 16;
-constexpr int max_shifts = 6;         // near rest, before the elements are clamped
+constexpr int max_rest_shifts = 6;         // near rest, before the elements are clamped
 constexpr double least_shift = 1e-7;  // in mean stiffnesses
 constexpr int max_updates = 8;
 constexpr int columns_at_once = 64;      // of a solve for every edge: what a cache holds
@@ -39,9 +39,9 @@ bool SeamStep::factorize(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda
     near ? (clamped_ = false) : (shift_ = 0);
     // far from rest: exact, clamped, clamped and shifted; near it: exact, shifted, which keeps the convergence fast
     for (int attempt = 0; attempt < max_attempts; ++attempt) {
-        const bool clamp = near ? attempt > max_shifts : clamped_ || attempt > 0;
+        const bool clamp = near ? attempt > max_rest_shifts : clamped_ || attempt > 0;
         if (attempt > (near || clamped_ ? 0 : 1)) shift_ = std::max(least_shift, 10 * shift_);
-        if (near && attempt == max_shifts + 1) shift_ = 0;
+        if (near && attempt == max_rest_shifts + 1) shift_ = 0;
         energy_ = problem_.assemble(u, lambda, mu, rho_, clamp ? Curvature::semidefinite : Curvature::exact, gradient_,
                                     values_);
         hold_still();

@@ -15,7 +15,7 @@
 namespace ripstop {
 namespace {
 
-constexpr std::size_t deepest = 16;
+constexpr std::size_t deepest_insert = 16;
 constexpr double farthest = 1e9;
 constexpr int mesh_flags = 16 | 64;  // of a POLYLINE
 
@@ -29,7 +29,7 @@ struct Block {
 };
 
 /// Where an entity is drawn: inserted how, in which group. What a block has on layer 0 is on the layer of its INSERT.
-struct Place {
+struct InsertPlace {
     Eigen::Affine3d motion = Eigen::Affine3d::Identity();
     int group = -1;
     std::size_t depth = 0;
@@ -137,7 +137,7 @@ class Reader {
         }
     }
 
-    void draw(DxfTagSpan tags, const Place& place) {
+    void draw(DxfTagSpan tags, const InsertPlace& place) {
         for (std::size_t i = 0; i < tags.size();) {
             if (tags[i].code != 0) refuse(tags[i].line, "a group outside of any entity; export the drawing again");
             const DxfEntity entity = first_entity(tags.subspan(i), name_);
@@ -157,7 +157,7 @@ class Reader {
         }
     }
 
-    void draw_entity(const DxfEntity& entity, const Place& place) {
+    void draw_entity(const DxfEntity& entity, const InsertPlace& place) {
         static const std::set<std::string_view> paths{"LINE", "LWPOLYLINE", "ARC", "CIRCLE", "ELLIPSE"};
         static const std::set<std::string_view> silent{"VIEWPORT", "SEQEND", "ATTDEF"};
         if (paths.contains(entity.type()))
@@ -174,7 +174,7 @@ class Reader {
             leave_unread(readable_name(entity.type().substr(0, 40)), entity, place);
     }
 
-    static double scale_of(const Place& place) {
+    static double scale_of(const InsertPlace& place) {
         return std::max(1e-9, place.motion.linear().colwise().norm().maxCoeff());
     }
 
@@ -183,17 +183,17 @@ class Reader {
         return spellings_.try_emplace(key_of(layer), layer).first->second;
     }
 
-    std::string layer_of(const DxfEntity& entity, const Place& place) {
+    std::string layer_of(const DxfEntity& entity, const InsertPlace& place) {
         const std::string layer = layer_named(entity.layer());
         return layer == "0" && place.depth > 0 ? place.layer : layer;
     }
 
-    void leave_unread(const std::string& kind, const DxfEntity& entity, const Place& place) {
+    void leave_unread(const std::string& kind, const DxfEntity& entity, const InsertPlace& place) {
         drawing_.leave_unread(kind, layer_of(entity, place), entity.line());
     }
 
     /// What a CAD does not show is not cut; it is named.
-    bool is_hidden(const DxfEntity& entity, const Place& place) {
+    bool is_hidden(const DxfEntity& entity, const InsertPlace& place) {
         const bool is_off = hidden_layers_.contains(key_of(layer_of(entity, place)));
         if (entity.number(60) != 1 && !is_off) return false;
         const std::string type = readable_name(entity.type().substr(0, 40));
@@ -201,7 +201,7 @@ class Reader {
         return true;
     }
 
-    void add_spline(const DxfEntity& entity, const Place& place) {
+    void add_spline(const DxfEntity& entity, const InsertPlace& place) {
         const DxfShape shape = dxf_spline(entity, chord_error / scale_of(place));
         if (shape.points.empty()) return leave_unread("SPLINE without control points", entity, place);
         add_path(entity, shape, place);
@@ -214,22 +214,22 @@ class Reader {
                                       " points; explode them or export less");
     }
 
-    Vec3 moved(const DxfEntity& entity, const Place& place, const Vec3& p) const {
+    Vec3 moved(const DxfEntity& entity, const InsertPlace& place, const Vec3& p) const {
         const Vec3 at = place.motion * p;
         if (!(at.cwiseAbs().maxCoeff() <= farthest))
             refuse(entity.line(), "a point further than 1e9 from the origin; scale or move the drawing");
         return at;
     }
 
-    static Place plane_of(const DxfEntity& entity, Place place) {
+    static InsertPlace plane_of(const DxfEntity& entity, InsertPlace place) {
         place.motion.linear() *= dxf_plane(entity);
         return place;
     }
 
-    void add_path(const DxfEntity& entity, const DxfShape& shape, const Place& at) {
+    void add_path(const DxfEntity& entity, const DxfShape& shape, const InsertPlace& at) {
         if (shape.points.empty()) return;
         count(shape.points.size(), entity);
-        const Place place = plane_of(entity, at);
+        const InsertPlace place = plane_of(entity, at);
         DrawnPath path{layer_of(entity, at),
                        place.group,
                        Points2(static_cast<Eigen::Index>(shape.points.size()), 2),
@@ -247,14 +247,14 @@ class Reader {
         drawing_.paths.push_back(std::move(path));
     }
 
-    void add_point(const DxfEntity& entity, const Place& place) {
+    void add_point(const DxfEntity& entity, const InsertPlace& place) {
         drawing_.points.push_back({layer_of(entity, place), place.group,
                                    moved(entity, place, {entity.number(10), entity.number(20), 0}).head<2>(),
                                    entity.number(30), entity.number(39), entity.number(50)});
     }
 
-    void add_text(const DxfEntity& entity, const Place& at) {
-        const Place place = plane_of(entity, at);
+    void add_text(const DxfEntity& entity, const InsertPlace& at) {
+        const InsertPlace place = plane_of(entity, at);
         const bool is_aligned = entity.type() != "MTEXT" && (entity.number(72) != 0 || entity.number(73) != 0);
         std::string text;
         for (const DxfTag& tag : entity.tags().subspan(1))
@@ -264,17 +264,17 @@ class Reader {
                                   entity.number(50)});
     }
 
-    void insert(const DxfEntity& entity, const Place& at) {
+    void insert(const DxfEntity& entity, const InsertPlace& at) {
         const auto found = blocks_.find(key_of(entity.text(2)));
         if (found == blocks_.end())
             refuse(entity.line(), "INSERT of " + shown(entity.text(2)) +
                                       ", expected a block of the file; export the drawing with its blocks");
-        if (at.depth == deepest)
+        if (at.depth == deepest_insert)
             refuse(entity.line(),
-                   "blocks in blocks more than " + std::to_string(deepest) + " deep, or one in itself; explode them");
+                   "blocks in blocks more than " + std::to_string(deepest_insert) + " deep, or one in itself; explode them");
         Block& block = found->second;
         block.is_used = true;
-        Place place = plane_of(entity, at);
+        InsertPlace place = plane_of(entity, at);
         ++place.depth;
         place.layer = layer_of(entity, at);
         const int columns = std::max(1, entity.flags(70)), rows = std::max(1, entity.flags(71));
@@ -287,7 +287,7 @@ class Reader {
                 }
                 const Vec3 cell(column * entity.number(44), row * entity.number(45), 0);
                 const Vec3 scale(entity.number(41, 1), entity.number(42, 1), entity.number(43, 1));
-                Place inside = place;
+                InsertPlace inside = place;
                 inside.motion = place.motion * Eigen::Translation3d(entity.place(10)) *
                                 Eigen::AngleAxisd(entity.number(50) * degree, Vec3::UnitZ()) *
                                 Eigen::Translation3d(cell) * Eigen::Scaling(scale) * Eigen::Translation3d(-block.base);

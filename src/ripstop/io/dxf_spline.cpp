@@ -8,7 +8,7 @@ namespace {
 
 using Vec4 = Eigen::Vector4d;
 
-constexpr int highest_degree = 25, deepest = 10;
+constexpr int highest_degree = 25, deepest_halving = 10;
 constexpr std::size_t most_points = 200000;
 
 /// A B-spline whose control points carry their weights: (w x, w y, w z, w).
@@ -72,7 +72,7 @@ void divide(const Spline& spline, std::size_t span, double t0, const Vec3& from,
     double off = 0;
     for (const double share : {0.25, 0.5, 0.75})
         off = std::max(off, distance_to_chord(spline.at(t0 + share * (t1 - t0), span), from, to));
-    if (depth == deepest || points.size() > most_points || off <= 0.75 * chord_error) {
+    if (depth == deepest_halving || points.size() > most_points || off <= 0.75 * chord_error) {
         points.push_back(to);
         return;
     }

@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double largest = 1e9;
+constexpr double largest_group_value = 1e9;
 
 [[noreturn]] void refuse(const std::string& name, long line, const std::string& what) {
     throw InputError(name + ":" + std::to_string(line) + ": " + what);
@@ -67,7 +67,7 @@ std::string DxfEntity::layer() const {
 
 double DxfEntity::number(const DxfTag& tag) const {
     const std::optional<double> value = parse_double(tag.value);
-    if (!value || std::abs(*value) > largest)
+    if (!value || std::abs(*value) > largest_group_value)
         refuse(name_, tag.line + 1,
                shown(tag.value) + " in a " + std::string(type().substr(0, 20)) +
                    ", expected a number within 1e9; export the drawing again");

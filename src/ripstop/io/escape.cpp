@@ -66,7 +66,7 @@ constexpr std::array<std::string_view, 32> cyrillic = {"A", "B",  "V",  "G",    
                                                        "C", "Ch", "Sh", "Shch", "",  "Y", "",   "E", "Yu", "Ya"};
 
 /// Other letters and marks that names have.
-constexpr std::array<std::pair<char32_t, std::string_view>, 40> others = {
+constexpr std::array<std::pair<char32_t, std::string_view>, 40> other_letters = {
     {{0xA0, " "},   {0xAB, "\""},  {0xB0, " deg"}, {0xB1, "+-"},    {0xB2, "2"},    {0xB3, "3"},  {0xB5, "u"},
      {0xB7, "."},   {0xB9, "1"},   {0xBB, "\""},   {0xDF, "ss"},    {0x386, "A"},   {0x388, "E"}, {0x389, "I"},
      {0x38A, "I"},  {0x38C, "O"},  {0x38E, "Y"},   {0x38F, "O"},    {0x390, "i"},   {0x3CA, "i"}, {0x3CB, "y"},
@@ -91,7 +91,7 @@ std::string code_text(char32_t code) {
 
 /// What is beyond ASCII.
 std::string spelled(char32_t code) {
-    for (const auto& [letter, text] : others)
+    for (const auto& [letter, text] : other_letters)
         if (letter == code) return std::string(text);
     if (code == replacement) return "?";
     if (code < 0xA0) return " ";                   // control characters

@@ -17,16 +17,16 @@ namespace ripstop {
 namespace {
 
 constexpr double unit = 0.025 * millimetre;
-constexpr long largest = (1L << 23) - 1;      // of HP-GL/2
+constexpr long largest_coordinate = (1L << 23) - 1;      // of HP-GL/2
 constexpr long largest_in_frame = 32767;      // of HP-GL
 constexpr std::size_t points_a_command = 16;  // plotters' buffers are small
 constexpr double shortest_frame = 0.1;        // [m]
 
 enum class Pen { draw = 1, cut = 2, notch = 3 };
 
-struct Place {
+struct PlotterPlace {
     long x = 0, y = 0;
-    bool operator==(const Place&) const = default;
+    bool operator==(const PlotterPlace&) const = default;
 };
 
 std::string in_metres(double length) {
@@ -42,7 +42,7 @@ std::string in_units(double length) {
 struct Frame {
     Vec2 origin = Vec2::Zero();
     double left = -std::numeric_limits<double>::infinity(), right = std::numeric_limits<double>::infinity();
-    long reach = largest;
+    long reach = largest_coordinate;
 };
 
 class Plotter {
@@ -60,21 +60,21 @@ class Plotter {
     }
 
   private:
-    Place place(const Vec2& p) const {
+    PlotterPlace place(const Vec2& p) const {
         const Vec2 units = (p - frame_.origin) / unit;
         if (!(units.cwiseAbs().maxCoeff() <= static_cast<double>(frame_.reach)))
             throw InputError(
                 "the drawing goes on beyond the " + in_metres(static_cast<double>(frame_.reach) * unit) +
                 " that HPGL counts" +
-                (frame_.reach == largest
+                (frame_.reach == largest_coordinate
                      ? "; take the files of the pieces by themselves"
                      : " on either side of a frame's middle; leave the frames out for a plotter that takes HP-GL/2"));
         return {std::lround(units.x()), std::lround(units.y())};
     }
     void stroke(const Points2& points) {
-        std::vector<Place> places;
+        std::vector<PlotterPlace> places;
         for (Eigen::Index i = 0; i < points.rows(); ++i) {
-            const Place next = place(points.row(i));
+            const PlotterPlace next = place(points.row(i));
             if (places.empty() || next != places.back()) places.push_back(next);
         }
         if (places.size() < 2) return;
@@ -89,13 +89,13 @@ class Plotter {
         out_ << ";\nPU;\n";
         at_ = places.back();
     }
-    static std::string text(const Place& place) { return std::to_string(place.x) + "," + std::to_string(place.y); }
+    static std::string text(const PlotterPlace& place) { return std::to_string(place.x) + "," + std::to_string(place.y); }
 
     std::ostream& out_;
     Frame frame_;
     Pen wanted_ = Pen::draw;
     Pen held_ = static_cast<Pen>(0);
-    Place at_ = {std::numeric_limits<long>::max(), 0};
+    PlotterPlace at_ = {std::numeric_limits<long>::max(), 0};
 };
 
 /// What is drawn goes before what is cut, so that no piece moves under the pen.

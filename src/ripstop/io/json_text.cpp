@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int deepest = 64;  // what we read is 5 deep; a value's text, its copy and its end cost stack for each level
+constexpr int deepest_value = 64;  // what we read is 5 deep; a value's text, its copy and its end cost stack for each level
 
 /// Notes the first key that an object has twice: the parser itself would silently take the last.
 class DuplicateKeys {
@@ -45,8 +45,8 @@ json read_json_object(std::istream& in, const std::string& name) {
     json object;
     try {
         object = json::parse(text, [&](int depth, json::parse_event_t event, json& value) {
-            if (depth > deepest)
-                throw InputError(name + ": lists and objects stand more than " + std::to_string(deepest) +
+            if (depth > deepest_value)
+                throw InputError(name + ": lists and objects stand more than " + std::to_string(deepest_value) +
                                  " deep in one another, expected a few; this is another kind of file");
             return duplicates.see(event, value);
         });

@@ -28,7 +28,7 @@ constexpr std::array<MeshFormat, 5> formats = {{
 }};
 
 /// What people have and we do not read.
-constexpr std::array<std::array<const char*, 2>, 14> others = {{
+constexpr std::array<std::array<const char*, 2>, 14> other_formats = {{
     {".3ds", "3D Studio"},
     {".blend", "Blender"},
     {".catpart", "CATIA"},
@@ -71,7 +71,7 @@ const MeshFormat& format_of(const std::filesystem::path& path, Use use) {
                          "\", expected one of: " + known + "; name the file so");
     for (const CadFormat& format : cad_formats()) add(format);
     std::string what = "no format with the extension \"" + extension + "\"";
-    for (const auto& [other, program] : others)
+    for (const auto& [other, program] : other_formats)
         if (extension == other) what = "a file of " + std::string(program) + ", which is not read";
     throw InputError(path.string() + ": " + what + ", expected one of: " + known +
                      "; export the surfaces in one of them");

@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int none = -1;
+constexpr int no_index = -1;
 
 /// Reads the records of the file, line by line.
 class Parser {
@@ -43,7 +43,7 @@ class Parser {
         if (key == "o" || key == "g") {
             (key == "o" ? object_ : group_) = readable_name(trimmed(rest));
             if (key == "o") group_.clear();
-            surface_ = none;
+            surface_ = no_index;
         } else if (key == "usemtl") {
             material_ = number_of(readable_name(trimmed(rest)), materials_, mesh_.materials);
         } else if (key == "surf" || key == "curv") {
@@ -73,7 +73,7 @@ class Parser {
     /// The place of a name in `names`, where it is put if it is new.
     static int number_of(const std::string& name, std::map<std::string, int>& numbers,
                          std::vector<std::string>& names) {
-        if (name.empty()) return none;
+        if (name.empty()) return no_index;
         const auto [entry, is_new] = numbers.try_emplace(name, static_cast<int>(names.size()));
         if (is_new) names.push_back(name);
         return entry->second;
@@ -146,7 +146,7 @@ class Parser {
             mesh_.refuse(lines_.number(), "found " + shown(word) + " as a corner of a " + what +
                                               ", expected at most three indices (12/7/3); export the file again");
         return {index(vertex, mesh_.vertices.size(), "vertex"),
-                texture ? index(*texture, mesh_.textures.size(), "texture coordinate") : none};
+                texture ? index(*texture, mesh_.textures.size(), "texture coordinate") : no_index};
     }
 
     /// From 0. Positive indices are checked at the end, since the vertices may follow.
@@ -167,7 +167,7 @@ class Parser {
     }
 
     int current_surface() {
-        if (surface_ != none) return surface_;
+        if (surface_ != no_index) return surface_;
         const std::string name = current_name();
         if (!name.empty()) mesh_.apart = false;
         return surface_ = number_of(name.empty() ? mesh_.stem : name, surfaces_, mesh_.surfaces);
@@ -187,8 +187,8 @@ class Parser {
     MeshRecords& mesh_ = file_.mesh;
     std::string object_;
     std::string group_;
-    int surface_ = none;
-    int material_ = none;
+    int surface_ = no_index;
+    int material_ = no_index;
     std::map<std::string, int> surfaces_;
     std::map<std::string, int> materials_;
 };

@@ -11,13 +11,13 @@ namespace ripstop {
 namespace {
 
 constexpr Colour black = {0, 0, 0};
-constexpr double margin = 0.018;
+constexpr double cover_margin = 0.018;
 constexpr double line_height = 0.0055;
 constexpr double letters = 0.0024;
 constexpr double head = 0.068;                                       // what stands above the list on the first page
 constexpr double joining = 0.026;                                    // and the lines on how to join pages
 constexpr double headings = 0.016;                                   // on the others
-constexpr std::array<double, 4> columns = {0, 0.022, 0.075, 0.118};  // of the list, from the margin
+constexpr std::array<double, 4> columns = {0, 0.022, 0.075, 0.118};  // of the list, from the cover_margin
 
 std::string in_mm(double metres) {
     return format_fixed(metres / millimetre, 0);
@@ -32,7 +32,7 @@ double above_list(const PrintRun& run, bool is_first) {
 }
 
 std::size_t rows_on(const PrintRun& run, bool is_first) {
-    const double room = run.cover_size.y() - 2 * margin - above_list(run, is_first);
+    const double room = run.cover_size.y() - 2 * cover_margin - above_list(run, is_first);
     return static_cast<std::size_t>(std::floor(room / line_height));
 }
 
@@ -43,13 +43,13 @@ std::string pages_text(const PrintedPiece& printed) {
 
 /// Writes a line at `y` [m from the lower edge]; the first page's letters are a little larger on its title.
 void write(PdfCanvas& canvas, const PrintRun& run, double y, const std::string& text, double height = letters) {
-    canvas.text({text, Vec2(margin, y), height, 0}, black, Align::left, run.cover_size.x() - 2 * margin);
+    canvas.text({text, Vec2(cover_margin, y), height, 0}, black, Align::left, run.cover_size.x() - 2 * cover_margin);
 }
 
 void draw_row(PdfCanvas& canvas, const PrintRun& run, double y, const std::array<std::string, 4>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        const double end = i + 1 < cells.size() ? columns[i + 1] : run.cover_size.x() - 2 * margin;
-        canvas.text({cells[i], Vec2(margin + columns[i], y), letters, 0}, black, Align::left, end - columns[i] - 0.002);
+        const double end = i + 1 < cells.size() ? columns[i + 1] : run.cover_size.x() - 2 * cover_margin;
+        canvas.text({cells[i], Vec2(cover_margin + columns[i], y), letters, 0}, black, Align::left, end - columns[i] - 0.002);
     }
 }
 
@@ -59,14 +59,14 @@ void draw_legend(PdfCanvas& canvas, double y, bool with_matches) {
     if (with_matches) kinds.push_back(match_kind());
     constexpr double column = 0.085;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
-        const Vec2 at(margin + column * static_cast<double>(i % 2), y - line_height * static_cast<double>(i / 2));
+        const Vec2 at(cover_margin + column * static_cast<double>(i % 2), y - line_height * static_cast<double>(i / 2));
         canvas.line(at, at + Vec2(0.018, 0), kinds[i].ink);
         canvas.text({kinds[i].meaning, at + Vec2(0.021, 0), letters, 0}, black, Align::left, column - 0.023);
     }
 }
 
 void draw_head(PdfCanvas& canvas, const PrintRun& run) {
-    double y = run.cover_size.y() - margin - 0.004;
+    double y = run.cover_size.y() - cover_margin - 0.004;
     const auto next = [&](const std::string& text) { write(canvas, run, y -= line_height, text); };
     write(canvas, run, y, run.title.empty() ? "Cut patterns" : run.title, 0.005);
     y -= 0.004;
@@ -90,8 +90,8 @@ void draw_head(PdfCanvas& canvas, const PrintRun& run) {
 
 void draw_list(PdfCanvas& canvas, const PrintRun& run, double top, std::size_t from, std::size_t to) {
     draw_row(canvas, run, top, {"page", "piece", "cut", "size along the warp × across"});
-    const double right = run.cover_size.x() - margin;
-    canvas.line({margin, top - 0.0028}, {right, top - 0.0028}, {black, 0.0002});
+    const double right = run.cover_size.x() - cover_margin;
+    canvas.line({cover_margin, top - 0.0028}, {right, top - 0.0028}, {black, 0.0002});
     for (std::size_t i = from; i < to; ++i) {
         const PatternPiece& piece = *run.pieces[i].piece;
         const Vec2 size = piece.upper() - piece.lower();
@@ -119,7 +119,7 @@ void draw_cover(PdfCanvas& canvas, const PrintRun& run) {
             canvas.add_bookmark("Cover");
             draw_head(canvas, run);
         }
-        draw_list(canvas, run, run.cover_size.y() - margin - above_list(run, page == 0) + line_height, from, to);
+        draw_list(canvas, run, run.cover_size.y() - cover_margin - above_list(run, page == 0) + line_height, from, to);
         from = to;
     }
 }
@@ -128,7 +128,7 @@ void draw_map(PdfCanvas& canvas, const PrintRun& run, const PrintedPiece& printe
     const PageGrid& grid = printed.grid;
     canvas.begin_page(run.cover_size, printed.piece->name + " map");
     canvas.add_bookmark(printed.piece->name);
-    double y = run.cover_size.y() - margin - 0.004;
+    double y = run.cover_size.y() - cover_margin - 0.004;
     write(canvas, run, y, printed.piece->name, 0.005);
     write(canvas, run, y -= 0.010,
           (run.title.empty() ? "" : run.title + "; ") + count_text(*printed.piece) + "; " +
@@ -139,9 +139,9 @@ void draw_map(PdfCanvas& canvas, const PrintRun& run, const PrintedPiece& printe
         lower = lower.cwiseMin(window.lower);
         upper = upper.cwiseMax(window.upper);
     }
-    const Vec2 room(run.cover_size.x() - 2 * margin, y - 0.008 - margin);
+    const Vec2 room(run.cover_size.x() - 2 * cover_margin, y - 0.008 - cover_margin);
     const double scale = (room.array() / (upper - lower).array()).minCoeff();
-    const Vec2 origin = Vec2(margin, y - 0.008) - scale * Vec2(lower.x(), upper.y());
+    const Vec2 origin = Vec2(cover_margin, y - 0.008) - scale * Vec2(lower.x(), upper.y());
     const auto at = [&](const Vec2& p) { return Vec2(origin + scale * p); };
     Points2 outline = closed_line(printed.piece->outline()) * scale;
     outline.rowwise() += origin.transpose();

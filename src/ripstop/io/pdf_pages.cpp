@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double margin = Paper::margin, overlap = Paper::overlap;
+constexpr double page_margin = Paper::margin, overlap = Paper::overlap;
 constexpr Colour black = {0, 0, 0}, grey = {0.5, 0.5, 0.5}, red = {0.8, 0, 0}, blue = {0, 0, 0.8};
 constexpr Colour pale = {0.6, 0.6, 0.6};
 constexpr double small_letters = 0.0022;
@@ -100,7 +100,7 @@ std::string name_at(int column, int row) {
 
 /// What joins the page to its neighbours: the crosses on what they share, and where their edges come to lie.
 void draw_joints(PdfCanvas& canvas, const PageGrid& grid, const PageWindow& window) {
-    const Vec2 lower(margin, margin), upper = grid.page - Vec2(margin, margin);
+    const Vec2 lower(page_margin, page_margin), upper = grid.page - Vec2(page_margin, page_margin);
     const Vec2 size = upper - lower;
     const auto joint = [&](int column, int row) {  // with the page right of (column, row), as seen from here
         const double middle = column == window.column ? upper.x() - overlap / 2 : lower.x() + overlap / 2;
@@ -126,7 +126,7 @@ void draw_joints(PdfCanvas& canvas, const PageGrid& grid, const PageWindow& wind
     }
 }
 
-std::string place_text(const PrintedPiece& printed, const PageWindow& window) {
+std::string sheet_text(const PrintedPiece& printed, const PageWindow& window) {
     if (printed.map_page == 0) return "";
     return window.name() + " of " + std::to_string(printed.grid.rows) + " rows, " +
            std::to_string(printed.grid.columns) + " columns, map on page " + std::to_string(printed.map_page) + "; ";
@@ -134,12 +134,12 @@ std::string place_text(const PrintedPiece& printed, const PageWindow& window) {
 
 void draw_header(PdfCanvas& canvas, const PrintRun& run, const PrintedPiece& printed, const PageWindow& window,
                  int page) {
-    const double width = printed.grid.page.x() - 2 * margin, y = printed.grid.page.y() - margin + 0.0035;
+    const double width = printed.grid.page.x() - 2 * page_margin, y = printed.grid.page.y() - page_margin + 0.0035;
     const std::string title = run.title.empty() ? "" : run.title + ": ";
-    canvas.text({title + printed.piece->name + ", " + count_text(*printed.piece), Vec2(margin, y), small_letters, 0},
+    canvas.text({title + printed.piece->name + ", " + count_text(*printed.piece), Vec2(page_margin, y), small_letters, 0},
                 black, Align::left, 0.52 * width);
-    canvas.text({place_text(printed, window) + "page " + std::to_string(page) + " of " + std::to_string(run.pages),
-                 Vec2(margin + width, y), small_letters, 0},
+    canvas.text({sheet_text(printed, window) + "page " + std::to_string(page) + " of " + std::to_string(run.pages),
+                 Vec2(page_margin + width, y), small_letters, 0},
                 black, Align::right, 0.46 * width);
 }
 
@@ -174,7 +174,7 @@ void draw_page(PdfCanvas& canvas, const PrintRun& run, const PrintedPiece& print
     canvas.begin_page(grid.page,
                       grid.windows.size() > 1 ? printed.piece->name + " " + shown.name() : printed.piece->name);
     if (window == 0 && printed.map_page == 0) canvas.add_bookmark(printed.piece->name);
-    const Vec2 lower(margin, margin), upper = grid.page - lower;
+    const Vec2 lower(page_margin, page_margin), upper = grid.page - lower;
     draw_test_squares(canvas, lower + Vec2::Constant(overlap + 0.005));
     canvas.begin_clip(lower, upper);
     draw_piece(View(canvas, shown, lower - shown.lower), *printed.piece);
@@ -184,7 +184,7 @@ void draw_page(PdfCanvas& canvas, const PrintRun& run, const PrintedPiece& print
     draw_ruler(canvas, lower, upper.x() - lower.x());
     draw_header(canvas, run, printed, shown, page);
     canvas.text({"True size: print at 100 %, not fitted to the page, and measure the square and the ruler.",
-                 Vec2(margin, margin - 0.0068), 0.0018, 0},
+                 Vec2(page_margin, page_margin - 0.0068), 0.0018, 0},
                 black, Align::left, upper.x() - lower.x());
 }
 

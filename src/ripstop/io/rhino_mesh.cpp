@@ -16,7 +16,7 @@ namespace {
 constexpr RhinoId double_vertices_class = rhino_id("17F24E75-21BE-4a7b-9F3D-7F85225247E3");
 constexpr std::size_t float_point = 3 * sizeof(float), double_point = 3 * sizeof(double);
 constexpr unsigned first_writer_of_mapping_tags = 200606010;
-constexpr double most = 1e12;  // as in every reader: what is larger is no coordinate
+constexpr double largest_coordinate = 1e12;  // as in every reader: what is larger is no coordinate
 
 using Quads = Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
@@ -105,7 +105,7 @@ void require_sound(const Points3& points, const Quads& faces, const RhinoBytes& 
                        std::to_string(static_cast<std::uint32_t>(faces(f, k))) + " of " +
                        std::to_string(points.rows()) + ", counted from 0");
     for (Eigen::Index v = 0; v < points.rows(); ++v)
-        if (!(points.row(v).cwiseAbs().maxCoeff() < most) || !points.row(v).allFinite())
+        if (!(points.row(v).cwiseAbs().maxCoeff() < largest_coordinate) || !points.row(v).allFinite())
             refuse("vertex " + std::to_string(v) + " has a coordinate that is not a number below 1e12");
 }
 

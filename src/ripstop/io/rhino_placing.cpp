@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-constexpr std::size_t deepest = 50;
+constexpr std::size_t deepest_block = 50;
 constexpr std::size_t fewest_placed = 1000, bytes_of_placed = 4;
 constexpr std::size_t longest_path = 4096;
 
@@ -142,9 +142,9 @@ class Placer {
     }
 
     void follow(const RhinoPlaced& instance, const Reference& reference, const std::vector<const RhinoObject*>& parts) {
-        if (std::find(open_.begin(), open_.end(), reference.definition) != open_.end() || open_.size() >= deepest)
+        if (std::find(open_.begin(), open_.end(), reference.definition) != open_.end() || open_.size() >= deepest_block)
             throw InputError(archive_.name + ": " + rhino_called(*instance.object) +
-                             ": the block holds itself, or blocks are in blocks more than " + std::to_string(deepest) +
+                             ": the block holds itself, or blocks are in blocks more than " + std::to_string(deepest_block) +
                              " deep; explode it in Rhino");
         open_.push_back(reference.definition);
         RhinoPlaced part{nullptr, instance.place * reference.place, instance.instances, instance.path, instance.around};

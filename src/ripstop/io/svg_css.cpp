@@ -12,9 +12,9 @@
 namespace ripstop {
 namespace {
 
-constexpr int deepest = 32;  // blocks of rules within each other
+constexpr int deepest_block = 32;  // blocks of rules within each other
 
-bool is_blank(char c) {
+bool is_css_blank(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
 }
 
@@ -98,8 +98,8 @@ class SelectorReader {
     char combinator() {
         char found = ' ';
         while (!rest_.empty() &&
-               (is_blank(rest_.front()) || std::string_view(">+~").find(rest_.front()) != rest_.npos)) {
-            if (!is_blank(rest_.front())) found = rest_.front();
+               (is_css_blank(rest_.front()) || std::string_view(">+~").find(rest_.front()) != rest_.npos)) {
+            if (!is_css_blank(rest_.front())) found = rest_.front();
             rest_.remove_prefix(1);
         }
         return found;
@@ -129,13 +129,13 @@ class SelectorReader {
             code = 16 * code + (c <= '9' ? c - '0' : (c | 32) - 'a' + 10);
         }
         if (digits == 0) return take();
-        if (!rest_.empty() && is_blank(rest_.front())) take();
+        if (!rest_.empty() && is_css_blank(rest_.front())) take();
         return code > 0 && code < 128 ? static_cast<char>(code) : '?';
     }
 
     bool read_compound(CssCompound& compound) {
         bool is_any = false;
-        while (!rest_.empty() && !is_blank(rest_.front()) &&
+        while (!rest_.empty() && !is_css_blank(rest_.front()) &&
                std::string_view(">+~").find(rest_.front()) == rest_.npos) {
             if (!read_simple(compound)) return false;
             is_any = true;
@@ -257,7 +257,7 @@ class SheetReader {
         if (name == "@import") {
             rules.push_back({{}, {}, readable_name(head)});
         } else if (name == "@media" || name == "@supports" || name == "@layer" || name == "@container") {
-            if (depth > deepest) return;
+            if (depth > deepest_block) return;
             bool is_all = name == "@media" && condition.empty(), is_other = name == "@media" && !condition.empty();
             for (const std::string_view medium : parts(condition, ',')) {
                 if (medium == "all" || medium == "screen" || medium == "only screen" || medium == "only all")

@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double largest = 1e9;
+constexpr double largest_number = 1e9;
 constexpr std::string_view blanks = " \t\r\n\f\v";
 
 void skip_blanks(std::string_view& rest) {
@@ -169,7 +169,7 @@ bool next_svg_number(std::string_view& rest, double& number, const std::string& 
     if (rest.empty()) return false;
     const std::size_t end = svg_number_end(rest);
     const std::optional<double> value = parse_double(rest.substr(0, end));
-    if (!value || std::abs(*value) > largest)
+    if (!value || std::abs(*value) > largest_number)
         throw InputError(place + ": " + shown(rest) + ", expected a number within 1e9; export it again");
     number = *value;
     rest.remove_prefix(end);

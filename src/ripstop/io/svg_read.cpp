@@ -18,13 +18,13 @@
 namespace ripstop {
 namespace {
 
-constexpr int deepest = 256;
+constexpr int deepest_element = 256;
 constexpr double farthest = 1e9;
 constexpr int most_used = 200'000;              // elements that uses draw again
 constexpr std::size_t most_points = 8'000'000;  // of curves
 
 /// What elements within each other hand down.
-struct Place {
+struct ElementPlace {
     Eigen::Affine2d motion = Eigen::Affine2d::Identity();
     int group = -1;
     std::string layer = {};
@@ -49,7 +49,7 @@ class Reader {
         drawing_.format = "SVG";
         drawing_.units = scale_.units;
         sampling_ = scale_.sampling();
-        Place place;
+        ElementPlace place;
         place.motion = scale_.motion;
         place.basis.viewport = scale_.viewport;
         inherit(style, place);
@@ -66,7 +66,7 @@ class Reader {
     }
 
   private:
-    void leave(const pugi::xml_node& node, const Place& place, std::string_view kind, const std::string& reason,
+    void leave(const pugi::xml_node& node, const ElementPlace& place, std::string_view kind, const std::string& reason,
                bool may_be_cut, bool is_carried = false) {
         const auto along = [&](const char* key, const char* other, SvgAxis axis) {
             const pugi::xml_attribute given = node.attribute(key);
@@ -80,7 +80,7 @@ class Reader {
                                may_be_cut, is_carried, at});
     }
 
-    void inherit(const SvgStyle& style, Place& place) const {
+    void inherit(const SvgStyle& style, ElementPlace& place) const {
         const auto is_given = [&style](const char* key) { return !style[key].empty() && style[key] != "inherit"; };
         if (is_given("visibility")) place.is_visible = style["visibility"] == "visible";
         if (is_given("fill")) place.is_filled = style["fill"] != "none" && style["fill"] != "transparent";
@@ -90,7 +90,7 @@ class Reader {
         place.basis = svg_basis_within(place.basis, style);
     }
 
-    void draw(const pugi::xml_node& node, Place place, bool is_used = false) {
+    void draw(const pugi::xml_node& node, ElementPlace place, bool is_used = false) {
         if (node.type() != pugi::node_element || is_foreign_to_svg(node)) return;
         static const std::set<std::string_view> undrawn{
             "defs",      "symbol",   "clipPath",  "mask",          "marker", "pattern",        "style",
@@ -100,7 +100,7 @@ class Reader {
         if ((undrawn.contains(kind) && !(is_used && kind == "symbol")) || !is_offered_by_svg(node)) return;
         const SvgStyle style = styles_.of(node);
         if (style["display"] == "none") return;
-        if (++place.depth > deepest)
+        if (++place.depth > deepest_element)
             document_.refuse(node, "elements more than 256 deep, expected fewer; ungroup them");
         if (!using_.empty() && ++used_ > most_used)
             document_.refuse(node, "its uses draw more than 200000 elements; unlink the clones");
@@ -119,7 +119,7 @@ class Reader {
     }
 
     /// By `transform` about its origin. False for what is moved in another way, which is left out.
-    bool move(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, Place& place) {
+    bool move(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, ElementPlace& place) {
         for (const char* other : {"translate", "rotate", "scale", "zoom", "offset-path"})
             if (!is_none(style[other])) {
                 leave(node, place, kind, std::string("is moved by the style ") + other + ", which is not followed",
@@ -144,7 +144,7 @@ class Reader {
     }
 
     /// What is drawn of an element beside its line, and openings it is seen through.
-    void look_at_effects(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, Place& place) {
+    void look_at_effects(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, ElementPlace& place) {
         if (!is_none(style["filter"])) leave(node, place, kind, "is read without its filter", false, true);
         if (!is_none(style["mask"])) leave(node, place, kind, "is read without its mask", false, true);
         for (const char* marker : {"marker", "marker-start", "marker-mid", "marker-end"})
@@ -165,7 +165,7 @@ class Reader {
             target ? SvgClip::path(document_, styles_, target, place.motion, place.basis) : SvgClip::unknown()));
     }
 
-    void draw_group(const pugi::xml_node& node, std::string_view kind, Place& place) {
+    void draw_group(const pugi::xml_node& node, std::string_view kind, ElementPlace& place) {
         enter(node, place);
         for (const pugi::xml_node& child : node.children()) {
             draw(child, place);
@@ -175,7 +175,7 @@ class Reader {
         }
     }
 
-    void enter(const pugi::xml_node& node, Place& place) {
+    void enter(const pugi::xml_node& node, ElementPlace& place) {
         const std::string label = readable_name(node.attribute("inkscape:label").value());
         const pugi::xml_attribute name = node.attribute("data-name");  // of a piece, which may be a layer to Inkscape
         if (std::string_view(node.attribute("inkscape:groupmode").value()) == "layer" && !name) {
@@ -190,7 +190,7 @@ class Reader {
     }
 
     /// An svg within, or a symbol that is used: with a place, a size and a scale of its own.
-    void draw_viewport(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, Place& place) {
+    void draw_viewport(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, ElementPlace& place) {
         std::vector<std::string> unclear;
         const Vec2 around = place.basis.viewport.value_or(Vec2(0, 0));
         const auto length = [&](const char* key, SvgAxis axis, double otherwise) {
@@ -216,7 +216,7 @@ class Reader {
         for (const pugi::xml_node& child : node.children()) draw(child, place);
     }
 
-    void draw_use(const pugi::xml_node& node, const SvgStyle& style, Place& place) {
+    void draw_use(const pugi::xml_node& node, const SvgStyle& style, ElementPlace& place) {
         if (!place.is_visible && svg_href(node).empty()) return;
         const pugi::xml_node target = document_.target_of(node);
         if (!target)
@@ -249,7 +249,7 @@ class Reader {
         return static_cast<bool>(node);
     }
 
-    void draw_leaf(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, Place& place) {
+    void draw_leaf(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, ElementPlace& place) {
         if (const std::string own = node.attribute("class").value(); !own.empty()) place.layer = readable_name(own);
         if (kind == "text") return draw_text(node, place);
         if (!place.is_visible) return;
@@ -282,7 +282,7 @@ class Reader {
         return at;
     }
 
-    void add(const pugi::xml_node& node, const Place& place, const SvgRun& run) {
+    void add(const pugi::xml_node& node, const ElementPlace& place, const SvgRun& run) {
         const std::vector<Vec2> points = sampled(run, place.motion, sampling_);
         if (points.size() > run.segments.size() + 1 && (points_ += points.size()) > most_points)
             document_.refuse(node, "its curves are more than 8 million points; draw less in a file");
@@ -307,7 +307,7 @@ class Reader {
         drawing_.paths.push_back(std::move(path));
     }
 
-    void draw_text(const pugi::xml_node& node, const Place& place) {
+    void draw_text(const pugi::xml_node& node, const ElementPlace& place) {
         const SvgText text = svg_text(node, styles_, place.basis, place.is_visible);
         if (text.has_text_path) leave(node, place, "textPath", "", false);
         const Vec2 along = place.motion.linear().col(0), up = place.motion.linear().col(1);

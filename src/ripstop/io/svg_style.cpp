@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 20> placing{
     "rotate",    "rx",         "ry",    "scale",   "transform", "transform-box", "transform-origin",
     "translate", "visibility", "width", "x",       "y",         "zoom"};
 /// What else is read.
-constexpr std::array<std::string_view, 13> others{
+constexpr std::array<std::string_view, 13> other_properties{
     "clip-path",  "fill",         "filter", "font",     "font-size", "marker",          "marker-end",
     "marker-mid", "marker-start", "mask",   "overflow", "stroke",    "stroke-dasharray"};
 
@@ -28,7 +28,7 @@ bool is_only_in_css(std::string_view property) {
            property == "zoom" || property == "offset-path";
 }
 bool is_read(std::string_view property) {
-    return is_placing(property) || std::find(others.begin(), others.end(), property) != others.end();
+    return is_placing(property) || std::find(other_properties.begin(), other_properties.end(), property) != other_properties.end();
 }
 
 constexpr long long of_style_attribute = 1LL << 60, of_important = 1LL << 61;

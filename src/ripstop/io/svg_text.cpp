@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int deepest = 64;  // tspan in tspan
+constexpr int deepest_span = 64;  // tspan in tspan
 constexpr double farthest = 1e9;
 
 class TextReader {
@@ -24,7 +24,7 @@ class TextReader {
             }
             const std::string_view kind = svg_local_name(part);
             if (kind == "textPath") text_.has_text_path = true;
-            if ((kind != "tspan" && kind != "a") || depth > deepest) continue;
+            if ((kind != "tspan" && kind != "a") || depth > deepest_span) continue;
             const SvgStyle style = styles_.of(part);
             if (style["display"] == "none") continue;
             const std::string_view seen = style["visibility"];

@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-bool is_blank(char c) {
+bool is_blank_or_comma(char c) {
     return std::string_view(" \t\r\n\f,").find(c) != std::string_view::npos;
 }
 
@@ -18,7 +18,7 @@ bool is_blank(char c) {
 std::vector<std::string_view> arguments_of(std::string_view text) {
     std::vector<std::string_view> found;
     while (true) {
-        while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+        while (!text.empty() && is_blank_or_comma(text.front())) text.remove_prefix(1);
         if (text.empty()) return found;
         std::size_t end = svg_number_end(text);
         while (end < text.size() &&
@@ -46,7 +46,7 @@ class TransformReader {
             arguments_ = arguments_of(rest.substr(open + 1, close - open - 1));
             motion = motion * one();
             rest.remove_prefix(close + 1);
-            while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
+            while (!rest.empty() && is_blank_or_comma(rest.front())) rest.remove_prefix(1);
         }
         return motion;
     }

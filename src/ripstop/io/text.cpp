@@ -10,7 +10,7 @@ namespace ripstop {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\f\v";
-constexpr bool is_blank(char c) {
+constexpr bool is_blank_in_line(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
 
@@ -123,9 +123,9 @@ std::string_view Lines::joined() {
 std::string_view next_word(std::string_view& rest) {
     const char* const end = rest.data() + rest.size();
     const char* start = rest.data();
-    while (start != end && is_blank(*start)) ++start;
+    while (start != end && is_blank_in_line(*start)) ++start;
     const char* stop = start;
-    while (stop != end && !is_blank(*stop)) ++stop;
+    while (stop != end && !is_blank_in_line(*stop)) ++stop;
     rest = {stop, static_cast<std::size_t>(end - stop)};
     return {start, static_cast<std::size_t>(stop - start)};
 }

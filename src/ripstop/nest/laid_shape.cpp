@@ -10,7 +10,7 @@ namespace {
 
 constexpr double steps_per_metre = 1e7;
 constexpr double left_out = 1e-4;  // [m]
-constexpr double rounding = 1e-6;  // more than Clipper's steps can take away [m]
+constexpr double clipper_rounding = 1e-6;  // more than Clipper's steps can take away [m]
 
 Points2 closed(const Points2& outline) {
     Points2 line(outline.rows() + 1, 2);
@@ -28,7 +28,7 @@ Points2 grown_outline(const Points2& outline, double distance) {
     ClipperLib::ClipperOffset offset(2);
     offset.AddPath(path, ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
     ClipperLib::Paths grown;
-    offset.Execute(grown, (distance + left_out + rounding) * steps_per_metre);
+    offset.Execute(grown, (distance + left_out + clipper_rounding) * steps_per_metre);
     if (grown.empty()) return outline;
     // The outside; where the growth closes a hollow, what is left inside it is not used.
     std::size_t largest = 0;

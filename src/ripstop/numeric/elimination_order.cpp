@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include "ripstop/base/index.h"
 
 namespace ripstop {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Calls visit(row, column, slot) for every entry of the lower triangle.
 template <class Visit>

@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int samples = 256;          // of a seam's curve, to spread its marks
+constexpr int curve_samples = 256;          // of a seam's curve, to spread its marks
 constexpr double room_for_two = 0.2;  // a shorter seam has one mark [m]
 constexpr double lone_mark = 0.4;     // of the seam's length
 constexpr double depth_of_allowance = 0.4;
@@ -110,12 +110,12 @@ std::vector<SeamMark> seam_marks(const std::vector<FlatTile>& tiles, const Seam&
         return {{share * seam.length, 1}};
     }
     const Bends a = bends_of(tiles, seam, false), b = bends_of(tiles, seam, true);
-    std::vector<double> run(samples + 1, 0);  // the integral of ds / h up to each sample
-    for (int i = 0; i < samples; ++i) {
-        const double s = seam.length * (i + 0.5) / samples;
+    std::vector<double> run(curve_samples + 1, 0);  // the integral of ds / h up to each sample
+    for (int i = 0; i < curve_samples; ++i) {
+        const double s = seam.length * (i + 0.5) / curve_samples;
         const double curvature = std::max({a.at(s), b.at(s), 1e-9});
         const double spacing = std::clamp(options.turn / curvature, options.curved_spacing, options.straight_spacing);
-        run[static_cast<std::size_t>(i) + 1] = run[static_cast<std::size_t>(i)] + seam.length / samples / spacing;
+        run[static_cast<std::size_t>(i) + 1] = run[static_cast<std::size_t>(i)] + seam.length / curve_samples / spacing;
     }
     const int intervals = std::max(3, static_cast<int>(std::ceil(run.back() - 1e-9)));
     const int twice = direction == MarkDirection::from_start ? 1
@@ -126,7 +126,7 @@ std::vector<SeamMark> seam_marks(const std::vector<FlatTile>& tiles, const Seam&
         const double wanted = run.back() * k / intervals;
         const auto i = static_cast<std::size_t>(std::upper_bound(run.begin(), run.end() - 1, wanted) - run.begin());
         const double share = (wanted - run[i - 1]) / (run[i] - run[i - 1]);
-        marks.push_back({seam.length * (static_cast<double>(i - 1) + share) / samples, k == twice ? 2 : 1});
+        marks.push_back({seam.length * (static_cast<double>(i - 1) + share) / curve_samples, k == twice ? 2 : 1});
     }
     return marks;
 }

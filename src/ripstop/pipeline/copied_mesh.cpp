@@ -3,7 +3,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_place = 1e-6;  // [m]
+constexpr double same_vertex = 1e-6;  // [m]
 
 Vec3 moved(const Vec3& x, const Likeness& likeness) {
     return likeness.motion * (likeness.mirrored ? Vec3(-x.x(), x.y(), x.z()) : x);
@@ -16,7 +16,7 @@ std::vector<int> matching_nodes(const NewBoundary& first, const NewBoundary& bou
     const auto near = [&](int k, int i) {
         return (moved(first.nodes[static_cast<std::size_t>(k)].position, likeness) -
                 boundary.nodes[static_cast<std::size_t>(i)].position)
-                   .norm() < same_place;
+                   .norm() < same_vertex;
     };
     const int step = likeness.mirrored ? count - 1 : 1;
     for (int start = 0; start < count; ++start) {

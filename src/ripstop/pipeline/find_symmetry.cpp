@@ -13,13 +13,13 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_place = 1e-6;  // [m]
+constexpr double same_symmetric_place = 1e-6;  // [m]
 constexpr double same_cloth = 1e-9;  // of edges squared [m2]
 
 /// Where the vertical axis of a turn meets the plane z = 0; nothing unless it is a turn about one.
 std::optional<Vec3> axis_of(const Eigen::Isometry3d& motion) {
     const Eigen::Matrix3d& R = motion.linear();
-    if ((R * Vec3::UnitZ() - Vec3::UnitZ()).norm() > 1e-6 || std::abs(motion.translation().z()) > same_place)
+    if ((R * Vec3::UnitZ() - Vec3::UnitZ()).norm() > 1e-6 || std::abs(motion.translation().z()) > same_symmetric_place)
         return std::nullopt;
     const Mat22 A = Mat22::Identity() - R.topLeftCorner<2, 2>();
     if (std::abs(A.determinant()) < 1e-9) return std::nullopt;
@@ -85,7 +85,7 @@ Symmetry with_sectors(const CutPlan& plan, const std::vector<Likeness>& likeness
         const Points3 &x = first.tile.mesh.positions, &there = plan.tiles[i].tile.mesh.positions;
         for (Eigen::Index v = 0; v < there.rows(); ++v)
             if ((motion * Vec3(x.row(like.vertex[static_cast<std::size_t>(v)])) - Vec3(there.row(v))).norm() >
-                same_place)
+                same_symmetric_place)
                 return whole(plan);
         if (!is_cut_alike(first, plan.tiles[i], like.vertex)) return whole(plan);
         symmetry.tiles[i] = {like.to, turns, like.vertex};

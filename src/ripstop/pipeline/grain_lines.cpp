@@ -63,7 +63,7 @@ std::vector<Vec3> places_on(const NamedCurve& curve) {
     return places;
 }
 
-std::string place_text(const Vec3& v) {
+std::string coordinates_text(const Vec3& v) {
     return format_fixed(v.x(), 3) + ", " + format_fixed(v.y(), 3) + ", " + format_fixed(v.z(), 3);
 }
 
@@ -111,7 +111,7 @@ std::vector<std::string> lay_grain_lines(CadModel& model, const std::vector<std:
     for (const NamedCurve& curve : model.curves) {
         if (!is_grain_line(curve, layers)) continue;
         const std::string line = "grain line " + (curve.name.empty() ? "" : curve.name + " ") + "from (" +
-                                 place_text(curve.points.row(0)) + ") m";
+                                 coordinates_text(curve.points.row(0)) + ") m";
         const Vec3 way = curve.points.row(curve.points.rows() - 1) - curve.points.row(0);
         if (!(way.norm() > 0)) {
             remarks.push_back(line + " left out: it ends where it starts; draw it from tail to head of the arrow");

@@ -13,7 +13,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_place = 0.05e-3;
+constexpr double same_point = 0.05e-3;
 constexpr double step = 2e-3;  // between the places of a line that are looked at [m]
 constexpr int most_steps = 2000;
 constexpr double longest_mark = 10e-3;  // a match mark where nothing can be cut is 3 mm
@@ -51,7 +51,7 @@ bool lies_on(const Points2& outline, const Points2& line) {
         const Vec2 from = line.row(i), to = line.row(i + 1);
         const int steps = std::clamp(static_cast<int>(std::ceil((to - from).norm() / step)), 2, most_steps);
         for (int k = 0; k <= steps; ++k)
-            if (distance_to_outline(outline, from + (static_cast<double>(k) / steps) * (to - from)) > same_place)
+            if (distance_to_outline(outline, from + (static_cast<double>(k) / steps) * (to - from)) > same_point)
                 return false;
     }
     return true;
@@ -62,7 +62,7 @@ bool is_match_mark(const Points2& line, const PatternPiece& piece) {
     const double length = (end - start).norm();
     if (line.rows() != 2 || length > longest_mark) return false;
     const auto meets = [&](const Vec2& a, const Vec2& b) {
-        return std::max((a - start).norm(), (b - end).norm()) <= same_place;
+        return std::max((a - start).norm(), (b - end).norm()) <= same_point;
     };
     for (const PieceNotch& notch : piece.notches)
         for (const auto& [from, to] : notch.strokes(notch.on_sew, length))

@@ -16,7 +16,7 @@ constexpr std::size_t enough = 24;  // neighbours: a cubic has nine unknowns
 constexpr int most_rings = 4;
 constexpr std::size_t too_many = 80;  // of needles about one vertex
 constexpr double nearness = 0.1;      // how much more near neighbours weigh than far ones
-constexpr double least_agreement = 0.7;
+constexpr double least_normal_agreement = 0.7;
 
 /// Triangles and neighbours about one vertex, on one side of the creases there.
 class Surroundings {
@@ -126,7 +126,7 @@ std::optional<Vec3> fitted_normal(const TriangleMesh& mesh, int vertex, const st
     if (qr.rank() < unknowns) return {};
     const Eigen::VectorXd solved = qr.solve(heights).cwiseQuotient(scale.transpose());
     const Vec3 normal = (up - solved[0] * x_axis - solved[1] * y_axis).normalized();
-    if (!(normal.dot(up) > least_agreement)) return {};
+    if (!(normal.dot(up) > least_normal_agreement)) return {};
     return normal;
 }
 

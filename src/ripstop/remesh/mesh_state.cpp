@@ -19,7 +19,7 @@ constexpr double many_locked = 0.25;
 constexpr double interior_limit = 4.7 * degree;
 constexpr double turn_wanted = 5 * degree;
 constexpr double most = 4000;  // triangles
-constexpr int too_many = 50000;
+constexpr int too_many_corners = 50000;
 constexpr double far_below = 0.25;  // of the needed edge
 constexpr double coarse_share = 1.1;
 
@@ -154,7 +154,7 @@ std::string MeshFault::text() const {
 
 std::optional<MeshFault> find_fault(const MeshState& state, double length_tolerance, double fewest) {
     const double needed = needed_edge(state, fewest);
-    if (state.triangles > too_many && state.mean_edge < far_below * needed)
+    if (state.triangles > too_many_corners && state.mean_edge < far_below * needed)
         return MeshFault{MeshFault::too_fine, static_cast<double>(state.triangles)};
     if (state.is_flat()) return {};
     const double boundary_short = state.boundary_turn * state.boundary_turn / 24;

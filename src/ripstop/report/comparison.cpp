@@ -16,7 +16,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double margin = 28;
+constexpr double cell_margin = 28;
 constexpr double head = 64;       ///< of the sheet
 constexpr double tile_head = 40;  ///< above the shapes of a tile
 constexpr double cell_width = 300;
@@ -24,7 +24,7 @@ constexpr double shape_height = 220;
 constexpr double cell_head = 84;  ///< name, figures and verdict above a shape
 constexpr int across = 4;         ///< shapes in a row
 
-std::string in_percent(double ratio, int decimals, bool with_sign = true) {
+std::string shown_percent(double ratio, int decimals, bool with_sign = true) {
     return shown(ratio / percent, decimals, with_sign);
 }
 
@@ -37,15 +37,15 @@ std::string significant(double value) {
 
 TextRow row_of(const FlatTile& tile) {
     const Accuracy& a = tile.accuracy;
-    const auto range = [](double low, double high) { return in_percent(low, 2) + " " + in_percent(high, 2); };
+    const auto range = [](double low, double high) { return shown_percent(low, 2) + " " + shown_percent(high, 2); };
     return {shortened(tile.tile.name),
             tile.method,
-            in_percent(a.area_error, 4),
-            in_percent(a.area_error_abs, 4, false),
-            in_percent(a.perimeter_error, 4),
-            in_percent(a.boundary_error_max, 4, false),
-            in_percent(worst_chain_error(a), 4),
-            in_percent(a.edge_error_abs, 4, false),
+            shown_percent(a.area_error, 4),
+            shown_percent(a.area_error_abs, 4, false),
+            shown_percent(a.perimeter_error, 4),
+            shown_percent(a.boundary_error_max, 4, false),
+            shown_percent(worst_chain_error(a), 4),
+            shown_percent(a.edge_error_abs, 4, false),
             range(a.warp_strain_min, a.warp_strain_max),
             range(a.weft_strain_min, a.weft_strain_max),
             shown(a.shear_max / degree, 2),
@@ -73,11 +73,11 @@ std::string shape(const FlatTile& tile, const Vec2& corner, double scale, const 
                       svg_text(corner + Vec2(0, 72), good ? "manufacturable" : "not manufacturable",
                                {12, "start", good ? "#18794e" : "#b3121f", true}) +
                       svg_text(corner + Vec2(0, 38),
-                               "area " + in_percent(a.area_error, 3) + " %  ·  edges up to " +
-                                   in_percent(a.boundary_error_max, 3, false) + " %",
+                               "area " + shown_percent(a.area_error, 3) + " %  ·  edges up to " +
+                                   shown_percent(a.boundary_error_max, 3, false) + " %",
                                {12, "start", "#1f2933"}) +
                       svg_text(corner + Vec2(0, 55),
-                               "perimeter " + in_percent(a.perimeter_error, 3) + " %  ·  flips " +
+                               "perimeter " + shown_percent(a.perimeter_error, 3) + " %  ·  flips " +
                                    std::to_string(a.flipped) + "  ·  " + shown(tile.seconds, 3) + " s",
                                {12, "start", "#52606d"});
     const Vec2 middle = corner + Vec2((cell_width - 24) / 2, cell_head + shape_height / 2);
@@ -130,7 +130,7 @@ std::string comparison_sheet(const std::vector<CutPlan>& plans) {
     const std::size_t tiles = plans.front().tiles.size();
     const int columns = std::min(across, static_cast<int>(plans.size()));
     const int rows = (static_cast<int>(plans.size()) + columns - 1) / columns;
-    const double width = std::max(640.0, 2 * margin + columns * cell_width);
+    const double width = std::max(640.0, 2 * cell_margin + columns * cell_width);
     const double tile_height = tile_head + rows * (cell_head + shape_height + 16);
     const double foot = head + static_cast<double>(tiles) * tile_height;
     const double height = foot + 84;
@@ -140,25 +140,25 @@ std::string comparison_sheet(const std::vector<CutPlan>& plans) {
                       svg_number(width) + " " + svg_number(height) +
                       "\" font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<rect width=\"" + size +
                       "\" fill=\"#ffffff\"/>\n" +
-                      svg_text({margin, 40}, "Every method on the same cloth: " + plans.front().fabric.name,
+                      svg_text({cell_margin, 40}, "Every method on the same cloth: " + plans.front().fabric.name,
                                {22, "start", "#1f2933", true});
     for (std::size_t t = 0; t < tiles; ++t) {
         const double top = head + static_cast<double>(t) * tile_height;
         const Vec2 room = largest_size(plans, t);
         const double scale = std::min((cell_width - 40) / room.x(), shape_height / room.y());
-        svg += svg_text({margin, top + 24}, plans.front().tiles[t].tile.name, {18, "start", "#1f2933", true}) +
-               scale_bar({width - margin - 200, top + 22}, scale, 160);
+        svg += svg_text({cell_margin, top + 24}, plans.front().tiles[t].tile.name, {18, "start", "#1f2933", true}) +
+               scale_bar({width - cell_margin - 200, top + 22}, scale, 160);
         for (std::size_t m = 0; m < plans.size(); ++m) {
             const auto place = static_cast<int>(m);
-            const Vec2 corner(margin + place % columns * cell_width,
+            const Vec2 corner(cell_margin + place % columns * cell_width,
                               top + tile_head + place / columns * (cell_head + shape_height + 16));
             svg += shape(plans[m].tiles[t], corner, scale, tolerances);
         }
     }
     return svg +
-           colour_bar({margin + 6, foot + 30}, "cloth: |edge length error|, mean of a triangle",
+           colour_bar({cell_margin + 6, foot + 30}, "cloth: |edge length error|, mean of a triangle",
                       tolerances.strain / percent, "%") +
-           colour_bar({margin + 346, foot + 30}, "seams: |length error| of a chain", tolerances.length / percent, "%") +
+           colour_bar({cell_margin + 346, foot + 30}, "seams: |length error| of a chain", tolerances.length / percent, "%") +
            "</svg>\n";
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int most_lines = 10;  // of one code
+constexpr int most_findings = 10;  // of one code
 constexpr std::size_t most_layers = 24;
 
 std::string layers_text(const DrawingCheck& check) {
@@ -46,10 +46,10 @@ std::string issues_text(const DrawingCheck& check, bool wrong) {
     for (const DrawingIssue& issue : check.issues) ++counts[issue.code];
     std::string text;
     for (const DrawingIssue& issue : check.issues) {
-        if (issue.is_wrong != wrong || ++shown[issue.code] > most_lines) continue;
+        if (issue.is_wrong != wrong || ++shown[issue.code] > most_findings) continue;
         text += fmt::format("{:<14} {}", wrong ? "WRONG" : "note", issue.message);
-        const int left = counts[issue.code] - most_lines;
-        if (shown[issue.code] == most_lines && left > 0) text += fmt::format("; and {} more like this", left);
+        const int left = counts[issue.code] - most_findings;
+        if (shown[issue.code] == most_findings && left > 0) text += fmt::format("; and {} more like this", left);
         text += "\n";
     }
     return text;

@@ -19,9 +19,9 @@ namespace {
 constexpr double page_width = 960;
 constexpr double head_height = 112;
 constexpr double foot_height = 116;
-constexpr double side = 96;    ///< left and right of the drawing, for the figures beside the chains
+constexpr double side_margin = 96;    ///< left and right of the drawing, for the figures beside the chains
 constexpr double border = 44;  ///< above and below it
-constexpr double inner_width = page_width - 2 * side;
+constexpr double inner_width = page_width - 2 * side_margin;
 constexpr double tallest = 620;
 
 struct View : PageView {
@@ -44,7 +44,7 @@ View fitted(const Points2& positions) {
 }
 
 /// A signed figure in percent, with a true minus: a hyphen is easily missed.
-std::string in_percent(double ratio, int decimals) {
+std::string signed_percent(double ratio, int decimals) {
     const std::string text = shown(ratio / percent, decimals, true);
     return text.front() == '-' && text.size() > 1 ? "−" + text.substr(1) : text;
 }
@@ -88,7 +88,7 @@ class Writing {
 };
 
 std::string chain_figure(const Halfway& place, double error, bool beyond, Writing& writing) {
-    const std::string figure = in_percent(error, 3) + " %";
+    const std::string figure = signed_percent(error, 3) + " %";
     const Vec2 half(4.3 * static_cast<double>(figure.size()), 8);
     double away = 12;
     const auto middle = [&] { return Vec2(place.at + away * place.outward + place.outward.cwiseProduct(half)); };
@@ -169,12 +169,12 @@ std::string head(const FlatTile& tile) {
     const std::string verdict = good                  ? "manufacturable"
                                 : tile.verdict.judged ? "not manufacturable: " + failing_codes(tile.verdict)
                                                       : "not judged";
-    const std::string lengths = "area " + in_percent(a.area_error, 3) + " %   ·   perimeter " +
-                                in_percent(a.perimeter_error, 3) + " %   ·   worst chain " +
-                                in_percent(worst_chain_error(a), 3) + " %";
-    const std::string strains = "strain of the cloth: warp " + in_percent(a.warp_strain_min, 2) + " … " +
-                                in_percent(a.warp_strain_max, 2) + " %,  weft " + in_percent(a.weft_strain_min, 2) +
-                                " … " + in_percent(a.weft_strain_max, 2) + " %,  shear up to " +
+    const std::string lengths = "area " + signed_percent(a.area_error, 3) + " %   ·   perimeter " +
+                                signed_percent(a.perimeter_error, 3) + " %   ·   worst chain " +
+                                signed_percent(worst_chain_error(a), 3) + " %";
+    const std::string strains = "strain of the cloth: warp " + signed_percent(a.warp_strain_min, 2) + " … " +
+                                signed_percent(a.warp_strain_max, 2) + " %,  weft " + signed_percent(a.weft_strain_min, 2) +
+                                " … " + signed_percent(a.weft_strain_max, 2) + " %,  shear up to " +
                                 shown(a.shear_max / degree, 2) + "°";
     const char* colour = good ? "#18794e" : tile.verdict.judged ? "#b3121f" : "#7b8794";
     const Eigen::VectorXd& tension = tile.flattening.seam_tension;

@@ -15,13 +15,13 @@
 namespace ripstop {
 namespace {
 
-constexpr double side = 28;
+constexpr double card_margin = 28;
 constexpr double title_size = 22;
 
 std::string millimetres(double length, int decimals = 1, bool is_signed = false) {
     return page_figure(length / millimetre, decimals, is_signed) + "\u00a0mm";
 }
-std::string in_percent(double ratio, int decimals = 2) {
+std::string percent_text(double ratio, int decimals = 2) {
     return page_figure(ratio / percent, decimals, true) + "\u00a0%";
 }
 std::string in_degrees(double angle, int decimals) {
@@ -32,9 +32,9 @@ std::string in_degrees(double angle, int decimals) {
 std::string head(double width, const std::string& name, const std::string& word, bool is_good) {
     const double verdict = text_width(word, 16, true);
     return "<rect width=\"" + svg_number(width) + "\" height=\"6\" fill=\"" + (is_good ? page_good : page_bad) +
-           "\"/>\n" + verdict_mark({side + 16, 42}, is_good) +
-           text_within({side + 22, 42}, name, width - 2 * side - verdict - 40, {title_size, "start", page_ink, true}) +
-           svg_text({width - side, 42}, word, {16, "end", is_good ? page_good : page_bad, true});
+           "\"/>\n" + verdict_mark({card_margin + 16, 42}, is_good) +
+           text_within({card_margin + 22, 42}, name, width - 2 * card_margin - verdict - 40, {title_size, "start", page_ink, true}) +
+           svg_text({width - card_margin, 42}, word, {16, "end", is_good ? page_good : page_bad, true});
 }
 
 std::string pattern_words(const CutPlan& plan, std::size_t i) {
@@ -56,11 +56,11 @@ std::vector<std::string> figures(const PieceSource& source, std::size_t i) {
     const std::string limit = short_figure(limits.strain / percent) + "\u00a0%";
     return {fmt::format("Piece {} × {}\u00a0mm, {}  ·  area {}\u00a0m² ({} on the cloth)  ·  outline {} ({})",
                         page_figure(size.x(), 0), page_figure(size.y(), 0), pattern_words(source.plan, i),
-                        page_figure(a.area, a.area < 1 ? 4 : 2), in_percent(a.area_error, 3), millimetres(a.perimeter),
-                        in_percent(a.perimeter_error, 3)),
+                        page_figure(a.area, a.area < 1 ? 4 : 2), percent_text(a.area_error, 3), millimetres(a.perimeter),
+                        percent_text(a.perimeter_error, 3)),
             fmt::format("Strain along the warp {} to {}, the weft {} to {} (limit ±{})  ·  shear up to {} (limit {})",
-                        in_percent(a.warp_strain_min), in_percent(a.warp_strain_max), in_percent(a.weft_strain_min),
-                        in_percent(a.weft_strain_max), limit, in_degrees(a.shear_max, 2), in_degrees(limits.shear, 1)),
+                        percent_text(a.warp_strain_min), percent_text(a.warp_strain_max), percent_text(a.weft_strain_min),
+                        percent_text(a.weft_strain_max), limit, in_degrees(a.shear_max, 2), in_degrees(limits.shear, 1)),
             fmt::format("{}; grain: {}; {} triangles{}; {}", source.plan.fabric_of(tile.tile).name,
                         tile.tile.grain.source, page_figure(tile.tile.mesh.triangle_count(), 0),
                         tile.tile.remeshed ? " (meshed anew)" : "", tile.method)};
@@ -139,7 +139,7 @@ std::vector<std::string> seam_figures(const CutPlan& plan, std::size_t i) {
                     seam.a.chain + 1, millimetres(walk.flat_a), name(seam.b), seam.b.chain + 1,
                     millimetres(walk.flat_b)),
         fmt::format("Mismatch {} ({})  ·  farthest apart {} at {}, allowed {}  ·  sewn {}, allowance {} and {}\u00a0mm",
-                    millimetres(walk.mismatch(), 2, true), in_percent(walk.mismatch_ratio(), 3),
+                    millimetres(walk.mismatch(), 2, true), percent_text(walk.mismatch_ratio(), 3),
                     millimetres(walk.drift_max, 2), millimetres(walk.drift_max_at, 0), millimetres(walk.limit, 2),
                     seam.type.name, short_figure(seam.allowance(seam.a) / millimetre),
                     short_figure(seam.allowance(seam.b) / millimetre))};
@@ -165,7 +165,7 @@ const PageMap& telling_map(const FlatTile& tile, const StrainMap& strain) {
 }
 
 std::string tile_png(const PieceSource& source, std::size_t i, const std::vector<std::vector<std::uint16_t>>& edges) {
-    constexpr double width = 1000, tallest = 560, room = width - 2 * side;
+    constexpr double width = 1000, tallest = 560, room = width - 2 * card_margin;
     constexpr std::size_t most_findings = 3, rows = 4;
     const FlatTile& tile = source.plan.tiles[i];
     std::vector<std::string> wrong;
@@ -173,34 +173,34 @@ std::string tile_png(const PieceSource& source, std::size_t i, const std::vector
     std::string svg = head(width, tile.tile.name, tile_word(tile), tile.verdict.manufacturable());
     double y = 70;
     const TextStyle text{13, "start", page_ink};
-    svg += text_lines({side, y}, wrong, most_findings, room, text);
+    svg += text_lines({card_margin, y}, wrong, most_findings, room, text);
     y += 13 * line_step * static_cast<double>(std::min(most_findings, wrong.size())) + (wrong.empty() ? 0 : 6);
-    svg += text_lines({side, y}, figures(source, i), 3, room, {12.5, "start", page_soft});
+    svg += text_lines({card_margin, y}, figures(source, i), 3, room, {12.5, "start", page_soft});
     y += 3 * 12.5 * line_step;
 
     const PageMap& map = telling_map(tile, strain_of(source, i));
     PieceSight sight{source.plan, i, source.pieces[i], strain_of(source, i), map};
     if (i < edges.size()) sight.edges = edges[i];
     const double height = drawn_height(piece_extent(tile, source.pieces[i]).size(), room - 32, tallest);
-    const PieceView view = piece_view(sight, {side, y}, {width - side, y + height});
+    const PieceView view = piece_view(sight, {card_margin, y}, {width - card_margin, y + height});
     svg += view.svg;
     y += height + 14;
     if (!view.pixels.empty())
-        svg += map_legend({width / 2, y}, source.plan, map) + scale_bar({side, y + 34}, view.to_page.scale, 160);
+        svg += map_legend({width / 2, y}, source.plan, map) + scale_bar({card_margin, y + 34}, view.to_page.scale, 160);
     y += legend_size.y() + 20;
 
     const std::vector<std::string> sewn = sewn_edges(source.plan, i);
     const double column = room / 2;
     const auto half = static_cast<std::ptrdiff_t>(std::min(rows, (sewn.size() + 1) / 2));
-    svg += text_lines({side, y}, {sewn.begin(), sewn.begin() + half}, rows, column - 10, {12, "start", page_ink});
-    svg += text_lines({side + column, y}, {sewn.begin() + half, sewn.end()}, rows, column, {12, "start", page_ink});
+    svg += text_lines({card_margin, y}, {sewn.begin(), sewn.begin() + half}, rows, column - 10, {12, "start", page_ink});
+    svg += text_lines({card_margin + column, y}, {sewn.begin() + half, sewn.end()}, rows, column, {12, "start", page_ink});
     y += 12 * line_step * static_cast<double>(half);
     const Eigen::Vector2i size(static_cast<int>(width), static_cast<int>(y + 4));
     return png_picture(page_svg(size, svg), view.pixels);
 }
 
 std::string seam_png(const PieceSource& source, std::size_t i) {
-    constexpr double width = 1200, tallest = 460, room = width - 2 * side;
+    constexpr double width = 1200, tallest = 460, room = width - 2 * card_margin;
     const CutPlan& plan = source.plan;
     const Seam& seam = plan.seams[i];
     const SeamWalk& walk = plan.walks[i];
@@ -210,8 +210,8 @@ std::string seam_png(const PieceSource& source, std::size_t i) {
                                     ? plan.tiles[tiles[0]].tile.name + " is sewn to itself"
                                     : plan.tiles[tiles[0]].tile.name + " to " + plan.tiles[tiles[1]].tile.name;
     std::string svg = head(width, "Seam " + seam.id + ": " + between, seam_word(walk), walk.ok);
-    svg += text_lines({side, 72}, seam_figures(plan, i), 3, room, {13, "start", page_ink});
-    svg += drift_chart(walk, plan.tiles[tiles.back()].tile.name, {side, 130}, room);
+    svg += text_lines({card_margin, 72}, seam_figures(plan, i), 3, room, {13, "start", page_ink});
+    svg += drift_chart(walk, plan.tiles[tiles.back()].tile.name, {card_margin, 130}, room);
     const double top = 262, each = room / static_cast<double>(tiles.size());
     double height = 0, scale = std::numeric_limits<double>::infinity();  // one, so that the pieces can be compared
     for (const std::size_t tile : tiles) {
@@ -222,7 +222,7 @@ std::string seam_png(const PieceSource& source, std::size_t i) {
     std::vector<PlacedPixels> pixels;
     const PageMap& map = page_map(strain_of(source, tiles[0]).warp.size() > 0 ? "warp" : "edges");
     for (std::size_t k = 0; k < tiles.size(); ++k) {
-        const double left = side + static_cast<double>(k) * each;
+        const double left = card_margin + static_cast<double>(k) * each;
         PieceSight sight{plan, tiles[k], source.pieces[tiles[k]], strain_of(source, tiles[k]), map};
         sight.seam = static_cast<int>(i);
         sight.scale = scale;
@@ -232,7 +232,7 @@ std::string seam_png(const PieceSource& source, std::size_t i) {
                            {15, "middle", page_ink, true}) +
                view.svg;
     }
-    if (!pixels.empty()) svg += scale_bar({side, top + height + 48}, scale, 160);
+    if (!pixels.empty()) svg += scale_bar({card_margin, top + height + 48}, scale, 160);
     svg += map_legend({width / 2, top + height + 14}, plan, map);
     const Eigen::Vector2i size(static_cast<int>(width), static_cast<int>(top + height + legend_size.y() + 24));
     return png_picture(page_svg(size, svg), pixels);

@@ -20,7 +20,7 @@ namespace ripstop {
 namespace {
 
 constexpr double pixels_per_unit = 2;
-constexpr double margin = 16;                           ///< for rings and lines that stand out
+constexpr double ring_margin = 16;                           ///< for rings and lines that stand out
 constexpr double readable_size = 5, largest_size = 26;  ///< of letters
 
 Pixels cloth_pixels(const PieceSight& sight, const PageView& view, const Vec2& upper_left, const Vec2& size) {
@@ -188,7 +188,7 @@ PieceExtent piece_extent(const FlatTile& tile, const PatternPiece* piece) {
 }
 
 double fitting_scale(const Vec2& size, const Vec2& room) {
-    return (room - Vec2::Constant(2 * margin)).cwiseQuotient(size.cwiseMax(1e-9)).minCoeff();
+    return (room - Vec2::Constant(2 * ring_margin)).cwiseQuotient(size.cwiseMax(1e-9)).minCoeff();
 }
 
 PieceView piece_view(const PieceSight& sight, const Vec2& upper_left, const Vec2& lower_right) {

@@ -18,7 +18,7 @@ namespace ripstop {
 namespace {
 
 constexpr double page_width = 1200;
-constexpr double side = 28;
+constexpr double seam_margin = 28;
 constexpr double head_height = 92;
 constexpr double foot_height = 104;
 
@@ -58,10 +58,10 @@ Layout lay_out(const std::vector<Extent>& extents) {
         row = std::max(row, extent.size().y());
         reached = std::max(reached, x - gap);
     }
-    layout.scale = std::min((page_width - 2 * side) / std::max(reached, 1e-9), 900 / std::max(top + row, 1e-9));
-    layout.scale = std::max(layout.scale, (page_width - 2 * side) / std::max(reached, 1e-9) / 2);
+    layout.scale = std::min((page_width - 2 * seam_margin) / std::max(reached, 1e-9), 900 / std::max(top + row, 1e-9));
+    layout.scale = std::max(layout.scale, (page_width - 2 * seam_margin) / std::max(reached, 1e-9) / 2);
     layout.height = layout.scale * (top + row);
-    for (Vec2& origin : layout.origins) origin = layout.scale * origin + Vec2(side, head_height + 14);
+    for (Vec2& origin : layout.origins) origin = layout.scale * origin + Vec2(seam_margin, head_height + 14);
     return layout;
 }
 
@@ -178,15 +178,15 @@ std::string head(const CutPlan& plan) {
     summary = summary.substr(0, summary.find('\n'));
     const bool good = plan.findings.empty();
     const std::string title = "Seams" + (plan.input_file.empty() ? std::string() : " of " + plan.input_file);
-    return svg_text({side, 40}, title, {24, "start", "#1f2933", true}) +
-           svg_text({page_width - side, 40}, good ? "every seam agrees" : "some seams do not agree",
+    return svg_text({seam_margin, 40}, title, {24, "start", "#1f2933", true}) +
+           svg_text({page_width - seam_margin, 40}, good ? "every seam agrees" : "some seams do not agree",
                     {17, "end", good ? "#18794e" : "#b3121f", true}) +
-           svg_text({side, 68}, summary, {14, "start", "#1f2933"});
+           svg_text({seam_margin, 68}, summary, {14, "start", "#1f2933"});
 }
 
 std::string foot(const CutPlan& plan, const Layout& layout, double y) {
     return "<path stroke=\"#cbd2d9\" stroke-width=\"1\" d=\"M28 " + svg_number(y) + "H" +
-           svg_number(page_width - side) + "\"/>\n" +
+           svg_number(page_width - seam_margin) + "\"/>\n" +
            colour_bar({36, y + 42}, "sewn edges: how far apart the two sides are, for each metre of seam",
                       plan.tolerances.length / millimetre, "mm") +
            svg_text({560, y + 34}, "figures: this edge less its mate, mm; red and thick: beyond the tolerance",

@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace {
 
-constexpr std::array csv_columns{
+constexpr std::array seam_columns{
     "id",        "tile_a",      "chain_a",      "tile_b",       "chain_b",         "length_mm",     "flat_a_mm",
     "flat_b_mm", "mismatch_mm", "mismatch_pct", "drift_max_mm", "drift_max_at_mm", "limit_mm",      "uncertainty_mm",
     "gap_mm",    "certain",     "ok",           "type",         "allowance_a_mm",  "allowance_b_mm"};
@@ -63,7 +63,7 @@ std::string uncertain(const CutPlan& plan) {
 
 std::string seams_csv(const CutPlan& plan) {
     std::string text;
-    add_csv_line(text, {csv_columns.begin(), csv_columns.end()});
+    add_csv_line(text, {seam_columns.begin(), seam_columns.end()});
     for (std::size_t i = 0; i < plan.walks.size(); ++i) {
         const Seam& seam = plan.seams[i];
         const SeamWalk& walk = plan.walks[i];

@@ -19,7 +19,7 @@ namespace {
 
 using Row = TextRow;
 
-constexpr std::array csv_columns{"name",
+constexpr std::array tile_columns{"name",
                                  "vertices",
                                  "triangles",
                                  "method",
@@ -160,7 +160,7 @@ std::string remeshed_summary(const CutPlan& plan) {
 
 std::string tiles_csv(const CutPlan& plan) {
     std::string text;
-    add_csv_line(text, Row(csv_columns.begin(), csv_columns.end()));
+    add_csv_line(text, Row(tile_columns.begin(), tile_columns.end()));
     const std::vector<Quantity> cut = quantities(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         const FlatTile& tile = plan.tiles[i];
