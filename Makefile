@@ -1,5 +1,5 @@
 # `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
-.PHONY: setup build demo test bench bench-solve bench-seams bench-inflate dress-seams robustness matched accuracy accuracy-check guide sanitize install \
+.PHONY: setup build demo test bench bench-solve bench-seams bench-inflate dress-seams robustness matched accuracy accuracy-check guide field sanitize install \
 	format check clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
@@ -46,6 +46,12 @@ accuracy-check: build
 # docs/guide.md anew, with what the program prints now, and build/guide/guide.html with the pictures in it.
 guide: build
 	node scripts/guide/make.mjs build/release/ripstop build/guide
+
+# Thousands of made envelopes through check, flatten and cut lines; some minutes. FIELD=sleeve: those with that word alone.
+field: build/.setup
+	cmake --preset $(PRESET) -Wno-dev
+	cmake --build build/release -j $(JOBS) --target ripstop-field
+	build/release/tests/ripstop-field $(FIELD)
 
 install: build
 	cmake --install build/release

@@ -5,9 +5,11 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ripstop/base/error.h"
 #include "ripstop/io/mesh_file.h"
+#include "ripstop/mesh/mend.h"
 
 namespace ripstop::fuzzing {
 
@@ -15,13 +17,28 @@ inline void require(bool holds) {
     if (!holds) std::abort();
 }
 
+/// A mesh that was mended names what is there, and each of its vertices and triangles one that was.
+inline void require_mendable(const TriangleMesh& mesh) {
+    const auto [mended, vertex, triangle, becomes, joined, flat, doubled, unused, welded, place] = mend_mesh(mesh);
+    require(std::cmp_equal(vertex.size(), mended.vertex_count()) &&
+            std::cmp_equal(triangle.size(), mended.triangle_count()) &&
+            std::cmp_equal(becomes.size(), mesh.vertex_count()));
+    require(mended.triangles.size() == 0 ||
+            (mended.triangles.minCoeff() >= 0 && mended.triangles.maxCoeff() < mended.vertex_count()));
+    for (std::size_t v = 0; v < vertex.size(); ++v)
+        require(mended.positions.row(static_cast<Eigen::Index>(v)) == mesh.positions.row(vertex[v]));
+    for (const int v : becomes) require(v >= -1 && v < mended.vertex_count());
+    for (const int t : triangle) require(t >= 0 && t < mesh.triangle_count());
+}
+
 inline void require_sound(const CadModel& model) {
     require(!model.surfaces.empty());
-    for (const auto& [name, mesh, drawn, warp, attributes] : model.surfaces) {
+    for (const auto& [name, mesh, drawn, warp, attributes, fault] : model.surfaces) {
         require(!name.empty() && mesh.triangle_count() > 0);
         require(mesh.triangles.minCoeff() >= 0 && mesh.triangles.maxCoeff() < mesh.vertex_count());
         require(mesh.positions.allFinite());
         require(!drawn || (drawn->rows() == mesh.vertex_count() && drawn->allFinite()));
+        require_mendable(mesh);
         require(warp.rows() == 0 || (warp.rows() == mesh.triangle_count() && warp.allFinite()));
     }
     for (const NamedCurve& curve : model.curves)

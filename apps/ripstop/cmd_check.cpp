@@ -1,45 +1,55 @@
 /// ripstop check: what was understood of an envelope, and what is wrong with it.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "commands.h"
 #include "options.h"
 #include "progress_bar.h"
 #include "ripstop/assembly/check_envelope.h"
+#include "ripstop/pipeline/seam_doubts.h"
 #include "ripstop/report/check_report.h"
 #include "tell.h"
 
 namespace ripstop::cli {
 namespace {
 
-struct Arguments {
+struct CheckArguments {
     InputArguments input;
     bool json = false, quiet = false;
 };
 
-ExitCode run(const Arguments& given) {
-    const Input input = resolve(given.input);
-    const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
+ExitCode run(const CheckArguments& given) {
+    Input input = resolve(given.input);
+    RemeshOptions remesh = std::exchange(input.read.remesh, {});  // only to see what it would make certain
+    remesh.seam_tolerance = input.read.seam_tolerance;
+    const EnvelopeInput whole = read(given.input, input, given.quiet);
     EnvelopeCheck check = [&] {
         const Waiting waiting("Checking " + given.input.file.filename().string(), given.quiet);
-        return check_envelope(envelope, {input.read.seam_tolerance}, unit.metres);
+        EnvelopeCheck found = check_envelope(whole.envelope, {input.read.seam_tolerance}, whole.unit);
+        add_seam_doubts(found, whole.envelope, remesh);
+        return found;
     }();
-    check.fabrics = count_fabrics(envelope, input.fabric);
-    check.notes.insert(check.notes.end(), unused.begin(), unused.end());
+    check.fabrics = count_fabrics(whole.envelope, input.fabric);
+    check.issues.insert(check.issues.begin(), whole.issues.begin(), whole.issues.end());
+    check.notes.insert(check.notes.end(), whole.unused.begin(), whole.unused.end());
+    const std::string& unit = whole.unit.unit.name;
     const std::string file = given.input.file.filename().string();
     if (given.json)
-        print("{}", check_json(check, file, unit.name));
+        print("{}", check_json(check, file, unit));
     else if (!given.quiet)
-        show(check_text(check, file, unit.name + (unit_assumed ? " (assumed; --unit changes it)" : "")));
+        show(check_text(check, file, unit + (whole.unit_assumed ? " (assumed; --unit changes it)" : "")));
     return check.sound() ? manufacturable : not_manufacturable;
 }
 
 }  // namespace
 
 void add_check(CLI::App& app) {
-    auto given = std::make_shared<Arguments>();
+    auto given = std::make_shared<CheckArguments>();
     CLI::App* command = app.add_subcommand(
         "check", "Say what was understood of an envelope and what is wrong with it; solves and writes nothing");
     add_input_options(*command, given->input);
+    add_remesh_option(*command, given->input);
     command->add_flag("--json", given->json, "Print one JSON object on stdout instead of the text");
     command->add_flag("--quiet", given->quiet, "Print nothing; the exit code tells");
     command->footer(

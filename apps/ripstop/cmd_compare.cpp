@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t most_on_sheet = 24;  ///< tiles; more would make a picture nobody can open
 
-struct Arguments {
+struct CompareArguments {
     InputArguments input;
     std::vector<std::string> methods;
     std::filesystem::path sheet;
@@ -30,7 +30,7 @@ struct Arguments {
 };
 
 /// The methods asked for, each once; all if none are.
-std::vector<std::string> methods_of(const Arguments& given) {
+std::vector<std::string> methods_of(const CompareArguments& given) {
     std::vector<std::string> names;
     for (const std::string& name : given.methods)
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -40,7 +40,7 @@ std::vector<std::string> methods_of(const Arguments& given) {
 }
 
 /// Throws InputError where the sheet could not be written in the end, or would take the place of what is read.
-void require_free_sheet(const Arguments& given) {
+void require_free_sheet(const CompareArguments& given) {
     if (given.sheet.empty()) return;
     std::error_code unknown;
     const std::filesystem::path folder = given.sheet.has_parent_path() ? given.sheet.parent_path() : ".";
@@ -52,17 +52,19 @@ void require_free_sheet(const Arguments& given) {
         throw InputError(given.sheet.string() + ": exists; give another name, or --force to replace it");
 }
 
-void require_room(const Arguments& given, std::size_t tiles) {
+void require_room(const CompareArguments& given, std::size_t tiles) {
     if (!given.sheet.empty() && tiles > most_on_sheet)
         throw InputError(given.input.file.string() + ": " + std::to_string(tiles) + " tiles do not fit on a sheet, " +
                          std::to_string(most_on_sheet) + " do; choose some with --tile");
 }
 
-ExitCode run(const Arguments& given) {
+ExitCode run(const CompareArguments& given) {
     const Input input = resolve(given.input);
     require_free_sheet(given);
-    const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
-    tell_unused(unused);
+    const EnvelopeInput found = read(given.input, input, given.quiet);
+    const Envelope& envelope = found.envelope;
+    for (const EnvelopeIssue& issue : found.issues) tell(fmt::format("Warning: {}\n", issue.message));
+    tell_unused(found.unused);
     require_room(given, envelope.tiles.size());
     std::vector<CutPlan> plans;
     const std::vector<std::string> names = methods_of(given);
@@ -77,8 +79,8 @@ ExitCode run(const Arguments& given) {
         CutPlan plan = flatten_envelope(envelope, options);
         plan.input_file = given.input.file.filename().string();
         plan.input_sha256 = sha256_of_file(given.input.file);
-        plan.unit = unit.name;
-        plan.remarks = remarks;
+        plan.unit = found.unit.unit.name;
+        plan.remarks = found.remarks;
         plans.push_back(std::move(plan));
     }
     if (given.json)
@@ -94,7 +96,7 @@ ExitCode run(const Arguments& given) {
 }  // namespace
 
 void add_compare(CLI::App& app) {
-    auto given = std::make_shared<Arguments>();
+    auto given = std::make_shared<CompareArguments>();
     CLI::App* command =
         app.add_subcommand("compare", "Flatten the same tiles by every method: one table, one sheet of shapes");
     add_input_options(*command, given->input);

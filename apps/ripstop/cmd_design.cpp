@@ -15,7 +15,7 @@
 namespace ripstop::cli {
 namespace {
 
-struct Arguments {
+struct DesignArguments {
     EnvelopeDesign design;
     std::filesystem::path file;
     std::string edge, crown, panel_height;
@@ -50,7 +50,7 @@ void print_summary(const DesignSummary& summary) {
           summary.chord_error / millimetre);
 }
 
-void run(Arguments given) {
+void run(DesignArguments given) {
     require_design_file(given.file, given.force);
     EnvelopeDesign& design = given.design;
     design.bulge = given.lobes * degree;
@@ -68,7 +68,7 @@ void run(Arguments given) {
     print("{}\n", given.file.string());
 }
 
-void add_division_and_mesh(CLI::App& natural, Arguments& given) {
+void add_division_and_mesh(CLI::App& natural, DesignArguments& given) {
     natural.add_option("--gores", given.design.gores, "How many gores go round")
         ->capture_default_str()
         ->type_name("N")
@@ -93,7 +93,7 @@ void add_division_and_mesh(CLI::App& natural, Arguments& given) {
         ->group("Mesh");
 }
 
-void add_shape_and_load(CLI::App& natural, Arguments& given) {
+void add_shape_and_load(CLI::App& natural, DesignArguments& given) {
     natural.add_option("--volume", given.design.volume, "Cubic metres, as if closed at the crown")
         ->capture_default_str()
         ->type_name("M3")
@@ -136,7 +136,7 @@ void add_design(CLI::App& app) {
         "Examples:\n  ripstop design natural -o envelope.obj\n"
         "  ripstop design special shape.json -o bear.obj\n"
         "`ripstop design natural --help` and `ripstop design special --help` tell their options.");
-    auto given = std::make_shared<Arguments>();
+    auto given = std::make_shared<DesignArguments>();
     CLI::App* natural = shapes->add_subcommand(
         "natural", "Write the natural shape of a hot-air balloon, which has no hoop tension, in gores of panels");
     natural

@@ -17,7 +17,7 @@
 namespace ripstop::cli {
 namespace {
 
-struct Arguments {
+struct DesignSpecialArguments {
     std::filesystem::path shape, file;
     bool force = false;
 };
@@ -47,7 +47,7 @@ void print_summary(const SpecialShape& shape, const std::vector<NamedMesh>& tile
           summary.chord_error / millimetre);
 }
 
-void run(const Arguments& given) {
+void run(const DesignSpecialArguments& given) {
     require_design_file(given.file, given.force);
     std::ifstream in = open_input(given.shape, "the special shape");
     const SpecialShape shape = read_special_shape(in, given.shape.string());
@@ -64,7 +64,7 @@ void run(const Arguments& given) {
 }  // namespace
 
 void add_design_special(CLI::App& shapes) {
-    auto given = std::make_shared<Arguments>();
+    auto given = std::make_shared<DesignSpecialArguments>();
     CLI::App* special = shapes.add_subcommand(
         "special", "Write a special shape: ellipsoids, tori, capsules and cones, joined, in tiles by sector and ring");
     special->add_option("SHAPE", given->shape, "What it is made of, as JSON (docs/special.md)")

@@ -11,12 +11,12 @@
 namespace ripstop::cli {
 
 void add_diff(CLI::App& app) {
-    struct Arguments {
+    struct DiffArguments {
         std::filesystem::path before, after;
         std::string tolerance = "0.01mm";
         bool json = false;
     };
-    auto given = std::make_shared<Arguments>();
+    auto given = std::make_shared<DiffArguments>();
     CLI::App* command = app.add_subcommand("diff", "Say what changed between two cut plans, piece by piece");
     command->add_option("BEFORE", given->before, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
     command->add_option("AFTER", given->after, "The folder of a later revision")->type_name("DIR")->required();

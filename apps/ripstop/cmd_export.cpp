@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "format_options.h"
+#include "piece_options.h"
 #include "progress_bar.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/glob.h"
@@ -14,7 +15,7 @@
 namespace ripstop::cli {
 namespace {
 
-struct Arguments {
+struct ExportArguments {
     std::filesystem::path plan, output;
     FormatArguments files{{"dxf"}};
     std::vector<std::string> tiles;
@@ -47,7 +48,7 @@ std::string default_name(const FormatArguments& given) {
     return fmt::format("{}", fmt::join(words, "-"));
 }
 
-ExitCode run(Arguments given) {
+ExitCode run(ExportArguments given) {
     choose_formats(given.files, true);
     const PieceFileOptions files = file_options(given.files);
     if (given.output.empty()) given.output = given.plan / ("cut-" + default_name(given.files));
@@ -63,13 +64,13 @@ ExitCode run(Arguments given) {
         write_cut_files(folder, set, given.files.formats, files);
     });
     if (!given.quiet) print("{} pieces: {}\n", set.pieces.size(), given.output.string());
-    return manufacturable;
+    return warn_of_cut_lines(set);
 }
 
 }  // namespace
 
 void add_export(CLI::App& app) {
-    auto given = std::make_shared<Arguments>();
+    auto given = std::make_shared<ExportArguments>();
     CLI::App* command =
         app.add_subcommand("export", "Write the pieces of a cut plan as other cut files, without solving again");
     command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
@@ -88,7 +89,7 @@ void add_export(CLI::App& app) {
         "  ripstop export cut-plan --dialect aama                     for garment CAD\n"
         "  ripstop export cut-plan --format pdf --paper a4            paper templates on sheets\n"
         "  ripstop export cut-plan --format hpgl --tile 'G01P*' -o gore-1\n\n"
-        "Exit codes: 0 written, 2 usage, 3 unusable input.");
+        "Exit codes: 0 written, 1 written, but a cut line does not go round its sew line, 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

@@ -17,6 +17,8 @@
 #include "ripstop/base/error.h"
 #include "ripstop/base/sha256.h"
 #include "ripstop/io/mesh_file.h"
+#include "ripstop/io/pdf.h"
+#include "ripstop/pattern/cut_check.h"
 #include "ripstop/pipeline/compensate.h"
 #include "ripstop/pipeline/envelope_faults.h"
 #include "ripstop/pipeline/flatten_envelope.h"
@@ -35,7 +37,7 @@
 namespace ripstop::cli {
 namespace {
 
-struct Arguments {
+struct FlattenArguments {
     InputArguments input;
     std::filesystem::path directory;
     int jobs = 0;
@@ -60,7 +62,7 @@ void print_assumed_size(const Envelope& envelope) {
 }
 
 /// What to draw instead. Nothing where the input was only judged: there is no method to try it with.
-void propose(CutPlan& plan, const std::string& method, const Arguments& given) {
+void propose(CutPlan& plan, const std::string& method, const FlattenArguments& given) {
     if (method == "given") return;
     constexpr int all = std::numeric_limits<int>::max();
     const Progress bar = progress_bar(given.quiet);
@@ -71,15 +73,32 @@ void propose(CutPlan& plan, const std::string& method, const Arguments& given) {
         plan.merges = propose_merges(plan, method_named(method), given.jobs, progress_bar(given.quiet));
 }
 
-/// What is wrong with the envelope itself, as `ripstop check` says. Returns what of it may be meant.
-std::vector<std::string> take_faults(CutPlan& plan, const Envelope& envelope, double seam_tolerance,
-                                     const LengthUnit& unit) {
-    const EnvelopeCheck check = check_envelope(envelope, {seam_tolerance}, unit.metres);
+/// What is wrong with the envelope itself, as `ripstop check` says; of some tiles alone only what was wrong in the file.
+/// Returns what of it may be meant.
+std::vector<std::string> take_faults(CutPlan& plan, const EnvelopeInput& input, double seam_tolerance, bool is_whole) {
+    EnvelopeCheck check;
+    check.seam_tolerance = seam_tolerance;
+    if (is_whole) check = check_envelope(input.envelope, {seam_tolerance}, input.unit);
+    if (!is_whole && input.doubt && input.doubt->is_wrong) check.issues.push_back(unit_issue(*input.doubt));
+    check.issues.insert(check.issues.begin(), input.issues.begin(), input.issues.end());
     add_faults(plan, check);
     std::vector<std::string> warnings;
     for (const EnvelopeIssue& issue : check.issues)
-        if (issue.code == "unit" || issue.code == "missing_tile") warnings.push_back(issue.message);
+        if (issue.code == "missing_tile") warnings.push_back(issue.message);
     return warnings;
+}
+
+/// Paper of a size beyond all printing is left out, and said to be: the other files are there.
+std::vector<std::string> leave_out_unprintable(DirectoryOptions& writing, const PieceSet& pieces) {
+    const auto pdf = std::find(writing.formats.begin(), writing.formats.end(), "pdf");
+    if (pdf == writing.formats.end()) return {};
+    try {
+        require_printable(pieces.pieces, writing.files.paper);
+    } catch (const InputError& error) {
+        writing.formats.erase(pdf);
+        return {"no PDF is written: " + std::string(error.what())};
+    }
+    return {};
 }
 
 /// On stderr and in the report.
@@ -113,7 +132,35 @@ CutPlan compensated(const Envelope& envelope, FlattenOptions flattening, const F
     return plan;
 }
 
-ExitCode run(Arguments given) {
+/// Tiles and seams that fail.
+std::pair<std::ptrdiff_t, std::ptrdiff_t> failing(const CutPlan& plan) {
+    return {std::count_if(plan.tiles.begin(), plan.tiles.end(),
+                          [](const FlatTile& tile) { return !tile.verdict.manufacturable(); }),
+            std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return !walk.ok; })};
+}
+
+/// Remeshing may make no tile worse than its own mesh does: where tiles fail on other meshes than the input's, the input's
+/// are flattened too, and taken where less fails on them.
+void prefer_own_meshes(CutPlan& plan, EnvelopeInput& read_in, const FlattenArguments& given, Input input,
+                       const FlattenOptions& options) {
+    if (input.read.remesh.mode != RemeshMode::automatic) return;
+    const bool in_question = std::any_of(plan.tiles.begin(), plan.tiles.end(), [](const FlatTile& tile) {
+        return tile.tile.remeshed && !tile.verdict.manufacturable();
+    });
+    if (!in_question) return;
+    input.read.remesh.mode = RemeshMode::never;
+    EnvelopeInput own = read(given.input, input, true);
+    CutPlan on_own = flatten_envelope(own.envelope, options);
+    if (!(failing(on_own) < failing(plan))) return;
+    own.remarks.push_back(fmt::format(
+        "remeshed, {} tiles and {} seams fail, as drawn {} and {}: all tiles keep the meshes they were drawn with",
+        failing(plan).first, failing(plan).second, failing(on_own).first, failing(on_own).second));
+    if (!given.quiet) tell(fmt::format("Note: {}\n", own.remarks.back()));
+    plan = std::move(on_own);
+    read_in = std::move(own);
+}
+
+ExitCode run(FlattenArguments given) {
     choose_formats(given.files, false);
     if (given.compensate && !given.input.tiles.empty())
         throw CLI::ValidationError("--compensate", "only a whole envelope can be inflated; leave out --tile");
@@ -126,27 +173,32 @@ ExitCode run(Arguments given) {
     writing.files = file_options(given.files);
     require_writable(given.directory, given.force);
     const Input input = resolve(given.input);
-    const auto [envelope, unit, unit_assumed, remarks, unused] = read(given.input, input, given.quiet);
-    tell_unused(unused);
-    writing.warnings = unused;
-    if (unit_assumed && !given.quiet) print_assumed_size(envelope);
+    EnvelopeInput found = read(given.input, input, given.quiet);
+    const Envelope& envelope = found.envelope;
+    tell_unused(found.unused);
+    writing.warnings = found.unused;
+    if (found.doubt && !found.doubt->is_wrong) writing.warnings.push_back(found.doubt->sentence);
+    if (found.unit_assumed && !given.quiet) print_assumed_size(envelope);
 
     FlattenOptions options{method, input.fabric, input.tolerances, given.jobs, progress_bar(given.quiet)};
-    const Flight flight = input.read.project ? input.read.project->flight : Flight{};
+    const Flight& flight = found.flight;
     CutPlan plan = given.compensate ? compensated(envelope, options, flight_of(given.flight, flight), given.quiet)
                                     : flatten_envelope(envelope, options);
+    if (!given.compensate) prefer_own_meshes(plan, found, given, input, options);
     if (!plan.flight && input.read.project) plan.flight = flight;
     plan.input_file = given.input.file.filename().string();
     plan.input_sha256 = sha256_of_file(given.input.file);
-    plan.unit = unit.name;
-    plan.remarks = remarks;
-    if (given.input.tiles.empty())
-        warn(writing, take_faults(plan, envelope, input.read.seam_tolerance, unit), given.quiet);
+    plan.unit = found.unit.unit.name;
+    plan.remarks = found.remarks;
+    warn(writing, take_faults(plan, found, input.read.seam_tolerance, given.input.tiles.empty()), given.quiet);
     propose(plan, method, given);
 
     if (pattern.revision.empty()) pattern.revision = plan.input_sha256.substr(0, 8);
-    const PieceSet pieces = make_piece_set(plan, make_pieces(plan, pattern, given.jobs), pattern.revision);
+    std::vector<PatternPiece> drawn = make_pieces(plan, pattern, given.jobs);
+    warn(writing, judge_cut_lines(plan, drawn, given.pieces.allowance_fit, given.jobs), given.quiet);
+    const PieceSet pieces = make_piece_set(plan, std::move(drawn), pattern.revision);
     warn(writing, too_wide_pieces(pieces), given.quiet);
+    warn(writing, leave_out_unprintable(writing, pieces), given.quiet);
     {
         const Waiting waiting("Writing " + given.directory.string(), given.quiet);
         write_directory(given.directory, plan, pieces, writing, measure_strain_maps(plan, given.jobs));
@@ -163,11 +215,15 @@ ExitCode run(Arguments given) {
 }  // namespace
 
 void add_flatten(CLI::App& app) {
-    auto given = std::make_shared<Arguments>();
+    auto given = std::make_shared<FlattenArguments>();
     CLI::App* command = app.add_subcommand("flatten", "Flatten every tile, judge it, write the cut plan");
     add_input_options(*command, given->input);
     add_method_option(*command, given->input);
     add_remesh_option(*command, given->input);
+    command
+        ->add_flag("--fair-seams", given->input.fair_seams,
+                   "Cut along a fair curve, the same on both sides, where an edge zigzags along its mesh")
+        ->group("Flattening");
     command->add_option("-o,--output", given->directory, "The folder to write; must not exist or be empty")
         ->type_name("DIR")
         ->required();

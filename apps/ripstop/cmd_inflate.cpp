@@ -20,7 +20,7 @@
 namespace ripstop::cli {
 namespace {
 
-struct Arguments {
+struct InflateArguments {
     std::filesystem::path plan;
     std::string project;
     FlightArguments flight;
@@ -28,7 +28,7 @@ struct Arguments {
     int jobs = 0;
 };
 
-ExitCode run(const Arguments& given) {
+ExitCode run(const InflateArguments& given) {
     CutPlan plan = read_cut_plan(given.plan);
     require_writable(given.plan, true);
     const std::optional<Project> project = project_of(given.project, plan.unit);
@@ -57,7 +57,7 @@ ExitCode run(const Arguments& given) {
 }  // namespace
 
 void add_inflate(CLI::App& app) {
-    auto given = std::make_shared<Arguments>();
+    auto given = std::make_shared<InflateArguments>();
     CLI::App* command = app.add_subcommand("inflate", "Sew the pieces, inflate them, compare with the drawn shape");
     command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
     command->add_option("--project", given->project, "JSON whose `flight` says how it flies (docs/project.md)")

@@ -13,12 +13,12 @@
 namespace ripstop::cli {
 
 void add_inspect(CLI::App& app) {
-    struct Arguments {
+    struct InspectArguments {
         std::filesystem::path file;
         std::string chord, edge, tiles_are = "faces";
         bool json = false;
     };
-    auto given = std::make_shared<Arguments>();
+    auto given = std::make_shared<InspectArguments>();
     CLI::App* command =
         app.add_subcommand("inspect", "Say what a file holds: unit, layers, surfaces, curves and what is not read");
     command->add_option("INPUT", given->file, "The file, in any format that is read")->type_name("FILE")->required();

@@ -20,7 +20,7 @@
 namespace ripstop::cli {
 namespace {
 
-struct Arguments {
+struct LiftArguments {
     std::filesystem::path plan, drawing, output;
     std::vector<std::string> layers;
     std::string unit = "m";
@@ -35,13 +35,13 @@ NamedMesh flat_tile(const std::filesystem::path& plan, const PatternPiece& piece
     return std::move(model.surfaces[0]);
 }
 
-bool is_wanted(const Arguments& given, const std::string& layer) {
+bool is_wanted(const LiftArguments& given, const std::string& layer) {
     return given.layers.empty() || std::any_of(given.layers.begin(), given.layers.end(),
                                                [&](const std::string& glob) { return glob_match(glob, layer); });
 }
 
 /// What is drawn on the layers that are wanted and cannot be lifted, a sentence each.
-std::vector<std::string> left_out(const Arguments& given, const PatternDrawing& drawing, double metres_per_unit) {
+std::vector<std::string> left_out(const LiftArguments& given, const PatternDrawing& drawing, double metres_per_unit) {
     std::vector<std::string> texts;
     for (const UnreadEntity& entity : drawing.unread)
         if (!entity.is_carried && is_wanted(given, entity.layer)) texts.push_back(unread_text(entity, metres_per_unit));
@@ -49,7 +49,7 @@ std::vector<std::string> left_out(const Arguments& given, const PatternDrawing& 
 }
 
 /// None of the pieces, or some cut lines that are of none.
-void tell_strangers(const Arguments& given, const LiftedLines& lifted) {
+void tell_strangers(const LiftArguments& given, const LiftedLines& lifted) {
     constexpr std::size_t most = 6;
     const std::vector<std::string>& all = lifted.strangers;
     const std::vector<std::string> first(all.begin(), all.begin() + static_cast<long>(std::min(most, all.size())));
@@ -65,7 +65,7 @@ void tell_strangers(const Arguments& given, const LiftedLines& lifted) {
                          all.size(), all.size() == 1 ? " is" : "s are", text));
 }
 
-void keep_wanted(const Arguments& given, LiftedLines& lifted, const std::vector<std::string>& left_out) {
+void keep_wanted(const LiftArguments& given, LiftedLines& lifted, const std::vector<std::string>& left_out) {
     std::set<std::string> layers;
     for (const NamedCurve& curve : lifted.curves) layers.insert(curve.attributes.at("layer"));
     std::erase_if(lifted.curves,
@@ -83,7 +83,7 @@ void keep_wanted(const Arguments& given, LiftedLines& lifted, const std::vector<
                                  fmt::join(given.layers, ", "), fmt::join(layers, ", ")));
 }
 
-ExitCode run(const Arguments& given) {
+ExitCode run(const LiftArguments& given) {
     if (std::filesystem::exists(given.output) && !given.force)
         throw InputError(given.output.string() + ": exists; give another name, or --force to replace it");
     const PieceSet set = read_pieces_of(given.plan);
@@ -106,7 +106,7 @@ ExitCode run(const Arguments& given) {
 }  // namespace
 
 void add_lift(CLI::App& app) {
-    auto given = std::make_shared<Arguments>();
+    auto given = std::make_shared<LiftArguments>();
     CLI::App* command = app.add_subcommand(
         "lift", "Bring what was drawn on flat pieces back into space, as curves on the tiles, for the model");
     command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();

@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "format_options.h"
 #include "known.h"
+#include "piece_options.h"
 #include "progress_bar.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/folder_lock.h"
@@ -23,7 +24,7 @@
 namespace ripstop::cli {
 namespace {
 
-struct Arguments {
+struct NestArguments {
     std::filesystem::path plan, output;
     std::string roll, gap = "5mm";
     std::vector<std::string> roll_lengths, formats{"dxf", "svg", "pdf"};
@@ -32,7 +33,7 @@ struct Arguments {
     bool flip = false, one_way = false, force = false, json = false, quiet = false;
 };
 
-NestOptions options_of(const Arguments& given) {
+NestOptions options_of(const NestArguments& given) {
     NestOptions options;
     if (!given.roll.empty()) options.roll_width = parse_length(given.roll, "--roll");
     options.gap = parse_length(given.gap, "--gap");
@@ -65,7 +66,7 @@ void show_in_report(const std::filesystem::path& plan, const std::string& marker
     replace_file(page, with_roll(text.str(), markers));
 }
 
-ExitCode run(Arguments given) {
+ExitCode run(NestArguments given) {
     NestOptions options = options_of(given);
     options.progress = progress_bar(given.quiet);
     if (given.output.empty()) given.output = given.plan / "marker";
@@ -81,13 +82,14 @@ ExitCode run(Arguments given) {
         print("{}", marker_json(set, markers, given.formats));
     else if (!given.quiet || !markers.refusals.empty())
         show(marker_table(markers));
-    return markers.refusals.empty() ? manufacturable : not_manufacturable;
+    const ExitCode cut_lines = warn_of_cut_lines(set, given.jobs);
+    return markers.refusals.empty() ? cut_lines : not_manufacturable;
 }
 
 }  // namespace
 
 void add_nest(CLI::App& app) {
-    auto given = std::make_shared<Arguments>();
+    auto given = std::make_shared<NestArguments>();
     CLI::App* command =
         app.add_subcommand("nest", "Lay the pieces of a cut plan on the roll; write the markers and what to order");
     command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
@@ -126,7 +128,9 @@ void add_nest(CLI::App& app) {
         "  ripstop nest cut-plan --roll 1500mm\n"
         "  ripstop nest cut-plan --roll 1500mm --roll-length 100m --force     with joins, in place of the last\n"
         "  ripstop nest cut-plan --one-way --effort 400 -o marker             cloth with a nap, a longer search\n\n"
-        "Exit codes: 0 all laid, 1 some pieces do not fit the roll (the others are laid), 2 usage, 3 unusable input.");
+        "Exit codes: 0 all laid, 1 some pieces do not fit the roll (the others are laid) or a cut line does not go "
+        "round\n"
+        "its sew line, 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

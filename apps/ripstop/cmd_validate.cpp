@@ -15,13 +15,13 @@
 namespace ripstop::cli {
 namespace {
 
-struct Arguments {
+struct ValidateArguments {
     std::filesystem::path file;
     std::string unit, roll;
     bool json = false, quiet = false;
 };
 
-ExitCode run(const Arguments& given) {
+ExitCode run(const ValidateArguments& given) {
     DrawingCheckOptions options;
     if (!given.unit.empty()) options.unit = {given.unit, metres_per_unit(given.unit)};
     if (!given.roll.empty()) options.roll = parse_length(given.roll, "--roll");
@@ -42,7 +42,7 @@ ExitCode run(const Arguments& given) {
 }  // namespace
 
 void add_validate(CLI::App& app) {
-    auto given = std::make_shared<Arguments>();
+    auto given = std::make_shared<ValidateArguments>();
     CLI::App* command =
         app.add_subcommand("validate", "Say whether a pattern file, anyone's, is sound: unit, contours, layers, sizes");
     command->add_option("FILE", given->file, "The file, .dxf or .svg")->type_name("FILE")->required();

@@ -116,6 +116,10 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         ->type_name("UNIT")
         ->check(known_unit());
     command
+        .add_flag("--size-is-meant", given.size_is_meant,
+                  "The size is right though no balloon has it: the unit is not doubted (also in the project)")
+        ->group("Input");
+    command
         .add_option("--project", given.project,
                     "JSON with what the file cannot say: names, warp, corners, fabrics, seam types, tolerances "
                     "(docs/project.md)")
@@ -198,6 +202,7 @@ Input resolve(const InputArguments& given) {
     const auto& project = input.read.project;
     const std::string unit = !given.unit.empty() ? given.unit : project ? project->unit.value_or("") : "";
     if (!unit.empty()) input.read.unit = LengthUnit{unit, metres_per_unit(unit)};
+    input.read.size_is_meant = given.size_is_meant || (project && project->size_is_meant);
     input.read.grain_turn = given.grain * degree;
     input.read.only = given.tiles;
     input.read.layers = given.layers.empty() && project ? project->layers : given.layers;
@@ -209,6 +214,10 @@ Input resolve(const InputArguments& given) {
     input.read.meshing = meshing_of(given.chord, given.edge, given.tiles_are);
     input.tolerances = tolerances_of(input.fabric);
     if (project) input.tolerances = tolerances(*project, input.tolerances);
+    if (given.fair_seams && given.method == "given")
+        throw CLI::ValidationError(
+            "--fair-seams does not go with --method given: flat positions belong to the input's mesh");
+    input.read.fair_seams = given.fair_seams;
     input.read.remesh = remesh_options(given);
     input.read.remesh.length_tolerance = input.tolerances.length;
     return input;
@@ -223,6 +232,9 @@ EnvelopeInput read(const InputArguments& given, const Input& input, bool quiet) 
         Waiting waiting("Reading " + given.file.filename().string(), quiet);
         ReadOptions options = input.read;
         options.meshing.progress = waiting.progress();
+        options.doubts = [&](const UnitDoubt& doubt) {
+            if (!quiet) tell(fmt::format("Warning: {}\n", doubt.sentence));
+        };
         return read_input(given.file, options);
     }();
     for (std::size_t i = 0; !quiet && i < read.remarks.size(); ++i) {

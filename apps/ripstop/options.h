@@ -26,6 +26,8 @@ struct InputArguments {
     std::string tiles_are = "faces";
     std::vector<std::string> tiles;
     std::vector<std::string> layers;
+    bool fair_seams = false;       ///< where the command has the option
+    bool size_is_meant = false;    ///< the unit is not to be doubted
     std::string remesh = "never";  ///< where the command has the option: `auto`, `never` or a length with its unit
 };
 
@@ -54,7 +56,7 @@ std::optional<Project> project_of(const std::string& file, const std::string& un
 /// Throws InputError.
 Input resolve(const InputArguments& given);
 
-/// Reads the input file. Its remarks go to stderr. Throws InputError.
+/// Reads the input file. Its remarks go to stderr, and at once what makes its unit doubtful. Throws InputError.
 EnvelopeInput read(const InputArguments& given, const Input& input, bool quiet);
 
 /// A warning on stderr for each entry of the project that fits nothing.

@@ -7,6 +7,8 @@
 #include "known.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/units.h"
+#include "ripstop/pattern/cut_check.h"
+#include "tell.h"
 
 namespace ripstop::cli {
 namespace {
@@ -48,6 +50,11 @@ void add_piece_options(CLI::App& command, PieceArguments& given) {
                     "How far the sew line may run beside the mesh's edge, to need fewer points (default 0.05mm)")
         ->type_name("LENGTH")
         ->group("Pieces");
+    command
+        .add_flag("--allowance-fit", given.allowance_fit,
+                  "Where two allowances do not fit between their edges, take what does; else such a piece is not "
+                  "manufacturable")
+        ->group("Pieces");
 }
 
 PieceOptions piece_options(const PieceArguments& given) {
@@ -63,6 +70,12 @@ PieceOptions piece_options(const PieceArguments& given) {
         options.notches.depth = length_within(given.notch_depth, "--notch-depth", 0.0005, 0.05);
     if (!given.simplify.empty()) options.chord_error = length_within(given.simplify, "--simplify", 1e-7, 0.01);
     return options;
+}
+
+ExitCode warn_of_cut_lines(const PieceSet& set, int threads) {
+    const std::vector<std::string> faults = cut_line_faults(set.pieces, threads);
+    for (const std::string& fault : faults) tell(fmt::format("Warning: {}\n", fault));
+    return faults.empty() ? manufacturable : not_manufacturable;
 }
 
 }  // namespace ripstop::cli

@@ -15,7 +15,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace check_envelope_test {
 
 using ::testing::HasSubstr;
 
@@ -334,7 +334,7 @@ TEST(Unit, IsProposedWhereTheSizeIsNoBalloons) {
         EXPECT_TRUE(large.seams_sought);
         EXPECT_FALSE(large.loops.empty());
         for (NamedMesh& tile : scaled) tile.mesh.positions *= 1e-6;
-        const EnvelopeCheck small = check_envelope(testing::tiles_of(scaled), {}, 0.001);
+        const EnvelopeCheck small = check_envelope(testing::tiles_of(scaled), {}, {{"mm", 0.001}});
         ASSERT_THAT(named(small), ::testing::ElementsAre("unit -"));
         EXPECT_THAT(small.issues[0].message, HasSubstr("with --unit m it would measure"));
         EXPECT_FALSE(small.seams_sought) << "edges of some mm mean nothing against a tolerance of 0.5 mm";
@@ -351,7 +351,7 @@ TEST(Unit, InDoubtHidesNoSeams) {
     // as large as gores of mm read as inches
     std::vector<NamedMesh> balloon = design_natural(small_balloon());
     for (NamedMesh& tile : balloon) tile.mesh.positions *= 25.4;
-    const EnvelopeCheck result = check_envelope(testing::tiles_of(balloon), {}, 0.0254);
+    const EnvelopeCheck result = check_envelope(testing::tiles_of(balloon), {}, {{"in", 0.0254}});
     EXPECT_THAT(named(result), ::testing::ElementsAre("unit -"));
     EXPECT_EQ(result.seams, 72 + 60);
     EXPECT_EQ(result.parts, 1);
@@ -425,5 +425,5 @@ TEST(OddCorner, IsCountedWhereOnlyOneSideHasIt) {
     EXPECT_EQ(result.odd_corners, 1);
 }
 
-}  // namespace
+}  // namespace check_envelope_test
 }  // namespace ripstop

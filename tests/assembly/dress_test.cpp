@@ -13,7 +13,7 @@
 #include "support/shared_data.h"
 
 namespace ripstop {
-namespace {
+namespace dress_test {
 
 using Json = nlohmann::json;
 
@@ -124,5 +124,5 @@ TEST(Dress, LaidOutFlatHasNoSeams) {
     EXPECT_TRUE(find_seams(testing::tiles_of(read_model(file).surfaces).tiles).seams.empty());
 }
 
-}  // namespace
+}  // namespace dress_test
 }  // namespace ripstop

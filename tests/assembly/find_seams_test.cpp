@@ -15,7 +15,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace find_seams_test {
 
 using std::numbers::pi;
 
@@ -315,5 +315,5 @@ TEST(SeamTolerance, MustBeALength) {
         EXPECT_THROW(find_seams({}, {tolerance}), InputError) << tolerance;
 }
 
-}  // namespace
+}  // namespace find_seams_test
 }  // namespace ripstop

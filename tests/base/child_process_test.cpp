@@ -14,7 +14,7 @@
 #include "support/outside.h"
 
 namespace ripstop {
-namespace {
+namespace child_process_test {
 
 using How = ChildEnd::How;
 
@@ -92,5 +92,5 @@ TEST(ChildProcess, EndsWithItsParentHoweverThatEnds) {
     }
 }
 
-}  // namespace
+}  // namespace child_process_test
 }  // namespace ripstop

@@ -5,7 +5,7 @@
 #include <string>
 
 namespace ripstop {
-namespace {
+namespace glob_test {
 
 TEST(Glob, MatchesTheWholeTextAndNothingLess) {
     EXPECT_TRUE(glob_match("G01P03", "G01P03"));
@@ -43,5 +43,5 @@ TEST(Glob, ManyStarsOnALongTextEndAtOnce) {
     EXPECT_TRUE(glob_match(pattern, std::string(20000, 'a')));
 }
 
-}  // namespace
+}  // namespace glob_test
 }  // namespace ripstop

@@ -9,7 +9,7 @@
 #include "support/outside.h"
 
 namespace ripstop {
-namespace {
+namespace leftover_test {
 
 namespace fs = std::filesystem;
 
@@ -58,5 +58,5 @@ TEST(FolderLock, IsHeldWhileItLivesAlsoUnderANewName) {
     EXPECT_FALSE(is_locked(scratch.path("b")));
 }
 
-}  // namespace
+}  // namespace leftover_test
 }  // namespace ripstop

@@ -5,7 +5,7 @@
 #include <sstream>
 
 namespace ripstop {
-namespace {
+namespace sha256_test {
 
 // The examples that NIST publishes for FIPS 180-4.
 TEST(Sha256, GivesThePublishedDigests) {
@@ -25,5 +25,5 @@ TEST(Sha256, OfAStreamIsThatOfItsBytes) {
     }
 }
 
-}  // namespace
+}  // namespace sha256_test
 }  // namespace ripstop

@@ -5,7 +5,7 @@
 #include "ripstop/base/error.h"
 
 namespace ripstop {
-namespace {
+namespace units_test {
 
 TEST(ParseLength, TakesANumberWithItsUnit) {
     EXPECT_DOUBLE_EQ(parse_length("12mm", "--gap"), 0.012);
@@ -20,5 +20,5 @@ TEST(ParseLength, RefusesWhatHasNoUnitOrNoNumber) {
         EXPECT_THROW(parse_length(text, "--gap"), InputError) << text;
 }
 
-}  // namespace
+}  // namespace units_test
 }  // namespace ripstop

@@ -18,7 +18,7 @@
 #include "support/shared_data.h"
 
 namespace ripstop {
-namespace {
+namespace cad_test {
 
 using ::testing::AllOf;
 using ::testing::Each;
@@ -121,7 +121,7 @@ TEST(Cad, NeighboursShareTheVerticesOfTheirSeam) {
         ReadOptions options;
         options.meshing.mesher = RIPSTOP_CAD_PROGRAM;
         const EnvelopeInput input = read_input(scratch.path(name), options);
-        EXPECT_EQ(input.unit.name, "mm");
+        EXPECT_EQ(input.unit.unit.name, "mm");
         EXPECT_EQ(input.envelope.tiles.at(0).name, "G01");
         ASSERT_EQ(input.envelope.seams.size(), 8U);
         for (const Seam& seam : input.envelope.seams) {
@@ -289,7 +289,7 @@ TEST(Cad, WhateverBecomesOfTheMesherIsOneSentence) {
     ::unsetenv("RIPSTOP_CAD");
 }
 
-}  // namespace
+}  // namespace cad_test
 }  // namespace ripstop
 
 #endif

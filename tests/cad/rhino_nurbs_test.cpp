@@ -12,7 +12,7 @@
 #include "support/shared_data.h"
 
 namespace ripstop {
-namespace {
+namespace rhino_nurbs_test {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
@@ -101,7 +101,7 @@ TEST_F(RhinoNurbs, RealFilesGiveTheirSurfaces) {
     EXPECT_THAT(subd.remarks, Contains(HasSubstr("SubD")));
 }
 
-}  // namespace
+}  // namespace rhino_nurbs_test
 }  // namespace ripstop
 
 #endif

@@ -8,7 +8,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace check_test {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -86,9 +86,7 @@ TEST(CheckCommand, TakesTheSeamToleranceWithItsUnit) {
 
 TEST(CheckCommand, EndsWith3ForASurfaceThatIsNoTile) {
     const Workshop workshop;
-    workshop.write("bad.obj",
-                   "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no b\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 7 7 7\n"
-                   "f 4 5 6\nf 4 6 5\n");
+    workshop.write("bad.obj", "o b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
     const ProgramRun run = workshop.ripstop("check bad.obj");
     EXPECT_EQ(run.code, 3);
     EXPECT_THAT(run.err, HasSubstr("b: "));
@@ -125,5 +123,5 @@ TEST(CheckCommand, ShowsAnExample) {
     EXPECT_THAT(workshop.ripstop("check --help").out, HasSubstr("Examples:\n  ripstop check envelope.obj"));
 }
 
-}  // namespace
+}  // namespace check_test
 }  // namespace ripstop

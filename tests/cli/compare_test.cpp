@@ -7,7 +7,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace compare_test {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -91,5 +91,5 @@ TEST(CompareCommand, RefusesAMethodNobodyKnowsAsUsage) {
     EXPECT_THAT(run.out, IsEmpty());
 }
 
-}  // namespace
+}  // namespace compare_test
 }  // namespace ripstop

@@ -6,7 +6,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace design_special_test {
 
 using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
@@ -61,5 +61,5 @@ TEST(DesignSpecialCommand, TheExampleIsSoundAndNearlyAllOfItCanBeMade) {
     EXPECT_LT(report["envelope"]["failed"].size(), report["tiles"].size() / 20);
 }
 
-}  // namespace
+}  // namespace design_special_test
 }  // namespace ripstop

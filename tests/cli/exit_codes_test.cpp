@@ -6,7 +6,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace exit_codes_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -110,13 +110,14 @@ TEST_F(ExitCode, Is3ForASurfaceThatIsNoTileNamedWithThePlace) {
                          "tile tet: is closed");
     expect_refused_input("flipped.obj", "o up\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n",
                          "face opposite ways");
-    // All of them at once, and only those that were asked for.
-    workshop.write(
-        "both.obj",
-        frame + "o good\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\no flat\nv 0 0 0\nv 1 0 0\nv 2 0 0\nf -3 -2 -1\n");
+    // All of them at once.
+    workshop.write("both.obj", frame + "o flat\nv 0 0 0\nv 1 0 0\nv 2 0 0\nf -3 -2 -1\n");
     expect_refused(3, "flatten both.obj -o plan", "tile frame: ");
     expect_refused(3, "flatten both.obj -o plan", "tile flat: a triangle without area");
-    EXPECT_EQ(workshop.ripstop("flatten both.obj --tile good -o plan").code, 0);
+    // Beside a tile they are findings, and only those that were asked for.
+    workshop.write("some.obj", workshop.read("both.obj") + "o good\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n");
+    EXPECT_EQ(workshop.ripstop("flatten some.obj -o plan").code, 1);
+    EXPECT_EQ(workshop.ripstop("flatten some.obj --tile good -o other").code, 0);
 }
 
 // A fabric is a preset or a file of one's own, so a name that is neither is an input that is not there.
@@ -179,5 +180,5 @@ TEST_F(ExitCode, DoesNotDependOnWhetherTheProgressIsRead) {
     EXPECT_EQ(testing::run_command("(" + program + " flatten none.obj -o other 2> /dev/full)").code, 3);
 }
 
-}  // namespace
+}  // namespace exit_codes_test
 }  // namespace ripstop

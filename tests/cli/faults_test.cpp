@@ -7,7 +7,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace faults_test {
 
 using ::testing::HasSubstr;
 using testing::ProgramRun;
@@ -66,5 +66,5 @@ TEST(FlattenFaults, AreNotAskedForWhereSomeTilesAreChosen) {
     EXPECT_EQ(workshop.ripstop("flatten sheets.obj --unit m --tile a --tile b -o plan").code, 0);
 }
 
-}  // namespace
+}  // namespace faults_test
 }  // namespace ripstop

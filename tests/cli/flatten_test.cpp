@@ -11,7 +11,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace flatten_test {
 
 using Json = nlohmann::json;
 using ::testing::ElementsAre;
@@ -382,5 +382,5 @@ TEST(FlattenCommand, RunsEveryMethodThatTheProgramNames) {
     }
 }
 
-}  // namespace
+}  // namespace flatten_test
 }  // namespace ripstop

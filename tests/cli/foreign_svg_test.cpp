@@ -8,7 +8,7 @@
 #include "support/shared_data.h"
 
 namespace ripstop {
-namespace {
+namespace foreign_svg_test {
 
 using ::testing::HasSubstr;
 using testing::ProgramRun;
@@ -89,5 +89,5 @@ TEST(ForeignSvg, AnOpenOutlineIsNeverSound) {
     }
 }
 
-}  // namespace
+}  // namespace foreign_svg_test
 }  // namespace ripstop

@@ -9,7 +9,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace help_test {
 
 using testing::CommandResult;
 using ::testing::HasSubstr;
@@ -156,5 +156,5 @@ TEST(Progress, OfProposalsAndMarkersIsPlainLinesElsewhere) {
     EXPECT_THAT(workshop.ripstop("nest plan --roll 3m").err, HasSubstr("100 % done, a marker\n"));
 }
 
-}  // namespace
+}  // namespace help_test
 }  // namespace ripstop

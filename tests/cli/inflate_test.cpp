@@ -5,7 +5,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace inflate_test {
 
 using Json = nlohmann::json;
 using ::testing::HasSubstr;
@@ -96,5 +96,5 @@ TEST(FlattenCommand, RefusesToCompensateAPart) {
     EXPECT_THAT(run.err, HasSubstr("--tile"));
 }
 
-}  // namespace
+}  // namespace inflate_test
 }  // namespace ripstop

@@ -11,7 +11,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace inspect_test {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -88,5 +88,5 @@ TEST(InspectCommand, WritesJsonThatItsSchemaAccepts) {
     EXPECT_EQ(result.code, 0) << result.output;
 }
 
-}  // namespace
+}  // namespace inspect_test
 }  // namespace ripstop

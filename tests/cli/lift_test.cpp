@@ -8,7 +8,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace lift_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -158,5 +158,5 @@ TEST_F(LiftCommand, ExportTakesTheFormatThatItsOptionsAreFor) {
     EXPECT_EQ(workshop.files("all").count("cut/envelope.plt") + workshop.files("all").count("cut/envelope.dxf"), 2U);
 }
 
-}  // namespace
+}  // namespace lift_test
 }  // namespace ripstop

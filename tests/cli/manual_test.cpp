@@ -7,7 +7,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace manual_test {
 
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
@@ -133,5 +133,5 @@ TEST(Manual, HasEveryCommandAndReadsWithoutWarning) {
     EXPECT_THAT(text, HasSubstr("\n              gerber   "));
 }
 
-}  // namespace
+}  // namespace manual_test
 }  // namespace ripstop

@@ -8,7 +8,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace nest_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -95,5 +95,5 @@ TEST(DiffCommand, Ends0For1OtherAnd3Unreadable) {
     EXPECT_THAT(unreadable.err, HasSubstr("flatten the envelope first"));
 }
 
-}  // namespace
+}  // namespace nest_test
 }  // namespace ripstop

@@ -9,7 +9,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace other_commands_test {
 
 using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
@@ -126,5 +126,5 @@ TEST(DesignCommand, SaysBeforeItStartsThatTheFileCannotBePut) {
     EXPECT_THAT(workshop.names(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace other_commands_test
 }  // namespace ripstop

@@ -8,7 +8,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace pattern_files_test {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -134,5 +134,5 @@ TEST(ValidateCommand, PrintsJsonAsItsSchemaSays) {
     EXPECT_EQ(run.code, 0) << run.output;
 }
 
-}  // namespace
+}  // namespace pattern_files_test
 }  // namespace ripstop

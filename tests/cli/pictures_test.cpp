@@ -8,7 +8,7 @@
 #include "support/shared_data.h"
 
 namespace ripstop {
-namespace {
+namespace pictures_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -66,5 +66,5 @@ TEST(PicturesOfFlatten, OfADressShowEachPanelAndTheWorstSeams) {
     EXPECT_EQ(panels, report["tiles"].size());
 }
 
-}  // namespace
+}  // namespace pictures_test
 }  // namespace ripstop

@@ -5,7 +5,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace print_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -88,5 +88,5 @@ TEST_F(Print, WritesReadableNamesWhereNoFontIsInstalled) {
     EXPECT_THAT(text.output, HasSubstr("Bily")) << "its own letters are ASCII";
 }
 
-}  // namespace
+}  // namespace print_test
 }  // namespace ripstop

@@ -8,7 +8,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace processes_test {
 
 using ::testing::AnyOf;
 using testing::CommandResult;
@@ -127,5 +127,5 @@ TEST_F(Processes, OfWhichTwoWriteOneFolderOneWinsAndTheOtherIsTold) {
     }
 }
 
-}  // namespace
+}  // namespace processes_test
 }  // namespace ripstop

@@ -10,7 +10,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace project_test {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -140,5 +140,5 @@ TEST(ProjectFile, GivesTheLayersThatAreRead) {
     EXPECT_THAT(run.err, HasSubstr("no layer is called \"envelope::*\""));
 }
 
-}  // namespace
+}  // namespace project_test
 }  // namespace ripstop

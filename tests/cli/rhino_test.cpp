@@ -18,7 +18,7 @@
 #include "support/rhino.h"
 
 namespace ripstop {
-namespace {
+namespace rhino_test {
 
 using ::testing::HasSubstr;
 using testing::ProgramRun;
@@ -80,7 +80,7 @@ Json scene_of(const std::vector<NamedMesh>& gore) {
     Json scene = {{"unit", "Inches"}, {"layers", {{{"name", "Gores"}}, {{"name", "Grain"}}}}};
     Json parts = Json::array(), objects = Json::array();
     for (int i = 0; i < panels; ++i) {
-        const auto& [name, mesh, drawn, warp, attributes] = gore[static_cast<std::size_t>(i)];
+        const auto& [name, mesh, drawn, warp, attributes, fault] = gore[static_cast<std::size_t>(i)];
         const std::string part = fmt::format("P{}", i + 1);
         parts.push_back({{"kind", "mesh"},
                          {"name", part},
@@ -240,5 +240,5 @@ TEST(RhinoFlatten, NamesWhatIsThereWhereNoSurfaceIs) {
     EXPECT_THAT(run.err, HasSubstr("Extrusion wall: an extrusion is not read; mesh it in Rhino"));
 }
 
-}  // namespace
+}  // namespace rhino_test
 }  // namespace ripstop

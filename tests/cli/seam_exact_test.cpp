@@ -7,7 +7,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace seam_exact_test {
 
 using ::testing::HasSubstr;
 
@@ -50,5 +50,5 @@ TEST(SeamExactCommand, NamesTheReasonWhereNoOutlineHoldsTheArea) {
     EXPECT_THAT(shop.read("plan/report.json"), HasSubstr("\"code\": \"isoperimetric\""));
 }
 
-}  // namespace
+}  // namespace seam_exact_test
 }  // namespace ripstop

@@ -7,7 +7,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace wrong_uses_test {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -140,5 +140,5 @@ constexpr Slip inputs[] = {
 };
 INSTANTIATE_TEST_SUITE_P(OfInputs, WrongUse, ::testing::ValuesIn(inputs));
 
-}  // namespace
+}  // namespace wrong_uses_test
 }  // namespace ripstop

@@ -16,7 +16,7 @@
 #include "ripstop/model/tile.h"
 
 namespace ripstop {
-namespace {
+namespace gores_test {
 
 using ::testing::HasSubstr;
 
@@ -299,5 +299,5 @@ TEST(DesignNatural, RefusesOptionsOutOfRangeByName) {
     EXPECT_THAT(refusal(design), HasSubstr("no lift"));
 }
 
-}  // namespace
+}  // namespace gores_test
 }  // namespace ripstop

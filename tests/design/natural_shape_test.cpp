@@ -9,7 +9,7 @@
 #include "ripstop/base/units.h"
 
 namespace ripstop {
-namespace {
+namespace natural_shape_test {
 
 using std::numbers::pi;
 using ::testing::HasSubstr;
@@ -321,5 +321,5 @@ TEST(Buoyancy, IsThatOfTheStandardAtmosphere) {
     EXPECT_THROW(buoyancy({100, 15, 20000}), InputError);
 }
 
-}  // namespace
+}  // namespace natural_shape_test
 }  // namespace ripstop

@@ -18,7 +18,7 @@
 #include "ripstop/mesh/disk.h"
 
 namespace ripstop {
-namespace {
+namespace special_test {
 
 using std::numbers::pi;
 using ::testing::HasSubstr;
@@ -350,5 +350,5 @@ TEST(DesignSpecial, RefusesTilesThatNoSeamOpens) {
     EXPECT_THAT(refusal(shape_of({sphere(3, 1, 1)}, 0.4)), StartsWith("special shape: a tile cannot be laid flat"));
 }
 
-}  // namespace
+}  // namespace special_test
 }  // namespace ripstop

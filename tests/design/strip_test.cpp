@@ -10,7 +10,7 @@
 #include "ripstop/mesh/disk.h"
 
 namespace ripstop {
-namespace {
+namespace strip_test {
 
 /// The rows laid out a unit apart, each over [-1, 1].
 TriangleMesh laid_out(const RowColumns& columns) {
@@ -76,5 +76,5 @@ TEST(Stagger, GivesAPointAFanOfTwo) {
     EXPECT_EQ(columns, (RowColumns{0, 2, 3, 4, 3}));
 }
 
-}  // namespace
+}  // namespace strip_test
 }  // namespace ripstop

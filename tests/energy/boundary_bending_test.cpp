@@ -10,7 +10,7 @@
 #include "support/finite_difference.h"
 
 namespace ripstop {
-namespace {
+namespace boundary_bending_test {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
@@ -68,5 +68,5 @@ TEST(BoundaryBending, ItsSemidefiniteHessianHasNoNegativeEigenvalue) {
     }
 }
 
-}  // namespace
+}  // namespace boundary_bending_test
 }  // namespace ripstop

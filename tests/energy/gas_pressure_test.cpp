@@ -11,7 +11,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace gas_pressure_test {
 
 const GasPressure both{30, 2.7, -4};
 
@@ -141,5 +141,5 @@ TEST(GasPressure, AMouthInTheFloorsPlaneNeedsNoCap) {
     EXPECT_LT(load.force.head<2>().norm(), 1e-13 * load.scale);
 }
 
-}  // namespace
+}  // namespace gas_pressure_test
 }  // namespace ripstop

@@ -8,7 +8,7 @@
 #include "support/finite_difference.h"
 
 namespace ripstop {
-namespace {
+namespace load_tape_test {
 
 constexpr double stiffness = 80e3;
 
@@ -59,5 +59,5 @@ TEST(LoadTape, PullsByItsStiffnessTimesItsStretch) {
     EXPECT_NEAR(element.energy, 0.5 * 2 * stiffness * strain * strain, 1e-12);
 }
 
-}  // namespace
+}  // namespace load_tape_test
 }  // namespace ripstop

@@ -11,7 +11,7 @@
 #include "support/membranes.h"
 
 namespace ripstop {
-namespace {
+namespace relaxed_membrane_test {
 
 Vec3 corner(const Eigen::VectorXd& x, int k) {
     return x.segment<3>(3 * k);
@@ -128,5 +128,5 @@ TEST(RelaxedMembrane, PrincipalTensionsAreTheTrueOnesOfTheStretchedCloth) {
     EXPECT_NEAR(tensions[1], 300 * 1.1 / 1.05, 1e-10);
 }
 
-}  // namespace
+}  // namespace relaxed_membrane_test
 }  // namespace ripstop

@@ -8,7 +8,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace spring_network_test {
 
 Fabric woven() {
     Fabric fabric;
@@ -124,5 +124,5 @@ TEST(SpringNetwork, FrequencyBoundIsAbove) {
     EXPECT_GE(frequency_bound(network), std::sqrt(2 * 8 / 0.5) * (1 - 1e-12));
 }
 
-}  // namespace
+}  // namespace spring_network_test
 }  // namespace ripstop

@@ -11,7 +11,7 @@
 #include "support/finite_difference.h"
 
 namespace ripstop {
-namespace {
+namespace symmetric_dirichlet_test {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
@@ -108,5 +108,5 @@ TEST(SymmetricDirichlet, IsInfiniteForATriangleTurnedOverAndGrowsTowardsIt) {
     EXPECT_EQ(symmetric_dirichlet(rest, over).energy, std::numeric_limits<double>::infinity());
 }
 
-}  // namespace
+}  // namespace symmetric_dirichlet_test
 }  // namespace ripstop

@@ -14,7 +14,7 @@
 #include "support/membranes.h"
 
 namespace ripstop {
-namespace {
+namespace tension_field_test {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -213,5 +213,5 @@ TEST(TensionField, ResidualAddsItsShareOfTheClothThatPushes) {
     EXPECT_NEAR(response.energy, 0.5e-3 * strain.dot(stiffness(fabric) * strain), 1e-12);
 }
 
-}  // namespace
+}  // namespace tension_field_test
 }  // namespace ripstop

@@ -13,7 +13,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace woven_membrane_test {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
@@ -201,5 +201,5 @@ TEST(ThreadStrain, IsInfiniteWhereTheClothHasNoArea) {
     EXPECT_EQ(thread_strain(triangle_metric(a, b, c), flat).warp, std::numeric_limits<double>::infinity());
 }
 
-}  // namespace
+}  // namespace woven_membrane_test
 }  // namespace ripstop

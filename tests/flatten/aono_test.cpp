@@ -11,7 +11,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace aono_test {
 
 TEST(Aono, IsExactOnDevelopables) {
     for (const auto& shape : testing::developable_shapes()) {
@@ -61,5 +61,5 @@ TEST(Aono, RefusesOptionsOutOfRange) {
     EXPECT_THROW(flatten_aono(tile, {.smallest_angle = 2}), InputError);
 }
 
-}  // namespace
+}  // namespace aono_test
 }  // namespace ripstop

@@ -11,7 +11,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace arap_test {
 
 TEST(Arap, IsExactOnDevelopables) {
     for (const auto& shape : testing::developable_shapes()) {
@@ -105,5 +105,5 @@ TEST(Arap, RefusesAStartOfAnotherMeshAndBadOptions) {
     EXPECT_THROW(flatten_arap(tile, {.max_iterations = -1}), InputError);
 }
 
-}  // namespace
+}  // namespace arap_test
 }  // namespace ripstop

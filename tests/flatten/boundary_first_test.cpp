@@ -9,7 +9,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace boundary_first_test {
 
 TEST(BoundaryFirst, IsExactOnDevelopables) {
     for (const auto& shape : testing::developable_shapes()) {
@@ -54,5 +54,5 @@ TEST(BoundaryFirst, FlattensATileWithoutVerticesInside) {
     EXPECT_LT(testing::worst_edge_error(tile.mesh, flat.positions), 1e-12);
 }
 
-}  // namespace
+}  // namespace boundary_first_test
 }  // namespace ripstop

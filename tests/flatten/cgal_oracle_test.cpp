@@ -12,7 +12,7 @@
 #endif
 
 namespace ripstop {
-namespace {
+namespace cgal_oracle_test {
 
 #ifdef RIPSTOP_CGAL
 
@@ -73,5 +73,5 @@ TEST(CgalOracle, IsNotInThisBuild) {
 
 #endif
 
-}  // namespace
+}  // namespace cgal_oracle_test
 }  // namespace ripstop

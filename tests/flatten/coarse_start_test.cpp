@@ -11,7 +11,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace coarse_start_test {
 
 double worst_edge(const Tile& tile, const Points2& flat) {
     const Eigen::VectorXd lengths = edge_lengths(flat, closed(tile.boundary));
@@ -52,5 +52,5 @@ TEST(CoarseStart, LeadsALargeTileToTheSameEndAsNone) {
     EXPECT_LE(coarse_to_fine.summary.factorizations, 2);
 }
 
-}  // namespace
+}  // namespace coarse_start_test
 }  // namespace ripstop

@@ -15,7 +15,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace dirichlet_test {
 
 double energy_of(const TriangleMesh& mesh, const Points2& flat) {
     double sum = 0;
@@ -78,5 +78,5 @@ TEST(Dirichlet, SaysThatItWasStoppedByTheLimit) {
     EXPECT_THROW(flatten_dirichlet(tile, {.tolerance = 0}), InputError);
 }
 
-}  // namespace
+}  // namespace dirichlet_test
 }  // namespace ripstop

@@ -11,7 +11,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace energy_release_test {
 
 TEST(EnergyRelease, LaysDevelopablesExactlyWithoutReleasing) {
     for (const auto& shape : testing::developable_shapes()) {
@@ -68,5 +68,5 @@ TEST(EnergyRelease, SaysThatItWasStoppedByTheLimitAndRefusesBadOptions) {
     EXPECT_THROW(flatten_energy_release(tile, {.max_steps = -1}), InputError);
 }
 
-}  // namespace
+}  // namespace energy_release_test
 }  // namespace ripstop

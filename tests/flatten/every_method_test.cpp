@@ -16,7 +16,7 @@ void PrintTo(const Method& method, std::ostream* out) {
     *out << method.name;
 }
 
-namespace {
+namespace every_method_test {
 
 /// What any way to flatten must do, whatever it minimises. Runs over the whole table of methods.
 class EveryMethod : public ::testing::TestWithParam<Method> {
@@ -170,5 +170,5 @@ TEST(Methods, AnUnknownNameIsAnsweredWithTheList) {
     }
 }
 
-}  // namespace
+}  // namespace every_method_test
 }  // namespace ripstop

@@ -11,7 +11,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace kub10_test {
 
 TEST(Kub10, IsExactOnAPlaneInAnyPose) {
     const TriangleMesh mesh = testing::moved(testing::rectangle(2, 1, 12, 6));
@@ -61,5 +61,5 @@ TEST(Kub10, RefusesOptionsOutOfRange) {
     EXPECT_THROW(flatten_kub10(tile, {.max_iterations = -1}), InputError);
 }
 
-}  // namespace
+}  // namespace kub10_test
 }  // namespace ripstop

@@ -4,7 +4,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace laying_test {
 
 TEST(LayOnMissing, IsExactOnADevelopableFromOneTriangle) {
     const TriangleMesh mesh = testing::cone(0.5, 2, 1, 2.5, 16, 12);
@@ -55,5 +55,5 @@ TEST(RepairFlippedTriangles, NeverLeavesMoreThanThereWere) {
     EXPECT_TRUE(folded.allFinite());
 }
 
-}  // namespace
+}  // namespace laying_test
 }  // namespace ripstop

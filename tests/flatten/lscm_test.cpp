@@ -10,7 +10,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace lscm_test {
 
 TEST(Lscm, IsExactOnDevelopables) {
     for (const auto& shape : testing::developable_shapes()) {
@@ -80,5 +80,5 @@ TEST(Lscm, DoesNotCareHowVerticesAreNumberedOrWhereTheTileStands) {
     EXPECT_LT(testing::distance_up_to_half_turn(moved, plain), 1e-9);
 }
 
-}  // namespace
+}  // namespace lscm_test
 }  // namespace ripstop

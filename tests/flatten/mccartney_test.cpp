@@ -10,7 +10,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace mccartney_test {
 
 TEST(McCartney, LaysDevelopablesExactly) {
     for (const auto& shape : testing::developable_shapes())
@@ -58,5 +58,5 @@ TEST(McCartney, SaysThatItWasStoppedByTheLimitAndRefusesBadOptions) {
     EXPECT_THROW(flatten_mccartney(tile, Fabric{}, {.max_sweeps = -1}), InputError);
 }
 
-}  // namespace
+}  // namespace mccartney_test
 }  // namespace ripstop

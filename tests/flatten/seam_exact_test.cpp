@@ -16,7 +16,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace seam_exact_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -302,5 +302,5 @@ TEST(SeamExactRobustness, AllButOneHardCaseConvergeAndThatOneSaysSo) {
     EXPECT_GE(converged, 53);  // of 54: docs/methods/seam-exact.md
 }
 
-}  // namespace
+}  // namespace seam_exact_test
 }  // namespace ripstop

@@ -20,7 +20,7 @@
 #include "support/sphere_patches.h"
 
 namespace ripstop {
-namespace {
+namespace seam_matched_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -359,5 +359,5 @@ TEST(SeamMatched, RefusesOptionsOutOfRange) {
     EXPECT_THROW(flatten_seam_matched(envelope, isotropic, {.max_iterations = 0}), InputError);
 }
 
-}  // namespace
+}  // namespace seam_matched_test
 }  // namespace ripstop

@@ -11,7 +11,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace seam_problem_test {
 
 using Vector = Eigen::VectorXd;
 
@@ -127,5 +127,5 @@ TEST(SeamNewton, RefusesAStartThatIsTurnedOver) {
     EXPECT_EQ(newton.minimize(Eigen::Map<Vector>(flat.data(), flat.size())).summary.termination, Termination::failed);
 }
 
-}  // namespace
+}  // namespace seam_problem_test
 }  // namespace ripstop

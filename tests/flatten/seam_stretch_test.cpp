@@ -9,7 +9,7 @@
 #include "support/sphere_patches.h"
 
 namespace ripstop {
-namespace {
+namespace seam_stretch_test {
 
 /// A long tile in the west, two in the east that meet in the middle of one of its edges; their vertices lie elsewhere.
 Envelope junction() {
@@ -103,5 +103,5 @@ TEST(SeamStretch, RefusesSeamsThatAreNone) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace seam_stretch_test
 }  // namespace ripstop

@@ -9,7 +9,7 @@
 #include "support/sewn.h"
 
 namespace ripstop {
-namespace {
+namespace seam_tile_test {
 
 using Vector = Eigen::VectorXd;
 
@@ -68,5 +68,5 @@ TEST(SeamTile, SaysWhereItsEdgesCannotBeHeld) {
     EXPECT_FALSE(c.tile.hold(h));
 }
 
-}  // namespace
+}  // namespace seam_tile_test
 }  // namespace ripstop

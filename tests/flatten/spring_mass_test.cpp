@@ -8,7 +8,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace spring_mass_test {
 
 struct Rolled {
     Tile tile;
@@ -89,5 +89,5 @@ TEST(SpringMass, RefusesOptionsOutOfRange) {
     EXPECT_THROW(relax_spring_mass(setup.network, setup.exact, {.energy_tolerance = 0}), InputError);
 }
 
-}  // namespace
+}  // namespace spring_mass_test
 }  // namespace ripstop

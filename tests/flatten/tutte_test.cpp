@@ -10,7 +10,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace tutte_test {
 
 void expect_no_flip(const std::string& name, const TriangleMesh& mesh) {
     SCOPED_TRACE(name);
@@ -74,5 +74,5 @@ TEST(Tutte, DoesNotCareHowVerticesAreNumbered) {
     EXPECT_LT(testing::distance_up_to_half_turn(numbered, plain(order, Eigen::all)), 1e-9);
 }
 
-}  // namespace
+}  // namespace tutte_test
 }  // namespace ripstop

@@ -10,7 +10,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace wirewarping_test {
 
 double worst_outline_error(const Tile& tile, const Points2& flat) {
     const Eigen::VectorXd lengths = edge_lengths(flat, closed(tile.boundary));
@@ -72,5 +72,5 @@ TEST(WireWarping, SaysWhereNoLineOfTheseLengthsCloses) {
     EXPECT_THROW(warp_wire(lengths, lengths, {.max_iterations = 0}), InputError);
 }
 
-}  // namespace
+}  // namespace wirewarping_test
 }  // namespace ripstop

@@ -11,7 +11,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace woven_mesh_test {
 
 Points2 positions_of(const Tile& tile, const WovenOptions& options = {}) {
     const Flattening flat = flatten_woven(tile, Fabric{}, options);
@@ -274,5 +274,5 @@ TEST(FlattenWoven, RefusesOptionsOutOfRange) {
     EXPECT_THROW(flatten_woven(tile, Fabric{}, {.max_iterations = -1}), InputError);
 }
 
-}  // namespace
+}  // namespace woven_mesh_test
 }  // namespace ripstop

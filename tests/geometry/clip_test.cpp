@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace ripstop {
-namespace {
+namespace clip_test {
 
 Points2 polyline(const std::vector<Vec2>& points) {
     Points2 rows(static_cast<Eigen::Index>(points.size()), 2);
@@ -58,5 +58,5 @@ TEST(Clip, ClosesAPolygon) {
     EXPECT_EQ(closed_line(Points2(0, 2)).rows(), 0);
 }
 
-}  // namespace
+}  // namespace clip_test
 }  // namespace ripstop

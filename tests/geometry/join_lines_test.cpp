@@ -8,7 +8,7 @@
 #include "ripstop/geometry/corners.h"
 
 namespace ripstop {
-namespace {
+namespace join_lines_test {
 
 Points2 line(const Vec2& a, const Vec2& b) {
     Points2 points(2, 2);
@@ -87,5 +87,5 @@ TEST(SharpCorners, AreWhereAPolygonTurns) {
     EXPECT_TRUE(sharp_corners(Points2(0, 2), 1).empty());
 }
 
-}  // namespace
+}  // namespace join_lines_test
 }  // namespace ripstop

@@ -9,7 +9,7 @@
 #include <random>
 
 namespace ripstop {
-namespace {
+namespace polygon_test {
 
 Points2 polygon(std::initializer_list<std::array<double, 2>> corners) {
     Points2 result(static_cast<Eigen::Index>(corners.size()), 2);
@@ -150,5 +150,5 @@ TEST(SelfIntersections, AgreeWithTryingAllPairsOnRandomPolygons) {
     }
 }
 
-}  // namespace
+}  // namespace polygon_test
 }  // namespace ripstop

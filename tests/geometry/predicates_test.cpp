@@ -6,7 +6,7 @@
 #include <random>
 
 namespace ripstop {
-namespace {
+namespace predicates_test {
 
 /// The sign by whole numbers: coordinates that are multiples of 2^-40 below 2^10 fit 50 bits, their products 128.
 int by_whole_numbers(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -62,5 +62,5 @@ TEST(Orient2d, AgreesWithWholeNumberArithmeticOnNearlyCollinearPoints) {
     EXPECT_GT(on_the_line, 100);
 }
 
-}  // namespace
+}  // namespace predicates_test
 }  // namespace ripstop

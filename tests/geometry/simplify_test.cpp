@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace ripstop {
-namespace {
+namespace simplify_test {
 
 Points2 arc(int segments, double angle) {
     Points2 line(segments + 1, 2);
@@ -62,5 +62,5 @@ TEST(Simplified, TakesLinesOfAnyLength) {
     }
 }
 
-}  // namespace
+}  // namespace simplify_test
 }  // namespace ripstop

@@ -13,7 +13,7 @@
 #include "support/balloons.h"
 
 namespace ripstop {
-namespace {
+namespace compensate_test {
 
 using namespace testing;
 
@@ -146,5 +146,5 @@ TEST(Sensitivity, StifferClothComesNearerToTheDrawnShapeAndLooserTapesLetItRise)
     for (const Sensitivity& each : all) EXPECT_EQ(each.what.find("tape"), std::string::npos);  // there are none
 }
 
-}  // namespace
+}  // namespace compensate_test
 }  // namespace ripstop

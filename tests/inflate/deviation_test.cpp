@@ -10,7 +10,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace deviation_test {
 
 /// The unit sphere of twelve gores, as drawn, and every vertex elsewhere by `move`.
 template <class Move>
@@ -101,5 +101,5 @@ TEST(SafetyFactors, AreWhatIsLeftOfTheStrengthOverTheLimitLoad) {
     EXPECT_FALSE(inflated.is_safe());
 }
 
-}  // namespace
+}  // namespace deviation_test
 }  // namespace ripstop

@@ -12,7 +12,7 @@
 #include "support/envelopes.h"
 
 namespace ripstop {
-namespace {
+namespace equilibrium_test {
 
 using namespace testing;
 
@@ -154,5 +154,5 @@ TEST(Equilibrium, SaysSoWhereItDoesNotGetThere) {
     EXPECT_FALSE(found.is_stable);
 }
 
-}  // namespace
+}  // namespace equilibrium_test
 }  // namespace ripstop

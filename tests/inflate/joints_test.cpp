@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace ripstop {
-namespace {
+namespace joints_test {
 
 void expect_place(const Place& found, const Place& expected) {
     ASSERT_EQ(found.size(), expected.size());
@@ -67,5 +67,5 @@ TEST(Joints, APointThatIsItselfTurnedIsOnTheAxis) {
     EXPECT_EQ(joints.on_axis().size(), 1u);
 }
 
-}  // namespace
+}  // namespace joints_test
 }  // namespace ripstop

@@ -10,7 +10,7 @@
 #include "support/balloons.h"
 
 namespace ripstop {
-namespace {
+namespace natural_shape_under_gas_test {
 
 using namespace testing;
 
@@ -90,5 +90,5 @@ TEST(NaturalShapeUnderGas, CausesOfADeviationAddUp) {
     EXPECT_LT(found.causes->patterns, 0.02);
 }
 
-}  // namespace
+}  // namespace natural_shape_under_gas_test
 }  // namespace ripstop

@@ -20,7 +20,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace sew_test {
 
 using namespace testing;
 
@@ -425,5 +425,5 @@ TEST(Sew, WhatCannotBeSewnIsRefusedInOneSentence) {
                 HasSubstr("diaphragm RIB: its edge lies nowhere within 20 mm of the skin"));
 }
 
-}  // namespace
+}  // namespace sew_test
 }  // namespace ripstop

@@ -13,7 +13,7 @@
 #include "ripstop/pipeline/read_envelope.h"
 
 namespace ripstop {
-namespace {
+namespace special_shape_under_gas_test {
 
 CutPlan cut_example() {
     std::ifstream in(RIPSTOP_SOURCE_DIR "/docs/special.example.json");
@@ -64,5 +64,5 @@ TEST(SpecialShapeUnderGas, ComesToOneStateFromSeveralStarts) {
     EXPECT_LT(apart, 1e-3);
 }
 
-}  // namespace
+}  // namespace special_shape_under_gas_test
 }  // namespace ripstop

@@ -6,7 +6,7 @@
 #include "support/membranes.h"
 
 namespace ripstop {
-namespace {
+namespace validation_test {
 
 using namespace testing;
 
@@ -60,5 +60,5 @@ TEST(MembraneUnderGas, ResidualStiffnessIsTooSmallToMatter) {
     EXPECT_NEAR(usual.volume, soft.volume, 2e-3 * soft.volume);
 }
 
-}  // namespace
+}  // namespace validation_test
 }  // namespace ripstop

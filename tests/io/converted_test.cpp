@@ -9,7 +9,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace converted_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -93,5 +93,5 @@ TEST(Converted, SaysWhichMeshMissesItsArea) {
                 ElementsAre(HasSubstr("G01: its mesh has -4.8 % more area")));
 }
 
-}  // namespace
+}  // namespace converted_test
 }  // namespace ripstop

@@ -10,7 +10,7 @@
 
 /// What docs/dialects.md says of the dialects with blocks, fact by fact.
 namespace ripstop {
-namespace {
+namespace dxf_blocks_test {
 
 using ::testing::Contains;
 using testing::dxf_entities;
@@ -191,5 +191,5 @@ TEST(DxfBlocks, StateUnitsInTheHeaderOnlyForCam) {
     EXPECT_THAT(dxf_of(sample_pieces(), "cam"), ::testing::HasSubstr("$INSUNITS"));
 }
 
-}  // namespace
+}  // namespace dxf_blocks_test
 }  // namespace ripstop

@@ -12,7 +12,7 @@
 ///
 ///     RIPSTOP_RENEW_GOLDEN=1 build/release/ripstop-tests --gtest_filter='GoldenDxf.*' && git diff tests/data/golden
 namespace ripstop {
-namespace {
+namespace dxf_golden_test {
 
 /// Our version is the one thing in them that changes by itself.
 std::string without_version(std::string text) {
@@ -36,5 +36,5 @@ TEST(GoldenDxf, IsWhatIsWritten) {
     }
 }
 
-}  // namespace
+}  // namespace dxf_golden_test
 }  // namespace ripstop

@@ -18,7 +18,7 @@
 #include "support/shared_data.h"
 
 namespace ripstop {
-namespace {
+namespace dxf_of_others_test {
 
 using std::numbers::pi;
 using ::testing::HasSubstr;
@@ -219,5 +219,5 @@ TEST(DxfOfOthers, AreReadAsEzdxfReadsThem) {
     EXPECT_GE(layers, count);
 }
 
-}  // namespace
+}  // namespace dxf_of_others_test
 }  // namespace ripstop

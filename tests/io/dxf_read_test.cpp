@@ -11,7 +11,7 @@
 #include "support/outside.h"
 
 namespace ripstop {
-namespace {
+namespace dxf_read_test {
 
 using ::testing::HasSubstr;
 
@@ -177,5 +177,5 @@ TEST(ReadDxf, AlwaysNamesTheFileAtWhateverByteItIsCut) {
         EXPECT_THAT(refusal(whole.substr(0, size)), ::testing::StartsWith("a.dxf:")) << size;
 }
 
-}  // namespace
+}  // namespace dxf_read_test
 }  // namespace ripstop

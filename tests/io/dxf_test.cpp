@@ -16,7 +16,7 @@
 #include "support/outside.h"
 
 namespace ripstop {
-namespace {
+namespace dxf_test {
 
 std::string dxf(const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts = {}) {
     std::ostringstream out;
@@ -132,5 +132,5 @@ for line in doc.modelspace().query('POLYLINE'):
     EXPECT_EQ(length, 400);
 }
 
-}  // namespace
+}  // namespace dxf_test
 }  // namespace ripstop

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace ripstop {
-namespace {
+namespace escape_test {
 
 TEST(AsciiText, LosesAccentsAndKeepsTheRest) {
     EXPECT_EQ(ascii_text("Příliš žluťoučký kůň"), "Prilis zlutoucky kun");
@@ -36,5 +36,5 @@ TEST(XmlText, EscapesMarkupAndReplacesWhatXmlCannotHold) {
     EXPECT_EQ(xml_text("a\x01\xff"), "a\xEF\xBF\xBD\xEF\xBF\xBD");
 }
 
-}  // namespace
+}  // namespace escape_test
 }  // namespace ripstop

@@ -23,7 +23,7 @@ void PrintTo(const DxfDialect& dialect, std::ostream* out) {
     *out << dialect.name;
 }
 
-namespace {
+namespace every_dialect_test {
 
 using testing::dxf_entities;
 using testing::dxf_of;
@@ -292,5 +292,5 @@ TEST(DxfDialect, NamesTheKnownOnesWhereAnotherIsAskedFor) {
     }
 }
 
-}  // namespace
+}  // namespace every_dialect_test
 }  // namespace ripstop

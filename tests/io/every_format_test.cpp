@@ -19,7 +19,7 @@ void PrintTo(const MeshFormat& format, std::ostream* out) {
     *out << format.extension;
 }
 
-namespace {
+namespace every_format_test {
 
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool sanitized = true;
@@ -295,5 +295,5 @@ TEST(FilesOfOthers, SoundOnesAreReadInFull) {
     EXPECT_EQ(skirt.at(0).mesh.triangle_count(), 1472);
 }
 
-}  // namespace
+}  // namespace every_format_test
 }  // namespace ripstop

@@ -16,7 +16,7 @@ void PrintTo(const PieceFormat& format, std::ostream* out) {
     *out << format.name;
 }
 
-namespace {
+namespace every_piece_format_test {
 
 /// What any format of the table must do.
 class EveryPieceFormat : public ::testing::TestWithParam<PieceFormat> {
@@ -95,5 +95,5 @@ TEST(PieceFormat, IsRefusedByWhatIsKnown) {
     }
 }
 
-}  // namespace
+}  // namespace every_piece_format_test
 }  // namespace ripstop

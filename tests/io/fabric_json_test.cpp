@@ -10,7 +10,7 @@
 #include "ripstop/base/units.h"
 
 namespace ripstop {
-namespace {
+namespace fabric_json_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -138,5 +138,5 @@ TEST(FabricNamed, TakesAFileAndListsThePresetsForAnythingElse) {
     EXPECT_THAT(refused("no/such.json"), StartsWith("no/such.json: the fabric file cannot be opened"));
 }
 
-}  // namespace
+}  // namespace fabric_json_test
 }  // namespace ripstop

@@ -14,7 +14,7 @@
 #include "support/plotter.h"
 
 namespace ripstop {
-namespace {
+namespace hpgl_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -197,5 +197,5 @@ TEST(Hpgl, IsWhatItWasLastTime) {
     testing::expect_golden("band.plt", hpgl({testing::band("G01P01", 0.25, 0.12, 0.01)}));
 }
 
-}  // namespace
+}  // namespace hpgl_test
 }  // namespace ripstop

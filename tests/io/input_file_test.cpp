@@ -9,7 +9,7 @@
 #include "support/program.h"
 
 namespace ripstop {
-namespace {
+namespace input_file_test {
 
 using ::testing::HasSubstr;
 
@@ -51,5 +51,5 @@ TEST(OpenInput, KeepsEveryReaderFromWaitingOnAPipe) {
     }
 }
 
-}  // namespace
+}  // namespace input_file_test
 }  // namespace ripstop

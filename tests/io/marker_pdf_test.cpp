@@ -9,7 +9,7 @@
 #include "support/outside.h"
 
 namespace ripstop {
-namespace {
+namespace marker_pdf_test {
 
 using ::testing::HasSubstr;
 
@@ -43,5 +43,5 @@ TEST(MarkerPdf, HasTheSameBytesEachTime) {
     EXPECT_EQ(long_marker(), long_marker());
 }
 
-}  // namespace
+}  // namespace marker_pdf_test
 }  // namespace ripstop

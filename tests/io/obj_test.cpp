@@ -5,17 +5,24 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
+#include "support/mesh_text.h"
 
 namespace ripstop {
-namespace {
+namespace obj_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
 std::vector<NamedMesh> read(const std::string& text, double metres_per_unit = 1) {
     std::istringstream in(text);
     return in_metres(read_obj(in, "folder/hull.obj"), metres_per_unit).surfaces;
+}
+
+CadModel model_of(const std::string& text) {
+    std::istringstream in(text);
+    return read_obj(in, "folder/hull.obj");
 }
 
 std::string refusal(const std::string& text) {
@@ -148,11 +155,6 @@ TEST(ObjDrawn, IsFilledOnlyWhereEachVertexHasOnePlace) {
     EXPECT_TRUE(read(square + "vt 0\nvt 1\nvt 2 # a\nf 1/1 2/2 3/3\n")[0].drawn) << "v is 0 where absent";
 }
 
-CadModel model_of(const std::string& text) {
-    std::istringstream in(text);
-    return read_obj(in, "folder/hull.obj");
-}
-
 TEST(ObjCurves, AreThePolylinesUnderTheirObjectAndGroup) {
     const CadModel model = model_of(square + "f 1 2 3\no GRAIN\nl 1/4 2 -2\no hull\ng WARP\nl 4 1\nl 3 2\n");
     ASSERT_EQ(model.curves.size(), 3U);
@@ -223,7 +225,6 @@ TEST(ObjRefusal, NamesFileLineFaultAndRemedy) {
     EXPECT_THAT(refusal("v 1e400 0 0\n"), HasSubstr(":1: found \"1e400\""));
     EXPECT_THAT(refusal("v 1e13 0 0\n"), HasSubstr(":1: the coordinate \"1e13\" is too far out"));
     EXPECT_THAT(refusal("\n\nv 0 0\n"), HasSubstr(":3: a coordinate is missing"));
-    EXPECT_THAT(refusal(square + "f 1 2\n"), HasSubstr(":5: a face with 2 corners, expected at least 3"));
     EXPECT_THAT(refusal(square + "f 1 2 5\n"), HasSubstr(":5: a face names vertex 5, expected one of the 4"));
     EXPECT_THAT(refusal(square + "f 1 2 -5\n"), HasSubstr(":5: a face names vertex -5, expected one of the 4"));
     EXPECT_THAT(refusal(square + "f 0 1 2\n"), HasSubstr(":5: a face names vertex 0, expected one of the 4"));
@@ -235,11 +236,52 @@ TEST(ObjRefusal, NamesFileLineFaultAndRemedy) {
     EXPECT_THAT(refusal(square + "f 1 2 5000000000\n"), HasSubstr(":5: a face names vertex 5000000000"));
     EXPECT_THAT(refusal(square + "f 1/1/1/1 2 3\n"),
                 HasSubstr(":5: found \"1/1/1/1\" as a corner of a face, expected at most three"));
-    EXPECT_THAT(refusal(square + "f 1 2 3 2\n"), HasSubstr(":5: a face has vertex 2 twice"));
-    EXPECT_THAT(refusal(square + "f 1 3 2 4\n"), HasSubstr(":5: a face with 4 corners has no area or folds over"));
+    for (const char* face : {"f 1 2", "f 1", "f 1 1 1 1", "f 1 2 1", "f 1 2 3 2", "f 1 2 3 3 2", "f 2 1 2 3"})
+        EXPECT_THAT(
+            refusal(square + face + "\n"),
+            HasSubstr("hull.obj: no face (1 face with fewer than three different corners left out, the first in "
+                      "line 5)"))
+            << face;
     EXPECT_THAT(refusal(square + "f 1 2 3\nl 1 5\n"),
                 HasSubstr(":6: a polyline names vertex 5, expected one of the 4"));
     EXPECT_THAT(refusal(square + "f 1 2 3\nl 1 x\n"), HasSubstr(":6: found \"x\" as a corner of a polyline"));
+}
+
+TEST(ObjFaces, ThatNameACornerAgainAreWhatIsLeftOfThem) {
+    for (const char* face : {"f 1 2 3", "f 1 2 3 3", "f 1 2 2 3", "f 1 1 2 3", "f 1 2 3 1", "f 1 2 2 2 3 3 1 1",
+                             "f 1 4 1 2 3", "f 1 2 3 4 3", "f 2 3 4 3 1 2"}) {
+        const CadModel model = model_of(square + face + "\n");
+        EXPECT_EQ(testing::corners_of(model.surfaces.at(0)).size(), 3u) << face;
+        EXPECT_THAT(model.remarks, IsEmpty()) << face;
+    }
+    const CadModel model = model_of(square + "f 1 2 3\nf 1 1 2\nf 1 3 4 4\nf 2 2\n");
+    EXPECT_EQ(model.surfaces.at(0).mesh.triangle_count(), 2);
+    EXPECT_THAT(model.remarks, ElementsAre(HasSubstr("2 faces with fewer than three different corners left out, the "
+                                                     "first in line 6")));
+}
+
+TEST(ObjObjects, WithoutAFaceAreNamed) {
+    const CadModel model = model_of(square + "o empty\no G01\ng left\nf 1 2 3\no a\no line\nl 1 2\no b\ng c\n");
+    EXPECT_THAT(model.remarks, ElementsAre(HasSubstr("3 objects without a face or line: empty, a, b")));
+}
+
+TEST(ObjFaces, WithTwoCornersInOnePlaceLeaveATriangleWithoutArea) {
+    const CadModel model = model_of("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 1 0\nf 1 2 3 4\n");
+    EXPECT_EQ(model.surfaces.at(0).mesh.triangle_count(), 2);
+    EXPECT_EQ(model.surfaces.at(0).fault, "");
+    EXPECT_NEAR(surface_area(model.surfaces.at(0).mesh), 0.5, 1e-15);
+}
+
+TEST(ObjFaces, ThatFoldAreTheFaultOfTheirSurfaceAlone) {
+    const std::string two = "v 2 1 0\nv 2 2 0\no good\nf 1 2 3\no bad\n";
+    for (const auto& [face, what] :
+         {std::pair("f 1 3 2 4", "folder/hull.obj:10: a face with 4 corners folds over itself"),
+          std::pair("f 1 2 3 1 5 6", "folder/hull.obj:10: a face with 6 corners comes by one of them twice")}) {
+        const CadModel model = model_of(square + two + face + "\n");
+        ASSERT_EQ(model.surfaces.size(), 2u);
+        EXPECT_EQ(model.surfaces[0].fault, "");
+        EXPECT_THAT(model.surfaces[1].fault, StartsWith(what));
+    }
 }
 
 TEST(ObjRefusal, SaysWhatAFileIsThatIsNoObj) {
@@ -255,5 +297,5 @@ TEST(ObjRefusal, QuotesNoMoreThanALineOfWhatItFound) {
     EXPECT_LT(refusal(text).size(), 200U);
 }
 
-}  // namespace
+}  // namespace obj_test
 }  // namespace ripstop

@@ -7,7 +7,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace off_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -108,5 +108,5 @@ TEST(OffWriter, IsReadAlikeByAnIndependentReader) {
     EXPECT_THAT(info.output, ::testing::ContainsRegex("Faces: +" + std::to_string(9 + 18))) << info.output;
 }
 
-}  // namespace
+}  // namespace off_test
 }  // namespace ripstop

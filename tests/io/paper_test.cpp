@@ -7,7 +7,7 @@
 #include "support/pattern_pieces.h"
 
 namespace ripstop {
-namespace {
+namespace paper_test {
 
 using ::testing::HasSubstr;
 
@@ -110,5 +110,5 @@ TEST(PageWindow, IsNamedByRowAndColumn) {
     EXPECT_EQ(name(0, 26 * 27), "AAA1");
 }
 
-}  // namespace
+}  // namespace paper_test
 }  // namespace ripstop

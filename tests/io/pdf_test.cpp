@@ -15,7 +15,7 @@
 #include "support/raster.h"
 
 namespace ripstop {
-namespace {
+namespace pdf_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -254,5 +254,5 @@ TEST(Pdf, RefusesTooManyPages) {
     EXPECT_THAT(refusal({}, "a9"), HasSubstr("no paper \"a9\""));
 }
 
-}  // namespace
+}  // namespace pdf_test
 }  // namespace ripstop

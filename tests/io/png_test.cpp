@@ -7,7 +7,7 @@
 #include "support/raster.h"
 
 namespace ripstop {
-namespace {
+namespace png_test {
 
 using ::testing::ElementsAre;
 
@@ -69,5 +69,5 @@ TEST(PngPicture, OfWhatIsNoDrawingIsOurFault) {
     EXPECT_THROW(png_picture("<svg"), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace png_test
 }  // namespace ripstop

@@ -7,7 +7,7 @@
 #include "ripstop/base/error.h"
 
 namespace ripstop {
-namespace {
+namespace project_flight_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -75,5 +75,5 @@ TEST(ProjectFlight, RefusesWhatCannotBe) {
     EXPECT_THAT(refusal(R"({"ties": [{"name": "a", "from": [0, 0, 0]}]})"), HasSubstr("tie 1"));
 }
 
-}  // namespace
+}  // namespace project_flight_test
 }  // namespace ripstop

@@ -9,7 +9,7 @@
 #include "ripstop/base/error.h"
 
 namespace ripstop {
-namespace {
+namespace project_json_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -137,5 +137,5 @@ TEST(ProjectTiles, ThatFitNothingAreNamed) {
     EXPECT_THAT(unused_names(project, {"G01", "G02"}), ElementsAre("H01", "?03"));
 }
 
-}  // namespace
+}  // namespace project_json_test
 }  // namespace ripstop

@@ -19,7 +19,7 @@
 #include "support/shared_data.h"
 
 namespace ripstop {
-namespace {
+namespace rhino_3dm_test {
 
 using ::testing::AllOf;
 using ::testing::Contains;
@@ -403,5 +403,5 @@ TEST(Rhino3dm, CallsTilesByTheTextOfBlocksInBlocksAndSaysWhichTextNamesNone) {
     EXPECT_THAT(model.remarks, ElementsAre(StartsWith("I1 (\"PAIR\"): the user text tile of a block names no tile")));
 }
 
-}  // namespace
+}  // namespace rhino_3dm_test
 }  // namespace ripstop

@@ -5,7 +5,7 @@
 #include <deque>
 
 namespace ripstop {
-namespace {
+namespace rhino_names_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -18,8 +18,8 @@ class RhinoNames : public ::testing::Test {
         for (int i = 0; i < 4; ++i) {
             RhinoLayer layer;
             layer.index = i;
-            layer.name = "L" + std::to_string(i);
-            layer.path = "all::" + layer.name;
+            layer.name = std::string("L").append(std::to_string(i));
+            layer.path = std::string("all::").append(layer.name);
             tables_.layers.push_back(layer);
         }
         tables_.groups = {{0, "crown"}, {1, ""}};
@@ -128,5 +128,5 @@ TEST(RhinoCalled, NumbersAreAsWideAsTheLast) {
     EXPECT_EQ(numbered(3, 120), "003");
 }
 
-}  // namespace
+}  // namespace rhino_names_test
 }  // namespace ripstop

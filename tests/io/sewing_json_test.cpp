@@ -9,7 +9,7 @@
 #include "support/sewn.h"
 
 namespace ripstop {
-namespace {
+namespace sewing_json_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -97,5 +97,5 @@ TEST(SewingJson, RefusesAnythingElseAndSaysWhere) {
     EXPECT_THAT(refusal(whole.substr(0, whole.size() / 2)), HasSubstr("sewing.json"));
 }
 
-}  // namespace
+}  // namespace sewing_json_test
 }  // namespace ripstop

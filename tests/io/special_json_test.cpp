@@ -10,7 +10,7 @@
 #include "ripstop/base/units.h"
 
 namespace ripstop {
-namespace {
+namespace special_json_test {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -73,5 +73,5 @@ TEST(SpecialJson, ReadsTheExampleInTheDocs) {
     EXPECT_EQ(shape.primitives[4].sectors, 20);
 }
 
-}  // namespace
+}  // namespace special_json_test
 }  // namespace ripstop

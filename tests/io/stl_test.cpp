@@ -9,7 +9,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace stl_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -143,5 +143,5 @@ TEST(StlWriter, IsReadAlikeByAnIndependentReader) {
     EXPECT_THAT(info.output, ::testing::AllOf(HasSubstr("G01"), HasSubstr("G02")));
 }
 
-}  // namespace
+}  // namespace stl_test
 }  // namespace ripstop

@@ -11,7 +11,7 @@
 #include "ripstop/pattern/check_drawing.h"
 
 namespace ripstop {
-namespace {
+namespace svg_elements_test {
 
 using ::testing::HasSubstr;
 
@@ -254,5 +254,5 @@ TEST(SvgElements, OfOldProgramsAreInTheirPixels) {
         HasSubstr("Inkscape 0.91 (90 px to the inch) says 0.282222 mm and CSS (96 px to the inch) says 0.264583 mm"));
 }
 
-}  // namespace
+}  // namespace svg_elements_test
 }  // namespace ripstop

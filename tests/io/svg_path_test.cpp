@@ -9,7 +9,7 @@
 #include "ripstop/base/units.h"
 
 namespace ripstop {
-namespace {
+namespace svg_path_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -142,5 +142,5 @@ TEST(SvgPath, ReadsNumbersAsTheGrammarHasThem) {
     EXPECT_EQ(points[3], Vec2(9.1, 5));
 }
 
-}  // namespace
+}  // namespace svg_path_test
 }  // namespace ripstop

@@ -12,7 +12,7 @@
 #include "support/dxf_pieces.h"
 
 namespace ripstop {
-namespace {
+namespace svg_read_test {
 
 using ::testing::HasSubstr;
 
@@ -138,5 +138,5 @@ TEST(ReadSvg, FindsEveryPieceOfOurOwnWhereItWas) {
     EXPECT_EQ(cut, pieces.size());
 }
 
-}  // namespace
+}  // namespace svg_read_test
 }  // namespace ripstop

@@ -15,7 +15,7 @@
 #include "support/pattern_pieces.h"
 
 namespace ripstop {
-namespace {
+namespace svg_test {
 
 using ::testing::HasSubstr;
 
@@ -193,5 +193,5 @@ TEST(Svg, IsWhatItWasLastTime) {
     testing::expect_golden("band.svg", svg({testing::band("G01P01", 0.25, 0.12, 0.01)}));
 }
 
-}  // namespace
+}  // namespace svg_test
 }  // namespace ripstop

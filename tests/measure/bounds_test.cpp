@@ -9,7 +9,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace bounds_test {
 
 Bounds bounds_of(const TriangleMesh& mesh) {
     return measure_bounds(make_tile("t", mesh, {.warp = Vec3(0.3, 0.2, 1)}));
@@ -56,5 +56,5 @@ TEST(Bounds, AllowedRatioOfThreadsThatStrainAndShear) {
     EXPECT_NEAR(allowed_stretch_ratio({.strain = 0, .shear = 30 * degree}), std::sqrt(1.5 / 0.5), 1e-12);
 }
 
-}  // namespace
+}  // namespace bounds_test
 }  // namespace ripstop

@@ -12,7 +12,7 @@
 #include "support/shared_data.h"
 
 namespace ripstop {
-namespace {
+namespace distortion_test {
 
 /// The singular values of the map surface -> cloth, which is how the fixtures' figures are given.
 struct Fixture {
@@ -115,5 +115,5 @@ TEST(Distortion, ShearByHand) {
     }
 }
 
-}  // namespace
+}  // namespace distortion_test
 }  // namespace ripstop

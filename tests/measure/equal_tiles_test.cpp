@@ -11,7 +11,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace equal_tiles_test {
 
 /// Nothing about it is symmetric.
 TriangleMesh odd_patch(int nu = 6, int nv = 8) {
@@ -165,5 +165,5 @@ TEST(EqualTiles, OfADesignedEnvelopeAreItsPanelsOncePerGore) {
     }
 }
 
-}  // namespace
+}  // namespace equal_tiles_test
 }  // namespace ripstop

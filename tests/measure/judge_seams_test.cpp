@@ -10,7 +10,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace judge_seams_test {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
@@ -122,5 +122,5 @@ TEST(JudgeSeams, ASideThatWasNotFlattenedIsNamed) {
     EXPECT_THAT(plan.findings[0].message, Not(HasSubstr("nan")));
 }
 
-}  // namespace
+}  // namespace judge_seams_test
 }  // namespace ripstop

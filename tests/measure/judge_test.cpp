@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ripstop/base/units.h"
@@ -9,7 +10,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace judge_test {
 
 const Fabric fabric;
 
@@ -48,6 +49,28 @@ TEST(Accuracy, OfAStretchedSquareByHand) {
     EXPECT_NEAR(accuracy.energy, 0.5 * 1000 * strain * strain * 1.01, 1e-12);
     EXPECT_EQ(accuracy.flipped, 0);
     EXPECT_EQ(accuracy.overlaps, 0);
+}
+
+/// What is said of the chains of a triangle with a blunt tip whose edge is twice as long on the cloth.
+std::size_t chain_findings(double tip) {
+    TriangleMesh mesh = testing::rectangle(1, 1, 1, 1);
+    mesh.positions.row(2) << 0.5 - tip / 2, 1, 0;
+    mesh.positions.row(3) << 0.5 + tip / 2, 1, 0;
+    TileOptions options;
+    options.warp = Vec3::UnitX();
+    options.corners = {{0, 0, 0}, {1, 0, 0}, mesh.positions.row(2).transpose(), mesh.positions.row(3).transpose()};
+    const Tile tile = make_tile("blunt", mesh, options);
+    EXPECT_EQ(tile.chains.size(), 4U);
+    Points2 flat = mesh.positions.leftCols(2);
+    flat(2, 0) -= tip / 2;
+    flat(3, 0) += tip / 2;
+    const std::vector<std::string> found = codes(judged(tile, flat));
+    return static_cast<std::size_t>(std::count(found.begin(), found.end(), "chain"));
+}
+
+TEST(Judge, AsksNoMoreOfAnEdgeThanAPlottersStep) {
+    EXPECT_EQ(chain_findings(0.013 * millimetre), 0U);
+    EXPECT_EQ(chain_findings(0.1 * millimetre), 1U);
 }
 
 TEST(Accuracy, AllEdgesByHandOnTwoTriangles) {
@@ -107,5 +130,5 @@ TEST(Judge, NotANumberIsNeverManufacturable) {
     EXPECT_FALSE(judged(tile, flat).manufacturable());
 }
 
-}  // namespace
+}  // namespace judge_test
 }  // namespace ripstop

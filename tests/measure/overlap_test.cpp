@@ -11,7 +11,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace overlap_test {
 
 TEST(OverlappingTriangles, AFlatGridHasNone) {
     const TriangleMesh mesh = testing::rectangle(3, 2, 30, 20);
@@ -85,5 +85,5 @@ TEST(OverlappingTriangles, AgreesWithSamplingOnRandomTriangles) {
     EXPECT_LE(pairs.size(), static_cast<std::size_t>(sampled + 8));  // slivers of overlap that the samples miss
 }
 
-}  // namespace
+}  // namespace overlap_test
 }  // namespace ripstop

@@ -10,7 +10,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace seam_walk_test {
 
 const Tolerances tolerances;
 
@@ -232,5 +232,5 @@ TEST(SeamWalk, ASideThatWasNotFlattenedIsNotOk) {
     EXPECT_FALSE(walk.ok);
 }
 
-}  // namespace
+}  // namespace seam_walk_test
 }  // namespace ripstop

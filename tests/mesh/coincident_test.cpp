@@ -6,7 +6,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace coincident_test {
 
 /// Each triangle with three vertices of its own.
 TriangleMesh exploded(const TriangleMesh& mesh) {
@@ -48,5 +48,5 @@ TEST(Coincident, DropsWhatNoTriangleUsesAndKeepsTheOrder) {
     EXPECT_EQ(used.triangles.row(0), Eigen::RowVector3i(2, 0, 1));
 }
 
-}  // namespace
+}  // namespace coincident_test
 }  // namespace ripstop

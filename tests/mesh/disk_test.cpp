@@ -6,7 +6,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace disk_test {
 
 using ::testing::HasSubstr;
 
@@ -84,5 +84,5 @@ TEST(RequireDisk, RefusesAMoebiusLikeStrip) {
     EXPECT_THAT(refusal(mesh), HasSubstr("tile G01P01: "));
 }
 
-}  // namespace
+}  // namespace disk_test
 }  // namespace ripstop

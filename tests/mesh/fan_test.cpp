@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace ripstop {
-namespace {
+namespace fan_test {
 
 std::vector<Vec3> polygon(std::initializer_list<Vec2> points) {
     std::vector<Vec3> result;
@@ -40,5 +40,5 @@ TEST(Fan, RefusesAPolygonThatEveryFanFoldsOver) {
     EXPECT_EQ(fan_corner(polygon({{0, 0}, {1, 0}, {2, 0}, {3, 0}})), -1) << "straight line";
 }
 
-}  // namespace
+}  // namespace fan_test
 }  // namespace ripstop

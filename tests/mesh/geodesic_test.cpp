@@ -9,7 +9,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace geodesic_test {
 
 /// A plane meshed irregularly, so that walks cross its edges at all angles.
 TriangleMesh jittered_plane() {
@@ -238,5 +238,5 @@ TEST(SurfacePoint, ConvertsToBarycentricAndSpace) {
     EXPECT_LT((surface.position(surface.nearest(Vec3(9, 9, 0))) - Vec3(0.4, 0.4, 0)).norm(), 1e-14);
 }
 
-}  // namespace
+}  // namespace geodesic_test
 }  // namespace ripstop

@@ -9,7 +9,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace split_test {
 
 Eigen::VectorXd plane(const TriangleMesh& mesh, const Vec3& normal, double offset) {
     return (mesh.positions * normal).array() - offset;
@@ -93,5 +93,5 @@ TEST(SplitMesh, RefusesALineThatDoesNotDivideInTwo) {
     EXPECT_FALSE(split_mesh(sheet, hole)) << "a ring and a disk";
 }
 
-}  // namespace
+}  // namespace split_test
 }  // namespace ripstop

@@ -5,7 +5,7 @@
 #include "support/seams.h"
 
 namespace ripstop {
-namespace {
+namespace allowance_test {
 
 /// `left`, 1 m x 2 m; at its right side `low` and `high`, 1 m x 1 m each: 5 edges of the seams' sheets are free.
 CutPlan plan_of_types() {
@@ -81,5 +81,5 @@ TEST(SeamTypes, OfTheProgramAreSoundAndTheDefaultsAmongThem) {
     EXPECT_EQ(default_hem().name, "hem");
 }
 
-}  // namespace
+}  // namespace allowance_test
 }  // namespace ripstop

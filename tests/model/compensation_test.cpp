@@ -6,7 +6,7 @@
 #include "support/sewn.h"
 
 namespace ripstop {
-namespace {
+namespace compensation_test {
 
 Tile gore() {
     return testing::gores({0.5}, 1, 4, 8).tiles[0];
@@ -55,5 +55,5 @@ TEST(Compensation, TakesTheEdgesAsTheyAreToldAndShrinkageOnTop) {
     EXPECT_LT((target_lengths(tile) - 1.02 * told).cwiseAbs().maxCoeff(), 1e-14) << "alike both ways: by that much";
 }
 
-}  // namespace
+}  // namespace compensation_test
 }  // namespace ripstop

@@ -9,7 +9,7 @@
 #include "support/loose_pieces.h"
 
 namespace ripstop {
-namespace {
+namespace marker_test {
 
 /// Edges of 3, 2, sqrt(2), 2 and 1 m from the second corner on, a notch on the edge of 2 m at the right, two lines of text.
 PatternPiece marked_piece() {
@@ -73,5 +73,5 @@ TEST(PlacedPiece, WritesUprightAndInOrder) {
         }
 }
 
-}  // namespace
+}  // namespace marker_test
 }  // namespace ripstop

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace ripstop {
-namespace {
+namespace pattern_piece_test {
 
 /// A is the pattern of B, mirrored of C and D; E is its own.
 std::vector<PatternPiece> five_pieces() {
@@ -68,5 +68,5 @@ TEST(CountPatterns, RenewsTheCountThatIsWrittenOnAPieceOrDropsIt) {
     EXPECT_EQ(two[0].labels[0].text, "A");
 }
 
-}  // namespace
+}  // namespace pattern_piece_test
 }  // namespace ripstop

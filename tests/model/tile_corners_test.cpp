@@ -5,7 +5,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace tile_corners_test {
 
 TEST(TileCorners, AreTheBoundaryVerticesNearestToThePointsGiven) {
     TileOptions options;
@@ -32,5 +32,5 @@ TEST(TileCorners, AreRefusedFarOffTheBoundary) {
     }
 }
 
-}  // namespace
+}  // namespace tile_corners_test
 }  // namespace ripstop

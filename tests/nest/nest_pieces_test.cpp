@@ -13,7 +13,7 @@
 #include "support/loose_pieces.h"
 
 namespace ripstop {
-namespace {
+namespace nest_pieces_test {
 
 using testing::faults_of;
 using testing::gore_like_pieces;
@@ -234,5 +234,5 @@ TEST(NestPieces, RefusesWidthsGapsAndLengthsThatAreNone) {
     EXPECT_THAT(nest_pieces(loose_set({}), {}).markers, IsEmpty());
 }
 
-}  // namespace
+}  // namespace nest_pieces_test
 }  // namespace ripstop

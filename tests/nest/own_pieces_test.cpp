@@ -9,7 +9,7 @@
 #include "support/loose_pieces.h"
 
 namespace ripstop {
-namespace {
+namespace own_pieces_test {
 
 /// An L with unequal legs: like none of its mirror images and turns.
 Points2 bent() {
@@ -100,5 +100,5 @@ TEST_P(OwnPieces, AllLieOneWayWhereNoneMayBeTurned) {
 INSTANTIATE_TEST_SUITE_P(, OwnPieces, ::testing::Bool(),
                          [](const auto& flip) { return flip.param ? "flipped" : "face_up"; });
 
-}  // namespace
+}  // namespace own_pieces_test
 }  // namespace ripstop

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace ripstop {
-namespace {
+namespace row_profile_test {
 
 Points2 points(std::initializer_list<Vec2> corners) {
     Points2 result(static_cast<Eigen::Index>(corners.size()), 2);
@@ -70,5 +70,5 @@ TEST(OverlappingShifts, LeaveRoomInAHollow) {
     ASSERT_EQ(shifts.size(), 1u);
 }
 
-}  // namespace
+}  // namespace row_profile_test
 }  // namespace ripstop

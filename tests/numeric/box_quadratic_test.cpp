@@ -6,7 +6,7 @@
 #include <random>
 
 namespace ripstop {
-namespace {
+namespace box_quadratic_test {
 
 using Vector = Eigen::VectorXd;
 
@@ -86,5 +86,5 @@ TEST(BoxQuadratic, RefusesAHillTop) {
     EXPECT_FALSE(Springs(-3).minimize(infinite, infinite));
 }
 
-}  // namespace
+}  // namespace box_quadratic_test
 }  // namespace ripstop

@@ -9,7 +9,7 @@
 #include "ripstop/numeric/symmetric_solver.h"
 
 namespace ripstop {
-namespace {
+namespace elimination_order_test {
 
 /// A grid of vertices, `each` unknowns to a vertex, vertices of a cell coupled.
 SparsePattern grid_pattern(int side, int each) {
@@ -79,5 +79,5 @@ TEST(Renumbered, PutsEveryValueWhereItsUnknownsWent) {
     EXPECT_EQ(lower.slots, (std::vector{4, 3, 0, 1, 2}));
 }
 
-}  // namespace
+}  // namespace elimination_order_test
 }  // namespace ripstop

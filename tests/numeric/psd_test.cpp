@@ -7,7 +7,7 @@
 #include <random>
 
 namespace ripstop {
-namespace {
+namespace psd_test {
 
 Eigen::Matrix4d random_symmetric(unsigned seed) {
     std::mt19937 random(seed);
@@ -57,5 +57,5 @@ TEST(PositiveSemidefinite, TurnsANegativeMatrixToZero) {
     EXPECT_LT(positive_semidefinite(-2 * Eigen::Matrix4d::Identity()).norm(), 1e-15);
 }
 
-}  // namespace
+}  // namespace psd_test
 }  // namespace ripstop

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace ripstop {
-namespace {
+namespace sparse_pattern_test {
 
 /// The dense symmetric matrix that `values` stands for.
 Eigen::MatrixXd dense(const SparsePattern& pattern, const Eigen::VectorXd& values) {
@@ -83,5 +83,5 @@ TEST(SparsePattern, AssemblesWhatADenseMatrixDoes) {
     EXPECT_EQ(product(pattern, values, x), expected * x);
 }
 
-}  // namespace
+}  // namespace sparse_pattern_test
 }  // namespace ripstop

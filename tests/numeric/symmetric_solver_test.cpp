@@ -8,7 +8,7 @@
 #include <thread>
 
 namespace ripstop {
-namespace {
+namespace symmetric_solver_test {
 
 /// A chain of springs of stiffness k, every unknown also tied to the ground with `ground`.
 struct Chain {
@@ -239,5 +239,5 @@ TEST_F(LargeSymmetricSolver, GivesTheSameBytesOnAnyThread) {
     for (const Eigen::VectorXd& x : found) EXPECT_EQ(x, expected);
 }
 
-}  // namespace
+}  // namespace symmetric_solver_test
 }  // namespace ripstop

@@ -15,7 +15,7 @@
 #include "support/shared_data.h"
 
 namespace ripstop {
-namespace {
+namespace paper_test {
 
 Accuracy flattened(const Tile& tile, const Fabric& fabric = {}) {
     return measure_accuracy(tile, flatten_paper(tile, fabric).positions, fabric);
@@ -123,5 +123,5 @@ TEST(PaperOnRealInput, PlanarPanelsComeBackCongruentAndSpikesAreReported) {
     EXPECT_EQ(reported, 2);
 }
 
-}  // namespace
+}  // namespace paper_test
 }  // namespace ripstop

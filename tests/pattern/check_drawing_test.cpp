@@ -4,8 +4,10 @@
 
 #include <cmath>
 
+#include "support/openings.h"
+
 namespace ripstop {
-namespace {
+namespace check_drawing_test {
 
 using ::testing::HasSubstr;
 
@@ -213,6 +215,51 @@ TEST(CheckDrawing, NamesASewLineOutsideOfThePieces) {
                 HasSubstr("at (400.00, 40.00) mm lies in no closed contour that is cut"));
 }
 
+/// A closed path of these lines in millimetres.
+DrawnPath drawn(const char* layer, const Points2& metres) {
+    return closed(layer, 1000 * metres);
+}
+
+TEST(CheckDrawing, NamesAnOpeningOfTheSewLineThatNothingCuts) {
+    const auto cut_of = [](const PatternPiece& piece) {
+        Points2 outside(4, 2);
+        const Vec2 lower = piece.lower(), upper = piece.upper();
+        outside << lower.x(), lower.y(), upper.x(), lower.y(), upper.x(), upper.y(), lower.x(), upper.y();
+        return outside;
+    };
+    for (const double slit : {0.0, 0.01, 0.03, 0.045, 0.06, 0.2})
+        for (const bool is_turned : {false, true}) {
+            const PatternPiece piece = testing::cut_piece(testing::square_keyhole(slit, 0.25, 0.025));
+            const Points2 sew = is_turned ? Points2(piece.sew_line.colwise().reverse()) : piece.sew_line;
+            EXPECT_TRUE(check_drawing(drawing_of({drawn("CUT", piece.cut_line), drawn("SEW", sew)})).sound() ||
+                        slit == 0)
+                << slit;
+            const DrawingCheck check = check_drawing(drawing_of({drawn("CUT", cut_of(piece)), drawn("SEW", sew)}));
+            if (slit == 0) continue;  // it touches itself, and that is said
+            EXPECT_EQ(codes(check), (std::vector<std::string>{"opening"})) << slit;
+            EXPECT_THAT(message(check, "opening"), HasSubstr("nothing on layer CUT is cut between")) << slit;
+        }
+    const PatternPiece ring = testing::cut_piece(testing::open_ring(6.2, 0.025));
+    EXPECT_TRUE(check_drawing(drawing_of({drawn("CUT", ring.cut_line), drawn("SEW", ring.sew_line)})).sound());
+    EXPECT_EQ(codes(check_drawing(drawing_of({drawn("CUT", cut_of(ring)), drawn("SEW", ring.sew_line)}))),
+              (std::vector<std::string>{"opening"}));
+}
+
+TEST(CheckDrawing, TakesCornersThatAllowancesCloseAndHolesThatAreCutForSound) {
+    for (const double angle : {1.1, 1.6, 2.5}) {
+        const PatternPiece notched = testing::cut_piece(testing::notched_strip(angle, 0.025));
+        EXPECT_TRUE(
+            check_drawing(drawing_of({drawn("CUT", notched.cut_line), drawn("SEW", notched.sew_line)})).sound());
+    }
+    // A square hole of the cloth, sewn round and cut, with a slit of the sew line to it that is not: the seam goes there and back.
+    const PatternPiece piece = testing::cut_piece(testing::square_keyhole(0.06, 0.25, 0.025));
+    DrawnPath hole = closed("CUT", square({300, 275}, 200)), outside = closed("CUT", square({-25, -25}, 850));
+    const DrawingCheck check = check_drawing(drawing_of({outside, hole, drawn("SEW", piece.sew_line)}));
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"opening"})) << "the slit";
+    const DrawnPath seam = closed("SEW", square({0, 0}, 800)), round = closed("SEW", square({275, 250}, 250));
+    EXPECT_TRUE(check_drawing(drawing_of({outside, hole, seam, round})).sound());
+}
+
 TEST(CheckDrawing, DoesNotTakeLinesWithinEachOtherForPiecesWhereTheLayersAreNotKnown) {
     const DrawnPath piece = closed("Layer 1", square({0, 0}, 300));
     EXPECT_TRUE(check_drawing(drawing_of({piece, closed("Layer 1", square({15, 15}, 270))})).issues.empty());
@@ -311,8 +358,7 @@ TEST(CheckDrawing, IsNotSureOfCurvesItCannotRead) {
     drawing.leave_unread("SPLINE without control points", "1", 7);
     const DrawingCheck check = check_drawing(drawing);
     EXPECT_FALSE(check.sound());
-    EXPECT_THAT(check.issues.back().message,
-                HasSubstr("line 7: 1 SPLINE without control points on layer 1 cannot be checked"));
+    EXPECT_THAT(check.issues.back().message, HasSubstr("line 7: 1 SPLINE without control points on layer 1 cannot be checked"));
 }
 
 TEST(CheckDrawing, TellsAnOutlineLeftOpenFromAMarkWhereTheLayersAreNotKnown) {
@@ -349,10 +395,9 @@ TEST(CheckDrawing, CountsEveryClosedLineWhereTheLayersAreNotKnown) {
         check_drawing(drawing_of({closed("Layer 1", square({0, 0}, 300)), open("Layer 1", points({{10, 10}, {50, 10}})),
                                   open("Layer 2", points({{0, 500}, {300, 500}, {300, 700}, {0, 500.4}}))}));
     EXPECT_EQ(check.contours.size(), 1U);
-    EXPECT_EQ(codes(check), (std::vector<std::string>{"open_line", "gap"}))
-        << "a short line may be anything, a near miss is one";
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"open_line", "gap"})) << "a short line may be anything, a near miss is one";
     EXPECT_EQ(codes(check_drawing(drawing_of({}))), (std::vector<std::string>{"no_contour"}));
 }
 
-}  // namespace
+}  // namespace check_drawing_test
 }  // namespace ripstop

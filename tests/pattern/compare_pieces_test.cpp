@@ -8,7 +8,7 @@
 #include "support/loose_pieces.h"
 
 namespace ripstop {
-namespace {
+namespace compare_pieces_test {
 
 using ::testing::IsEmpty;
 using testing::loose_set;
@@ -218,5 +218,5 @@ TEST(OutlineDistance, IsTheLargestOfEither) {
     EXPECT_NEAR(outline_distance(square, testing::rectangle_piece("", 1.5, 1).sew_line), 0.5, 1e-12);
 }
 
-}  // namespace
+}  // namespace compare_pieces_test
 }  // namespace ripstop

@@ -8,9 +8,13 @@
 #include "ripstop/geometry/polygon.h"
 
 namespace ripstop {
-namespace {
+namespace cut_line_test {
 
 constexpr double steps = 5e-7;  // whole steps of a tenth of a micrometre, and the cleaning of two of them
+
+Points2 cut_points(const std::vector<AllowedEdge>& edges) {
+    return make_cut_line(edges).points;
+}
 
 Points2 line(std::initializer_list<std::array<double, 2>> points) {
     Points2 result(static_cast<Eigen::Index>(points.size()), 2);
@@ -47,20 +51,20 @@ double distance_to(const Points2& polygon, const Points2& points) {
 }
 
 TEST(CutLine, OfARectangleIsTheLargerRectangle) {
-    const Points2 cut = make_cut_line(rectangle({0.025, 0.010, 0.025, 0.010}));
+    const Points2 cut = cut_points(rectangle({0.025, 0.010, 0.025, 0.010}));
     EXPECT_NEAR(signed_area(cut), 2.020 * 1.050, steps * 7);
     EXPECT_EQ(cut.rows(), 4);
 }
 
 TEST(CutLine, WithoutAllowanceIsTheSewLine) {
-    EXPECT_NEAR(signed_area(make_cut_line(rectangle({0, 0, 0, 0}))), 2, steps * 6);
-    const Points2 one_edge = make_cut_line(rectangle({0.025, 0, 0, 0}));
+    EXPECT_NEAR(signed_area(cut_points(rectangle({0, 0, 0, 0}))), 2, steps * 6);
+    const Points2 one_edge = cut_points(rectangle({0.025, 0, 0, 0}));
     EXPECT_NEAR(signed_area(one_edge), 2 * 1.025, steps * 6);
 }
 
 TEST(CutLine, CutsASquareCornerAcrossAtTheAllowance) {
     const CornerRule square = CornerRule::square;
-    const Points2 cut = make_cut_line(rectangle({0.02, 0.02, 0.02, 0.02}, {square, square, square, square}));
+    const Points2 cut = cut_points(rectangle({0.02, 0.02, 0.02, 0.02}, {square, square, square, square}));
     for (const Vec2& corner : {Vec2(0, 0), Vec2(2, 0), Vec2(2, 1), Vec2(0, 1)})
         EXPECT_NEAR(distance_to_outline(cut, corner), 0.02, steps);
     // Each corner loses the tip beyond the chamfer: a right triangle with height (sqrt(2) - 1) * 0.02.
@@ -70,7 +74,7 @@ TEST(CutLine, CutsASquareCornerAcrossAtTheAllowance) {
 
 TEST(CutLine, LimitsTheMitreOfASharpTip) {
     // The tips of the lens open by 0.4 rad: an unlimited mitre would reach 0.025 / sin(0.2) = 126 mm.
-    const Points2 cut = make_cut_line(lens(5, 0.2, 0.025, 64));
+    const Points2 cut = cut_points(lens(5, 0.2, 0.025, 64));
     const Vec2 tip(5 * std::sin(0.2), 0);
     EXPECT_NEAR(cut.col(0).maxCoeff() - tip.x(), 0.050, steps);
     EXPECT_GE(distance_to_outline(cut, tip), 0.025 - steps);
@@ -83,7 +87,7 @@ TEST(CutLine, FoldsAHemIntoTheMirrorImageOfThePiece) {
     std::vector<AllowedEdge> edges;
     for (int e = 0; e < 4; ++e)
         edges.push_back({corners.middleRows(e, 2), e == 0 ? hem : side, e == 0 ? CornerRule::fold : CornerRule::mitre});
-    const Points2 cut = make_cut_line(edges);
+    const Points2 cut = cut_points(edges);
     // What lies below the fold, turned up about it, has the piece's own cut line: no cloth looks out beside the piece.
     for (const double y : {0.005, 0.02, 0.035}) {
         const auto below = horizontal_chords(cut, -y), above = horizontal_chords(cut, y);
@@ -98,7 +102,7 @@ TEST(CutLine, KeepsItsDistanceFromEveryEdgeOfAGore) {
     for (const CornerRule corner : {CornerRule::mitre, CornerRule::square})
         for (const double allowance : {0.005, 0.025, 0.040}) {
             const std::vector<AllowedEdge> edges = lens(6, 0.6, allowance, 80, corner);
-            const Points2 cut = make_cut_line(edges);
+            const Points2 cut = cut_points(edges);
             EXPECT_TRUE(self_intersections(cut).count == 0);
             for (const AllowedEdge& edge : edges) {
                 EXPECT_NEAR(distance_to(cut, edge.sew_line), allowance, steps);
@@ -151,7 +155,7 @@ TEST(CutLine, GivesEachOfTwoUnequalEdgesItsAllowanceUpToTheirCorner) {
                                             std::pair(0.0, 0.038), std::pair(0.025, 0.025)})
             for (const CornerRule rule : {CornerRule::mitre, CornerRule::square}) {
                 const auto edges = bent(degrees * std::numbers::pi / 180, before, after, rule, rule);
-                const Points2 cut = make_cut_line(edges);
+                const Points2 cut = cut_points(edges);
                 EXPECT_EQ(missing(edges, cut), 0) << degrees << " degrees, " << before << " and " << after;
                 EXPECT_EQ(self_intersections(cut).count, 0);
                 EXPECT_GT(cut.col(1).minCoeff(), -3 * std::max(before, after) - 0.021) << "and no tongue";
@@ -160,13 +164,13 @@ TEST(CutLine, GivesEachOfTwoUnequalEdgesItsAllowanceUpToTheirCorner) {
 
 TEST(CutLine, FoldsAHemBesideFoldedSeamsAsBesideMitredOnes) {
     const double turn = 1.2;
-    const Points2 mitred = make_cut_line(bent(turn, 0.038, 0.025, CornerRule::hem, CornerRule::mitre));
-    const Points2 folded = make_cut_line(bent(turn, 0.038, 0.025, CornerRule::hem, CornerRule::fold));
+    const Points2 mitred = cut_points(bent(turn, 0.038, 0.025, CornerRule::hem, CornerRule::mitre));
+    const Points2 folded = cut_points(bent(turn, 0.038, 0.025, CornerRule::hem, CornerRule::fold));
     EXPECT_EQ(mitred, folded);
-    const double unfolded = signed_area(make_cut_line(bent(turn, 0.038, 0.025, CornerRule::mitre, CornerRule::mitre)));
+    const double unfolded = signed_area(cut_points(bent(turn, 0.038, 0.025, CornerRule::mitre, CornerRule::mitre)));
     EXPECT_GT(std::abs(signed_area(folded) - unfolded), 1e-5);
-    const double slanted = signed_area(make_cut_line(bent(0.9, 0.02, 0.02, CornerRule::fold, CornerRule::fold)));
-    const double straight = signed_area(make_cut_line(bent(0.9, 0.02, 0.02, CornerRule::mitre, CornerRule::mitre)));
+    const double slanted = signed_area(cut_points(bent(0.9, 0.02, 0.02, CornerRule::fold, CornerRule::fold)));
+    const double straight = signed_area(cut_points(bent(0.9, 0.02, 0.02, CornerRule::mitre, CornerRule::mitre)));
     EXPECT_GT(std::abs(slanted - straight), 1e-5);
 }
 
@@ -176,32 +180,45 @@ TEST(CutLine, FoldsNothingThatWouldRunFarFromItsCorner) {
             const auto edges =
                 bent(degrees * std::numbers::pi / 180, hem_first ? 0.038 : 0.025, hem_first ? 0.025 : 0.038,
                      hem_first ? CornerRule::hem : CornerRule::mitre, hem_first ? CornerRule::mitre : CornerRule::hem);
-            const Points2 cut = make_cut_line(edges);
+            const Points2 cut = cut_points(edges);
             for (Eigen::Index i = 0; i < cut.rows(); ++i)
                 EXPECT_TRUE(std::abs(cut(i, 0)) > 1 || cut(i, 1) > 1 || Vec2(cut.row(i)).norm() < 2.5 * 0.038 + steps)
                     << degrees << " degrees";
         }
 }
 
-TEST(CutLine, ClosesOverANarrowNotchOfTheSewLine) {
+TEST(CutLine, IsCutDownTheMiddleOfANarrowNotchOfTheSewLine) {
     const Points2 corners = line({{0, 0}, {1, 0}, {1, 1}, {0.52, 1}, {0.5, 0.5}, {0.48, 1}, {0, 1}, {0, 0}});
     std::vector<AllowedEdge> edges;
     for (Eigen::Index e = 0; e + 1 < corners.rows(); ++e) edges.push_back({corners.middleRows(e, 2), 0.03});
-    const Points2 cut = make_cut_line(edges);
-    EXPECT_EQ(self_intersections(cut).count, 0);
-    EXPECT_TRUE(contains(cut, Vec2(0.5, 0.9)));
+    const CutLine cut = make_cut_line(edges);
+    EXPECT_EQ(self_intersections(cut.points).count, 0);
+    for (const double y : {0.6, 0.7, 0.9, 0.99}) {
+        EXPECT_FALSE(contains(cut.points, Vec2(0.5, y))) << y;
+        for (const double side : {-1.0, 1.0}) {
+            const double half = 0.02 * (y - 0.5) / 0.5;
+            EXPECT_TRUE(contains(cut.points, Vec2(0.5 + side * half, y))) << y;
+            EXPECT_NEAR(distance_along(cut.points, Vec2(0.5 + side * half, y), Vec2(-side, 0)), half, 0.6e-3) << y;
+        }
+    }
+    EXPECT_TRUE(contains(cut.points, Vec2(0.5, 0.55))) << "the tip is the sewer's";
+    ASSERT_EQ(cut.met.size(), 1U);
+    EXPECT_EQ(cut.met[0].edge, 3);
+    EXPECT_EQ(cut.met[0].mate_edge, 4);
 }
 
-TEST(CutLine, HasNoHoleWhereAllowancesMeet) {
-    // A hook whose ends come within twice the allowance of each other.
+TEST(CutLine, KeepsWhatAHookGoesRound) {
+    // Its ends come within twice the allowance of each other.
     const Points2 corners = line(
         {{0, 0}, {1, 0}, {1, 0.2}, {0.2, 0.2}, {0.2, 0.8}, {1, 0.8}, {1, 0.25}, {1.2, 0.25}, {1.2, 1}, {0, 1}, {0, 0}});
     std::vector<AllowedEdge> edges;
     for (Eigen::Index e = 0; e + 1 < corners.rows(); ++e) edges.push_back({corners.middleRows(e, 2), 0.04});
-    const Points2 cut = make_cut_line(edges);
-    EXPECT_EQ(self_intersections(cut).count, 0);
-    for (Eigen::Index i = 0; i < corners.rows(); ++i) EXPECT_TRUE(contains(cut, Vec2(corners.row(i))));
+    const CutLine cut = make_cut_line(edges);
+    EXPECT_EQ(self_intersections(cut.points).count, 0);
+    for (Eigen::Index i = 0; i < corners.rows(); ++i) EXPECT_TRUE(contains(cut.points, Vec2(corners.row(i))));
+    EXPECT_FALSE(contains(cut.points, Vec2(0.6, 0.5)));
+    EXPECT_FALSE(cut.met.empty());
 }
 
-}  // namespace
+}  // namespace cut_line_test
 }  // namespace ripstop

@@ -8,7 +8,7 @@
 #include "support/flat_tiles.h"
 
 namespace ripstop {
-namespace {
+namespace lift_lines_test {
 
 double length(const Points3& line) {
     return (line.bottomRows(line.rows() - 1) - line.topRows(line.rows() - 1)).rowwise().norm().sum();
@@ -74,5 +74,5 @@ TEST(LiftLine, RunsAlongAnEdgeOfTheMeshOnce) {
     EXPECT_NEAR(length(lifted[0]), (b - a).norm(), 1e-12);
 }
 
-}  // namespace
+}  // namespace lift_lines_test
 }  // namespace ripstop

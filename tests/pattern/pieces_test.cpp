@@ -9,7 +9,7 @@
 #include "support/flat_tiles.h"
 
 namespace ripstop {
-namespace {
+namespace pieces_test {
 
 Points2 polygon(std::initializer_list<std::array<double, 2>> corners) {
     Points2 result(static_cast<Eigen::Index>(corners.size()), 2);
@@ -184,5 +184,5 @@ TEST(PatternPiece, IsMadeOnlyOfATileThatWasFlattened) {
     EXPECT_TRUE(make_pieces(plan).empty());
 }
 
-}  // namespace
+}  // namespace pieces_test
 }  // namespace ripstop

@@ -12,7 +12,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace equal_pieces_test {
 
 /// A patch like nothing else, turned, renumbered, mirrored, and with the warp the other way.
 std::vector<Tile> four_alike() {
@@ -92,5 +92,5 @@ TEST(EqualPieces, CutDifferentlyAreNotListed) {
     EXPECT_EQ(plan.tiles[1].equal_to, -1);
 }
 
-}  // namespace
+}  // namespace equal_pieces_test
 }  // namespace ripstop

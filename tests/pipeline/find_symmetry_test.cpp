@@ -9,7 +9,7 @@
 #include "support/balloons.h"
 
 namespace ripstop {
-namespace {
+namespace find_symmetry_test {
 
 EnvelopeDesign lobed() {
     return {.gores = 12, .panels = 6, .volume = 300, .bulge = 20 * degree, .edge_length = 0.6};
@@ -36,5 +36,5 @@ TEST(FindSymmetry, FindsNoneWhereOneTileIsCutOtherwise) {
     EXPECT_EQ(find_symmetry(plan).sectors, 1);
 }
 
-}  // namespace
+}  // namespace find_symmetry_test
 }  // namespace ripstop

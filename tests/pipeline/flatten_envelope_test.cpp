@@ -15,7 +15,7 @@
 #include "support/shared_data.h"
 
 namespace ripstop {
-namespace {
+namespace flatten_envelope_test {
 
 CutPlan flatten(const Envelope& envelope, const std::string& fabric, const std::string& method = "seam-exact") {
     FlattenOptions options;
@@ -158,5 +158,5 @@ TEST(RealInput, PlanarPanelsComeBackCongruent) {
     EXPECT_EQ(congruent, 12);
 }
 
-}  // namespace
+}  // namespace flatten_envelope_test
 }  // namespace ripstop

@@ -5,7 +5,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace grain_layers_test {
 
 NamedCurve line_on(const std::string& layer) {
     NamedCurve curve;
@@ -28,5 +28,5 @@ TEST(GrainLines, LieOnTheLayersTheProjectNamesToo) {
     EXPECT_EQ(model.surfaces[0].attributes.count("warp"), 1U);
 }
 
-}  // namespace
+}  // namespace grain_layers_test
 }  // namespace ripstop

@@ -7,7 +7,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace grain_lines_test {
 
 using ::testing::HasSubstr;
 
@@ -116,5 +116,5 @@ TEST(TakeWarp, TakesAFieldTriangleByTriangle) {
     EXPECT_THROW(make_envelope({surface}, {}), InputError) << "half of it points the other way";
 }
 
-}  // namespace
+}  // namespace grain_lines_test
 }  // namespace ripstop

@@ -8,7 +8,7 @@
 #include "support/balloons.h"
 
 namespace ripstop {
-namespace {
+namespace inflate_plan_test {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
@@ -108,5 +108,5 @@ TEST(InflatePlan, CanBeCalledOff) {
     EXPECT_FALSE(plan.inflated);
 }
 
-}  // namespace
+}  // namespace inflate_plan_test
 }  // namespace ripstop

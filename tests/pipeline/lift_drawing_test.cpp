@@ -15,7 +15,7 @@
 #include "support/flat_tiles.h"
 
 namespace ripstop {
-namespace {
+namespace lift_drawing_test {
 
 using ::testing::HasSubstr;
 
@@ -175,5 +175,5 @@ TEST_P(LiftDrawing, LeavesMatchMarksThatAreDrawnBecauseNothingIsAllowed) {
 INSTANTIATE_TEST_SUITE_P(, LiftDrawing, ::testing::Values("svg", "cam", "aama", "astm", "gerber", "et"),
                          [](const auto& format) { return format.param; });
 
-}  // namespace
+}  // namespace lift_drawing_test
 }  // namespace ripstop

@@ -8,7 +8,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace name_tiles_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -96,5 +96,5 @@ TEST(NameTiles, RefusesTwoNamesForASurfaceAndANameForTwo) {
                 HasSubstr("tile \"envelope_01\": another surface of the file is called so"));
 }
 
-}  // namespace
+}  // namespace name_tiles_test
 }  // namespace ripstop

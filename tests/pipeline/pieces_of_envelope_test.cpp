@@ -16,7 +16,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace pieces_of_envelope_test {
 
 CutPlan flattened(std::vector<NamedMesh> tiles) {
     return flatten_envelope(make_envelope(std::move(tiles), {}), {});
@@ -339,5 +339,5 @@ TEST(Pieces, NotchWhereASeamEndsWithinAnEdge) {
     EXPECT_GT(ends, 12) << "bricks are staggered: each row meets the middles of the next";
 }
 
-}  // namespace
+}  // namespace pieces_of_envelope_test
 }  // namespace ripstop

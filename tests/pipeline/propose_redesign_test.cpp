@@ -20,7 +20,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace propose_redesign_test {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -277,5 +277,5 @@ TEST(WeldTiles, WeldsOnlyWhatHasTheSameVerticesAndWarp) {
                 drawn_lengths(*welded).sum() + 0.002 * (drawn_lengths(a).sum() - seam.length), 1e-12);
 }
 
-}  // namespace
+}  // namespace propose_redesign_test
 }  // namespace ripstop

@@ -10,7 +10,7 @@
 #include "support/envelopes.h"
 
 namespace ripstop {
-namespace {
+namespace seam_rules_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -136,5 +136,5 @@ TEST(UnusedEntries, AreNamedInTheOrderOfTheProject) {
     EXPECT_THAT(unused_entries(project_of("{}"), make_envelope(balloon(), {})), IsEmpty());
 }
 
-}  // namespace
+}  // namespace seam_rules_test
 }  // namespace ripstop

@@ -9,7 +9,7 @@
 #include "support/envelopes.h"
 
 namespace ripstop {
-namespace {
+namespace seams_test {
 
 /// Length of a side of a seam on the cloth; of an edge that two seams share, each has its share.
 double flat_length(const CutPlan& plan, const SeamSide& side) {
@@ -64,5 +64,5 @@ TEST(SeamExact, CutsTilesThatMeetAtTJunctionsToTheSameLengths) {
     EXPECT_LT(worst_mismatch(envelope), 1e-8);
 }
 
-}  // namespace
+}  // namespace seams_test
 }  // namespace ripstop

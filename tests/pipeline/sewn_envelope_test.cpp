@@ -14,7 +14,7 @@
 #include "support/shared_data.h"
 
 namespace ripstop {
-namespace {
+namespace sewn_envelope_test {
 
 CutPlan flatten(const Envelope& envelope, const std::string& method = "seam-exact") {
     return flatten_envelope(envelope, {.method = method});
@@ -91,5 +91,5 @@ TEST(RealInput, TheDressHasExactSeamsAndItsOwnPatternTheMismatchThatWasPublished
     EXPECT_LT(differences.back(), 0.001);
 }
 
-}  // namespace
+}  // namespace sewn_envelope_test
 }  // namespace ripstop

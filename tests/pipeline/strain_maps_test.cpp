@@ -9,7 +9,7 @@
 #include "support/sewn.h"
 
 namespace ripstop {
-namespace {
+namespace strain_maps_test {
 
 TEST(StrainMaps, ReachTheLargestStrainsOfTheReport) {
     FlattenOptions options;
@@ -42,5 +42,5 @@ TEST(StrainMaps, AreEmptyForATileWithoutFlatPositions) {
     EXPECT_EQ(maps[1].warp.size(), 0);
 }
 
-}  // namespace
+}  // namespace strain_maps_test
 }  // namespace ripstop

@@ -10,7 +10,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace surface_lines_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -116,5 +116,5 @@ TEST(SurfaceLines, SayHowMuchOfACurveIsLost) {
                 ElementsAre(::testing::ContainsRegex("curve tape: 7[78][0-9] mm of it are more than 10 mm off")));
 }
 
-}  // namespace
+}  // namespace surface_lines_test
 }  // namespace ripstop

@@ -13,7 +13,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace tile_fabrics_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -156,5 +156,5 @@ TEST(SeamMatched, HasTheSameEnergyAsATileOfItsOwnFabricHas) {
     EXPECT_NE(positions(whole, polyester), positions(own, polyester));
 }
 
-}  // namespace
+}  // namespace tile_fabrics_test
 }  // namespace ripstop

@@ -10,7 +10,7 @@
 #include "support/sewn.h"
 
 namespace ripstop {
-namespace {
+namespace wanted_cloth_test {
 
 /// How long the cloth of each side of a seam is to be.
 double cloth_of(const Envelope& envelope, const SeamSide& side) {
@@ -65,5 +65,5 @@ TEST(WantedCloth, ShortensTapesForTheStrainTheyHaveInFlight) {
     for (const double factor : tape_factors(wanted, envelope)) EXPECT_NEAR(factor, 1 / std::sqrt(1.02), 1e-12);
 }
 
-}  // namespace
+}  // namespace wanted_cloth_test
 }  // namespace ripstop

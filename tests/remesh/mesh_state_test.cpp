@@ -10,7 +10,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace mesh_state_test {
 
 using namespace testing;
 using ::testing::HasSubstr;
@@ -56,6 +56,31 @@ TEST(MeshState, TheNeededEdgeGivesFiveDegreesWithinAThousandToFourThousandTriang
     EXPECT_GE(needed_edge(crumpled), edge_of(crumpled.area, 4000));
 }
 
+TEST(MeshState, ATileCutAlongTheEdgesOfAMeshIsJagged) {
+    EXPECT_FALSE(state_of(octant(10)).is_jagged());
+    EXPECT_FALSE(state_of(cylinder(2, 1, 1.5, 20, 6)).is_jagged());
+    EXPECT_FALSE(state_of(rectangle(1, 1, 1, 1)).is_jagged());
+    // A sphere's grid without every second cell along two of its sides: a corner at every vertex there.
+    const TriangleMesh whole = sphere_grid(0.5, 12, 12);
+    std::vector<int> kept;
+    for (int cell = 0; cell < 144; ++cell)
+        if (cell % 2 == 0 || (cell / 12 != 0 && cell / 12 != 11)) kept.insert(kept.end(), {2 * cell, 2 * cell + 1});
+    std::vector<int> number(static_cast<std::size_t>(whole.vertex_count()), -1), vertices;
+    TriangleMesh cut;
+    cut.triangles.resize(static_cast<Eigen::Index>(kept.size()), 3);
+    for (std::size_t t = 0; t < kept.size(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            int& v = number[static_cast<std::size_t>(whole.triangles(kept[t], k))];
+            if (v < 0) {
+                v = static_cast<int>(vertices.size());
+                vertices.push_back(whole.triangles(kept[t], k));
+            }
+            cut.triangles(static_cast<Eigen::Index>(t), k) = v;
+        }
+    cut.positions = whole.positions(vertices, Eigen::all);
+    EXPECT_TRUE(state_of(cut).is_jagged());
+}
+
 TEST(MeshState, CreasesAreNoTurns) {
     const TriangleMesh roof =
         grid(10, 6, [](double u, double v) { return Vec3(2 * u - 1, 2 * v, -std::abs(2 * u - 1)); });
@@ -64,5 +89,5 @@ TEST(MeshState, CreasesAreNoTurns) {
     EXPECT_EQ(find_creases(roof, Adjacency(roof.triangles, roof.vertex_count())).size(), 6u);
 }
 
-}  // namespace
+}  // namespace mesh_state_test
 }  // namespace ripstop

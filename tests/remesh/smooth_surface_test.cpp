@@ -12,7 +12,7 @@
 #include "support/shapes.h"
 
 namespace ripstop {
-namespace {
+namespace smooth_surface_test {
 
 using namespace testing;
 
@@ -83,5 +83,5 @@ TEST(CornerNormals, DifferFromOneSideOfACreaseToTheOther) {
         }
 }
 
-}  // namespace
+}  // namespace smooth_surface_test
 }  // namespace ripstop

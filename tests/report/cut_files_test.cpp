@@ -13,7 +13,7 @@
 #include "support/pattern_pieces.h"
 
 namespace ripstop {
-namespace {
+namespace cut_files_test {
 
 using ::testing::HasSubstr;
 
@@ -144,5 +144,5 @@ TEST(LayOut, OfNothingIsNothing) {
     EXPECT_TRUE(lay_out({}, 0.02).empty());
 }
 
-}  // namespace
+}  // namespace cut_files_test
 }  // namespace ripstop

@@ -18,7 +18,7 @@
 #include "support/outside.h"
 
 namespace ripstop {
-namespace {
+namespace directory_test {
 
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
@@ -210,5 +210,5 @@ TEST(Clean, TakesAwayTheNoiseOfBinaryArithmetic) {
     EXPECT_EQ(clean(-123456.789), -123456.789);
 }
 
-}  // namespace
+}  // namespace directory_test
 }  // namespace ripstop

@@ -17,7 +17,7 @@
 #include "support/inflated.h"
 
 namespace ripstop {
-namespace {
+namespace html_report_test {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
@@ -287,5 +287,5 @@ TEST_F(HtmlReport, LoadsNothing) {
     EXPECT_THAT(text, Not(HasSubstr("<link rel=\"stylesheet\"")));
 }
 
-}  // namespace
+}  // namespace html_report_test
 }  // namespace ripstop

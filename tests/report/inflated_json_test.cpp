@@ -10,7 +10,7 @@
 #include "support/inflated.h"
 
 namespace ripstop {
-namespace {
+namespace inflated_json_test {
 
 using Json = nlohmann::json;
 
@@ -121,5 +121,5 @@ TEST(InflatedJson, IsNotThereBeforeAPlanIsInflated) {
     EXPECT_FALSE(json["seams"][0].contains("tape_cut_mm"));
 }
 
-}  // namespace
+}  // namespace inflated_json_test
 }  // namespace ripstop

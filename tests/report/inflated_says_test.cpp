@@ -8,7 +8,7 @@
 #include "support/inflated.h"
 
 namespace ripstop {
-namespace {
+namespace inflated_says_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -147,5 +147,5 @@ TEST_F(InflatedSays, StandsAboveTheTablesOfTheTerminal) {
     EXPECT_LE(longest, 100u) << "the tables fit a terminal";
 }
 
-}  // namespace
+}  // namespace inflated_says_test
 }  // namespace ripstop

@@ -12,7 +12,7 @@
 #include "support/seams.h"
 
 namespace ripstop {
-namespace {
+namespace load_tapes_test {
 
 TEST(LoadTapes, AreCutByTheSeamTheFactorAndTheForeshortening) {
     CutPlan plan = testing::inflated_plan();
@@ -76,5 +76,5 @@ TEST(LoadTapes, StandWithTheirSeamsInTheReport) {
     EXPECT_FALSE(seams[1].contains("tape_force_max_n"));
 }
 
-}  // namespace
+}  // namespace load_tapes_test
 }  // namespace ripstop

@@ -13,7 +13,7 @@
 #include "support/outside.h"
 
 namespace ripstop {
-namespace {
+namespace marker_files_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -109,5 +109,5 @@ TEST(MarkerTable, TellsClothAndRefusals) {
     EXPECT_EQ(json["refused"][0]["quantity"], 4);
 }
 
-}  // namespace
+}  // namespace marker_files_test
 }  // namespace ripstop

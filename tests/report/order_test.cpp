@@ -9,7 +9,7 @@
 #include "support/loose_pieces.h"
 
 namespace ripstop {
-namespace {
+namespace order_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -65,5 +65,5 @@ TEST(Bom, KeepsClothsApartAndListsNoPatternTwice) {
     for (std::string line; std::getline(lines, line);) EXPECT_GE(std::count(line.begin(), line.end(), ','), 13) << line;
 }
 
-}  // namespace
+}  // namespace order_test
 }  // namespace ripstop

@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace ripstop {
-namespace {
+namespace packed_arrays_test {
 
 int byte_at(const PackedArrays& arrays, std::size_t i) {
     return static_cast<unsigned char>(arrays.bytes()[i]);
@@ -82,5 +82,5 @@ TEST(GridPoints, StandASinglePlace) {
     EXPECT_EQ(grid.lower[0], 7);
 }
 
-}  // namespace
+}  // namespace packed_arrays_test
 }  // namespace ripstop

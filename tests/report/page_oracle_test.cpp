@@ -14,7 +14,7 @@
 #include "support/seams.h"
 
 namespace ripstop {
-namespace {
+namespace page_oracle_test {
 
 using nlohmann::json;
 
@@ -111,5 +111,5 @@ TEST(ThePageAndThePictures, SayTheVerdictInTheSameWords) {
     }
 }
 
-}  // namespace
+}  // namespace page_oracle_test
 }  // namespace ripstop

@@ -9,7 +9,7 @@
 #include "support/outside.h"
 
 namespace ripstop {
-namespace {
+namespace picture_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -101,5 +101,5 @@ TEST(TilePicture, IsWellFormedForARenderer) {
     EXPECT_GT(testing::content(scratch.path("p.png")).size(), 10000u);
 }
 
-}  // namespace
+}  // namespace picture_test
 }  // namespace ripstop

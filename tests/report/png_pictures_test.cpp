@@ -19,7 +19,7 @@
 #include "support/seams.h"
 
 namespace ripstop {
-namespace {
+namespace png_pictures_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsSupersetOf;
@@ -252,5 +252,5 @@ TEST(EnvelopeView, IsToScale) {
     EXPECT_NEAR(left.y() - up.y(), 970, 1e-9) << "y down";
 }
 
-}  // namespace
+}  // namespace png_pictures_test
 }  // namespace ripstop

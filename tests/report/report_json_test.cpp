@@ -11,7 +11,7 @@
 #include "support/seams.h"
 
 namespace ripstop {
-namespace {
+namespace report_json_test {
 
 using Json = nlohmann::json;
 
@@ -228,5 +228,5 @@ TEST(ReportSchema, HoldsForWhatIsWrittenAndOnlyForThat) {
     EXPECT_THAT(errors, ::testing::HasSubstr("2: '5' is not of type"));
 }
 
-}  // namespace
+}  // namespace report_json_test
 }  // namespace ripstop

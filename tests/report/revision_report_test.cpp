@@ -8,7 +8,7 @@
 #include "support/outside.h"
 
 namespace ripstop {
-namespace {
+namespace revision_report_test {
 
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
@@ -90,5 +90,5 @@ for error in jsonschema.Draft202012Validator(schema).iter_errors(diff): print(er
               "");
 }
 
-}  // namespace
+}  // namespace revision_report_test
 }  // namespace ripstop

@@ -11,7 +11,7 @@
 #include "support/seams.h"
 
 namespace ripstop {
-namespace {
+namespace seam_tables_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -25,8 +25,8 @@ TEST(SeamsCsv, HasALineASeam) {
     EXPECT_THAT(text,
                 HasSubstr("id,tile_a,chain_a,tile_b,chain_b,length_mm,flat_a_mm,flat_b_mm,mismatch_mm,mismatch_pct,"
                           "drift_max_mm,drift_max_at_mm,limit_mm,uncertainty_mm,gap_mm,certain,ok,type,"
-                          "allowance_a_mm,allowance_b_mm\n"));
-    EXPECT_THAT(text, HasSubstr("\nS2,left,2,high,4,1000,1000,1002,2,0.2,2,1000,1,0,0,true,false,plain,13,13\n"));
+                          "allowance_a_mm,allowance_b_mm,sewn_into\n"));
+    EXPECT_THAT(text, HasSubstr("\nS2,left,2,high,4,1000,1000,1002,2,0.2,2,1000,1,0,0,true,false,plain,13,13,\n"));
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
 }
 
@@ -78,5 +78,5 @@ TEST(SeamPicture, IsWrittenWithThePlanThatHasSeams) {
     EXPECT_THAT(seam_picture(plan), Not(HasSubstr(">low<"))) << "what was not flattened is not drawn";
 }
 
-}  // namespace
+}  // namespace seam_tables_test
 }  // namespace ripstop

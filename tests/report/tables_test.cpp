@@ -10,7 +10,7 @@
 #include "support/flat_tiles.h"
 
 namespace ripstop {
-namespace {
+namespace tables_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -155,5 +155,5 @@ TEST(PlanSummary, NamesTheWorst) {
     EXPECT_THAT(plan_summary(CutPlan{}), HasSubstr("0 of 0 tiles"));
 }
 
-}  // namespace
+}  // namespace tables_test
 }  // namespace ripstop

@@ -10,7 +10,7 @@
 #include "support/outside.h"
 
 namespace ripstop {
-namespace {
+namespace whole_directory_test {
 
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
@@ -145,5 +145,5 @@ TEST(WholeDirectory, IsTheOldOneOrTheNewOneWhereverTheLastRenamesAreKilled) {
     EXPECT_EQ(testing::content(scratch.path("end/plan")), "plan");
 }
 
-}  // namespace
+}  // namespace whole_directory_test
 }  // namespace ripstop

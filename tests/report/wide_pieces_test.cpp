@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 namespace ripstop {
-namespace {
+namespace wide_pieces_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -39,5 +39,5 @@ TEST(TooWidePieces, AreNoneWhereTheWidestIsAsWideAsTheRoll) {
     EXPECT_THAT(too_wide_pieces(set_of({sheet("A", 1.5, 3, "nylon")})), IsEmpty());
 }
 
-}  // namespace
+}  // namespace wide_pieces_test
 }  // namespace ripstop

@@ -13,8 +13,8 @@ Vec2 chart(const Vec3& point) {
     return {std::atan2(point.y(), point.x()), std::asin(point.z())};
 }
 
-/// The two ends of a boundary edge, in longitude and latitude.
-std::pair<Vec2, Vec2> ends(const Tile& tile, int edge) {
+/// The two flat_ends of a boundary edge, in longitude and latitude.
+std::pair<Vec2, Vec2> flat_ends(const Tile& tile, int edge) {
     const auto point = [&](int i) {
         return chart(tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>(i) % tile.boundary.size()]));
     };
@@ -31,7 +31,7 @@ Tile make_patch(const Patch& patch) {
     Tile tile = make_tile(patch.name, mesh, {.warp = Vec3::UnitZ()});
     tile.curve_lengths.resize(static_cast<Eigen::Index>(tile.boundary.size()));
     for (int e = 0; e < tile.curve_lengths.size(); ++e) {
-        const auto [from, to] = ends(tile, e);
+        const auto [from, to] = flat_ends(tile, e);
         tile.curve_lengths[e] = std::abs(to.y() - from.y()) + std::cos(from.y()) * std::abs(to.x() - from.x());
     }
     return tile;
@@ -42,7 +42,7 @@ SeamSide side_between(const Envelope& envelope, int t, int chain, int along, dou
     SeamSide side{t, chain, {}};
     const Tile& tile = envelope.tiles[static_cast<std::size_t>(t)];
     for (const int e : edges_of_chain(tile, chain)) {
-        const auto [from, to] = ends(tile, e);
+        const auto [from, to] = flat_ends(tile, e);
         const double shared =
             std::min(high, std::max(from[along], to[along])) - std::max(low, std::min(from[along], to[along]));
         if (shared > 1e-9) side.parts.push_back({e, shared * (along == 0 ? std::cos(from.y()) : 1)});
@@ -58,7 +58,7 @@ struct Run {
 
 Run run_of(const Tile& tile, int chain) {
     const std::vector<int> edges = edges_of_chain(tile, chain);
-    const Vec2 from = ends(tile, edges.front()).first, to = ends(tile, edges.back()).second;
+    const Vec2 from = flat_ends(tile, edges.front()).first, to = flat_ends(tile, edges.back()).second;
     const int along = std::abs(to.x() - from.x()) > std::abs(to.y() - from.y()) ? 0 : 1;
     return {along, from[1 - along], std::min(from[along], to[along]), std::max(from[along], to[along])};
 }

@@ -22,4 +22,9 @@ export function short(value) {
     return text.includes('.') ? text.replace(/\.?0+$/, '') : text;
 }
 
+// Whom a seam joins: `LEFT – RIGHT + RIB` where a third sheet lies in it, `RIB – LEFT, into S0001` on that sheet's own record.
+export const sewnTiles = (said) =>
+    [`${said.tile_a} – ${said.tile_b}`, ...(said.further_tiles ?? [])].join(' + ') +
+    (said.sewn_into ? `, into ${said.sewn_into}` : '');
+
 export const count = (number, one, many = one + 's') => `${figure(number, 0)} ${number === 1 ? one : many}`;

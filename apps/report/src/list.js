@@ -1,6 +1,6 @@
 // The list beside the picture: tiles or seams, all or those that fail, found by name. One stop of the tab key; arrows walk it.
 import { html } from './dom.js';
-import { count } from './format.js';
+import { count, sewnTiles } from './format.js';
 
 export function makeList(model, state, { onTile, onSeam, onSearch }) {
     const kinds = {
@@ -8,7 +8,7 @@ export function makeList(model, state, { onTile, onSeam, onSearch }) {
         seam: {
             name: 'Seams',
             items: model.seams,
-            label: (seam) => `${seam.id}  ${seam.said.tile_a} – ${seam.said.tile_b}`,
+            label: (seam) => `${seam.id}  ${sewnTiles(seam.said)}`,
             open: onSeam,
         },
     };

@@ -270,6 +270,8 @@ function seamPanel(shape, seam, context) {
                 html('small', {}, `allowance ${short(said.allowance_a_mm)} and ${short(said.allowance_b_mm)} mm`),
             ),
         ),
+        said.further_tiles && html('p', {}, `One seam with ${said.further_tiles.join(' and ')}, sewn into it.`),
+        said.sewn_into && html('p', {}, `${said.tile_a} is sewn into seam ${said.sewn_into}: one seam, notches on all.`),
         said.tape_cut_mm !== undefined &&
             html(
                 'dl',

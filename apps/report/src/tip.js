@@ -1,12 +1,12 @@
 // What the pointer is over, in words beside it.
 import { html } from './dom.js';
-import { degrees, figure, percent, signedMillimetres } from './format.js';
+import { degrees, figure, percent, sewnTiles, signedMillimetres } from './format.js';
 import { clothValue } from './maps.js';
 
 export function hoverWords({ tile, triangle, seam }) {
     const value = (key) => clothValue(tile, key, triangle);
     const words = [html('b', {}, tile.name)];
-    if (seam) words.push(html('div', {}, `Seam ${seam.id}: ${seam.said.tile_a} – ${seam.said.tile_b}`));
+    if (seam) words.push(html('div', {}, `Seam ${seam.id}: ${sewnTiles(seam.said)}`));
     if (Number.isNaN(value('warp'))) words.push(html('div', {}, 'turned over on the cloth'));
     else if (value('warp') !== undefined)
         words.push(

@@ -5,16 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "ripstop/geometry/angle.h"
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/model/corner_turn.h"
 
 namespace ripstop {
 namespace {
-
-constexpr double sharp_turn = 45 * degree;
-
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 /// Edge and place on it; for a curve without ends any `at` will do.
 struct OnEdge {
@@ -76,7 +72,7 @@ void set_tangents(ChainCurve& curve) {
     for (int v = curve.closed ? 0 : 1; v < count; ++v) {
         const int before = (v + count - 1) % count, after = v;
         const Vec3 a = chords.row(before), b = chords.row(after);
-        if (angle_between(a, b) > sharp_turn) continue;
+        if (angle_between(a, b) > corner_turn) continue;
         const Vec3 tangent = (lengths[after] * a + lengths[before] * b).normalized();
         curve.end_slopes.row(before) = tangent;
         curve.start_slopes.row(after) = tangent;
@@ -99,7 +95,7 @@ void set_tangents(ChainCurve& curve) {
 bool is_without_corner(const Tile& tile, const Points3& points) {
     if (tile.chains.size() != 1 || tile.chains.front().vertices.front() != tile.boundary.front()) return false;
     const Eigen::Index last = points.rows() - 1;
-    return angle_between(points.row(last) - points.row(last - 1), points.row(1) - points.row(0)) < 30 * degree;
+    return angle_between(points.row(last) - points.row(last - 1), points.row(1) - points.row(0)) <= corner_turn;
 }
 
 /// The angle between the surface's normals at two vertices.

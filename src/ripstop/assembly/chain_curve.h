@@ -5,7 +5,7 @@
 namespace ripstop {
 
 /// The smooth curve through the vertices of a chain: a cubic an edge, with tangents of the circle through three
-/// vertices in a row, and at the chain's ends, and where it turns by more than 45 degrees in space, of the circle of
+/// vertices in a row, and at the chain's ends, and where it turns by more than `corner_turn` in space, of the circle of
 /// the last three.
 ///
 ///     T_i ~ b u_a + a u_b        a, b the lengths of the edges before and after, u their directions

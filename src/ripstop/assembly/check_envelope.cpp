@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -11,14 +10,14 @@
 #include "ripstop/assembly/seam_runs.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
+#include "ripstop/model/seam_sheets.h"
 
 namespace ripstop {
 namespace {
 
-constexpr double tallest = 100, smallest = 0.1;       // [m] beyond these the unit is in doubt
-constexpr double length_tolerance = 0.001;            // of the paper: 1 mm on a metre
-constexpr double balloon_low = 5, balloon_high = 60;  // [m]
-constexpr std::size_t most_misses = 8;  // with more of them than seams the tolerance is wrong, not the tiles
+constexpr double length_tolerance = 0.001;  // of the paper: 1 mm on a metre
+constexpr double no_gap = 1e-6;             // [m] vertices in one place, but for the rounding of a file
+constexpr std::size_t most_misses = 8;      // with more of them than seams the tolerance is wrong, not the tiles
 
 Vec3 size_of(const std::vector<Tile>& tiles) {
     Eigen::AlignedBox3d box;
@@ -27,57 +26,44 @@ Vec3 size_of(const std::vector<Tile>& tiles) {
     return box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
 }
 
-/// The unit under which a file read with `metres_per_unit` would be as tall as a balloon; empty if none is.
-std::string fitting_unit(double height, double metres_per_unit) {
-    for (const char* unit : {"mm", "cm", "m", "in", "ft"}) {
-        const double tall = height / metres_per_unit * ripstop::metres_per_unit(unit);
-        if (tall >= balloon_low && tall <= balloon_high) return unit;
-    }
-    return {};
+/// Is the unit wrong? Then tolerances mean nothing. Where it is only in doubt that is a note.
+bool names_unit(const std::vector<Tile>& tiles, const UnitRead& read, EnvelopeCheck& check) {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const Tile& tile : tiles) boxes.push_back(box_of(tile.mesh));
+    const std::optional<UnitDoubt> doubt = doubt_unit(boxes, read);
+    if (!doubt) return false;
+    if (doubt->is_wrong)
+        check.issues.push_back(unit_issue(*doubt));
+    else
+        check.notes.push_back(doubt->sentence);
+    return doubt->is_wrong;
 }
 
-/// To a tenth, or to a tenth of a millimetre where that says more.
-double rounded(double length) {
-    const double digits = length < 1 ? 1e4 : 10;
-    return std::round(length * digits) / digits;
+/// A seam within a tile that has no gap and ends where its two sides come together.
+bool is_crack(const std::vector<Tile>& tiles, const Seam& seam) {
+    if (seam.a.tile != seam.b.tile || seam.gap > no_gap) return false;
+    const auto count = static_cast<int>(tiles[static_cast<std::size_t>(seam.a.tile)].boundary.size());
+    const auto meet = [count](const SeamSide& before, const SeamSide& after) {
+        return (before.parts.back().edge + 1) % count == after.parts.front().edge;
+    };
+    return meet(seam.a, seam.b) || meet(seam.b, seam.a);
 }
 
-/// The largest extent of the tiles' middles, but for the outermost fiftieth at either end, and of a tile: one tile gone
-/// astray is no reason to doubt the unit.
-double robust_extent(const std::vector<Tile>& tiles) {
-    const std::size_t count = tiles.size(), cut = count / 50;
-    std::vector<double> diagonals;
-    std::array<std::vector<double>, 3> middles;
-    for (const Tile& tile : tiles) {
-        diagonals.push_back(bounding_diagonal(tile.mesh));
-        const Vec3 middle = centroid(tile.mesh);
-        for (std::size_t axis = 0; axis < 3; ++axis) middles[axis].push_back(middle[static_cast<int>(axis)]);
+/// Darts that are closed, or vertices that nobody welded: nothing in the file tells them apart.
+void note_cracks(const std::vector<Tile>& tiles, const std::vector<Seam>& seams, EnvelopeCheck& check) {
+    int cracks = 0;
+    std::vector<std::string> names;
+    for (const Seam& seam : seams) {
+        if (!is_crack(tiles, seam)) continue;
+        ++cracks;
+        const std::string& name = tiles[static_cast<std::size_t>(seam.a.tile)].name;
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
-    std::sort(diagonals.begin(), diagonals.end());
-    double extent = 0;
-    for (std::vector<double>& along : middles) {
-        std::sort(along.begin(), along.end());
-        extent = std::max(extent, along[count - 1 - cut] - along[cut]);
-    }
-    return extent + diagonals[count / 2] / 2;
-}
-
-/// Is the envelope so large or small that another unit is meant? Then tolerances mean nothing.
-bool names_unit(const std::vector<Tile>& tiles, double metres_per_unit, EnvelopeCheck& check) {
-    if (tiles.empty()) return false;
-    const double extent = robust_extent(tiles);
-    if (extent <= tallest && extent >= smallest) return false;
-    const std::string unit = fitting_unit(extent, metres_per_unit);
-    if (unit.empty()) return false;
-    const double size = check.size.maxCoeff();
-    check.issues.push_back({"unit",
-                            "the envelope measures " + format_shortest(rounded(size)) +
-                                " m, a hot-air balloon is 5 to 60 m tall; with --unit " + unit + " it would measure " +
-                                format_fixed(size / metres_per_unit * ripstop::metres_per_unit(unit), 2) + " m",
-                            {},
-                            Vec3::Zero(),
-                            size});
-    return true;
+    if (cracks == 0) return;
+    check.notes.push_back(std::to_string(cracks) +
+                          (cracks == 1 ? " seam within a tile is a crack" : " seams within tiles are cracks") +
+                          " with no gap (" + names_text(names) +
+                          "): sewn as a dart that is closed; where none is meant, weld the vertices there in the CAD");
 }
 
 /// What is worth a look though nothing need be wrong.
@@ -99,6 +85,37 @@ void add_notes(EnvelopeCheck& check) {
         check.notes.push_back(
             "loose ends are where open edges touch others but go on along none; look for edges that "
             "do not fit");
+}
+
+/// Who is sewn into whose seam, where more than two tiles meet on an edge.
+std::string further_sheets_text(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
+    const auto name = [&](const SeamSheet& sheet) { return tiles[static_cast<std::size_t>(sheet.side->tile)].name; };
+    std::vector<std::string> edges, first;
+    for (const std::vector<SeamSheet>& sheets : sheets_of_seams(seams)) {
+        if (sheets.size() < 3) continue;
+        const std::string skin = name(sheets[0]) + " and " + name(sheets[1]);
+        std::string others;
+        for (std::size_t k = 2; k < sheets.size(); ++k)
+            others += (k == 2 ? "" : k + 1 == sheets.size() ? " and " : ", ") + name(sheets[k]);
+        edges.push_back(others + " into that of " + skin);
+        constexpr std::array numbers{"three", "four", "five", "six"};
+        const std::string count =
+            sheets.size() - 3 < numbers.size() ? numbers[sheets.size() - 3] : std::to_string(sheets.size());
+        first = {count + " tiles meet on this edge: " + skin + " are sewn, " + others +
+                 (sheets.size() > 3 ? " are" : " is") + " sewn into their seam"};
+    }
+    if (edges.size() == 1) return first.front();
+    return "three or more tiles meet on " + std::to_string(edges.size()) +
+           " edges: two are sewn there, the others are sewn into their seam: " + names_text(edges);
+}
+
+/// The tiles without those that have the same on both sides: which side of them is up says nothing.
+std::vector<Tile> skin_of(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
+    const std::vector<char> is_inner = find_inner_sheets(static_cast<int>(tiles.size()), seams);
+    std::vector<Tile> skin;
+    for (std::size_t t = 0; t < tiles.size(); ++t)
+        if (!is_inner[t]) skin.push_back(tiles[t]);
+    return skin;
 }
 
 /// Lengths of the parts decide: how many edges a metre of seam has on its coarser side.
@@ -130,6 +147,7 @@ int count_odd_corners(const std::vector<Tile>& tiles, const std::vector<Seam>& s
         last[{side.tile, side.parts.back().edge}] = {mate.tile, mate.chain, mate.parts.front().edge};
     };
     for (const Seam& seam : seams) {
+        if (seam.into) continue;
         add(seam.a, seam.b);
         add(seam.b, seam.a);
     }
@@ -158,10 +176,8 @@ int count_odd_corners(const std::vector<Tile>& tiles, const std::vector<Seam>& s
 /// Ends of seams that lie within a chain of one side.
 int count_t_junctions(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
     std::map<std::pair<int, int>, int> seams_on;
-    for (const Seam& seam : seams) {
-        ++seams_on[{seam.a.tile, seam.a.chain}];
-        ++seams_on[{seam.b.tile, seam.b.chain}];
-    }
+    for (const Seam& seam : seams)
+        for (const SeamSide* side : seam.own_sides()) ++seams_on[{side->tile, side->chain}];
     int junctions = 0;
     for (const auto& [chain, count] : seams_on) {
         const Tile& tile = tiles[static_cast<std::size_t>(chain.first)];
@@ -202,7 +218,8 @@ void add_figures_of_seams(const Envelope& envelope, const FoundSeams& found, Env
     check.seams = static_cast<int>(found.seams.size());
     for (const Seam& seam : found.seams) {
         check.self_seams += seam.a.tile == seam.b.tile;
-        check.seam_length += seam.length;
+        check.sewn_in += seam.into.has_value();
+        if (!seam.into) check.seam_length += seam.length;  // a seam of three is sewn once
         check.gap_max = std::max(check.gap_max, seam.gap);
         check.sampling.push_back(sampling_of(chains, seam));
     }
@@ -247,9 +264,13 @@ EnvelopeIssue tolerance_issue(const FoundSeams& found, const SeamOptions& option
 
 }  // namespace
 
-EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& options, double metres_per_unit) {
+EnvelopeIssue unit_issue(const UnitDoubt& doubt) {
+    return {"unit", doubt.sentence, {}, Vec3::Zero(), doubt.size, doubt.limit};
+}
+
+EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& options, const UnitRead& unit) {
     EnvelopeCheck check = figures_of_tiles(envelope, options);
-    if (names_unit(envelope.tiles, metres_per_unit, check)) {
+    if (names_unit(envelope.tiles, unit, check)) {
         add_figures_if_any(envelope, options, check);
         return check;
     }
@@ -257,6 +278,7 @@ EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& option
     add_figures_of_seams(envelope, as_given, check);
     check.seam_types = seam_types_used(envelope);
     add_notes(check);
+    note_cracks(envelope.tiles, as_given.seams, check);
 
     std::vector<Tile> tiles = envelope.tiles;
     add(check.issues, remove_doubled(tiles, options.tolerance));
@@ -265,7 +287,8 @@ EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& option
     std::vector<EnvelopeIssue> turned = turn_back(tiles, found);
     if (!turned.empty()) found = find_seams(tiles, options);
     add(check.issues, std::move(turned));
-    add(check.issues, name_inside_out(tiles, find_loops(tiles, place_chains(tiles), found.loose, options.tolerance)));
+    add(check.issues, name_inside_out(skin_of(tiles, found.seams),
+                                      find_loops(tiles, place_chains(tiles), found.loose, options.tolerance)));
     if (found.near_misses.size() >= most_misses && found.near_misses.size() > found.seams.size()) {
         check.issues.push_back(tolerance_issue(found, options));
         return check;
@@ -274,6 +297,8 @@ EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& option
     add(check.issues, name_gaps(tiles, found, options.tolerance));
     add(check.issues, name_holes(tiles, found, options.tolerance));
     add(check.issues, name_strays(tiles, found, check.seams > 0));
+    if (std::any_of(found.seams.begin(), found.seams.end(), [](const Seam& seam) { return seam.into.has_value(); }))
+        check.notes.push_back(further_sheets_text(tiles, found.seams));
     return check;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ripstop/assembly/find_seams.h"
+#include "ripstop/assembly/judge_unit.h"
 #include "ripstop/model/envelope_check.h"
 
 namespace ripstop {
@@ -13,13 +14,15 @@ namespace ripstop {
 /// missing tiles and tiles sewn to nothing. Where most edges miss their mates by more than the tolerance one issue
 /// says so.
 ///
-/// A hot-air balloon is 5 to 60 m tall: beyond 100 m or below 0.1 m, where another unit would make it one, that unit
-/// is named and nothing else, since no tolerance in millimetres means anything then. The figures are those of the
-/// seams that `find_seams` finds all the same; where it refuses, `seams_sought` is false. `metres_per_unit` is that
-/// with which it was read. Some searches (`find_seams`): a few seconds for 5,000 tiles.
+/// Where the unit is wrong (`doubt_unit`) that is named and nothing else, since no tolerance in millimetres means anything
+/// then. The figures are those of the seams that `find_seams` finds all the same; where it refuses, `seams_sought` is false.
+/// `unit` is that with which the envelope was read. Some searches (`find_seams`): a few seconds for 5,000 tiles.
 ///
 /// Seam types are counted as the envelope has them; fabrics are left to `count_fabrics`.
-EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& options = {}, double metres_per_unit = 1);
+EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& options = {}, const UnitRead& unit = {});
+
+/// A wrong unit as an issue.
+EnvelopeIssue unit_issue(const UnitDoubt& doubt);
 
 /// How many tiles are of which fabric; `standard`: of the tiles without one of their own.
 std::vector<FabricUse> count_fabrics(const Envelope& envelope, const Fabric& standard);

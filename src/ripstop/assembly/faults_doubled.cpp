@@ -44,7 +44,9 @@ Tile turned_over(const Tile& tile) {
         if (has_corners) options.corners.push_back(tile.mesh.positions.row(chain.vertices.front()));
     TriangleMesh mesh = tile.mesh;
     mesh.triangles.col(1).swap(mesh.triangles.col(2));
-    return make_tile(tile.name, std::move(mesh), options);
+    Tile turned = make_tile(tile.name, std::move(mesh), options);
+    turned.inside = tile.inside;
+    return turned;
 }
 
 /// Which groups must be turned so that all that lie beside each other run against each other: the smaller part of each
@@ -148,7 +150,9 @@ std::vector<EnvelopeIssue> name_inside_out(const std::vector<Tile>& tiles, const
 
 std::vector<EnvelopeIssue> turn_back(std::vector<Tile>& tiles, const FoundSeams& found) {
     if (found.same_way.empty()) return {};
-    const std::vector<int> group = sewn_groups(static_cast<int>(tiles.size()), found.seams);
+    std::vector<Seam> seams = found.seams;  // a further sheet tells nothing of which side is up
+    std::erase_if(seams, [](const Seam& seam) { return seam.into.has_value(); });
+    const std::vector<int> group = sewn_groups(static_cast<int>(tiles.size()), seams);
     const std::vector<bool> turn = groups_to_turn(group, found.same_way);
     std::vector<EnvelopeIssue> issues;
     for (std::size_t g = 0; g < turn.size(); ++g) {

@@ -5,8 +5,12 @@
 #include <set>
 #include <tuple>
 
+#include "ripstop/assembly/cloth_across.h"
+#include "ripstop/assembly/run_claims.h"
 #include "ripstop/assembly/seam_lengths.h"
 #include "ripstop/assembly/seam_runs.h"
+#include "ripstop/assembly/sewn_in.h"
+#include "ripstop/assembly/sheets.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
 
@@ -15,82 +19,9 @@ namespace {
 
 constexpr double shortest_run = 4;      // tolerances: chains that meet at a corner touch for less
 constexpr double shortest_chain = 20;   // tolerances, in the middle of an envelope
+constexpr double same_length = 1e-6;    // [m]
 constexpr std::size_t few_chains = 40;  // so few are searched whatever their size
-constexpr double shortest_miss = 0.25;  // of the shorter chain
-
-/// What of the chains is sewn already.
-class Claims {
-  public:
-    Claims(const std::vector<PlacedChain>& chains, double tolerance)
-        : chains_(chains), tolerance_(tolerance), taken_(chains.size()) {}
-
-    void clear() {
-        for (auto& ranges : taken_) ranges.clear();
-    }
-    void take(const Run& run) {
-        take(run.a, run.start_a(), run.end_a());
-        take(run.b, run.low_b, run.high_b);
-    }
-    /// Does the place lie within what is taken, further than the tolerance from its ends?
-    bool covers(int chain, double at) const {
-        const ChainCurve& curve = chains_[static_cast<std::size_t>(chain)].curve;
-        const double lap = curve.closed ? curve.length() : 0;
-        const double station = station_at(curve, at);
-        for (const auto& [low, high] : taken_[static_cast<std::size_t>(chain)])
-            for (const double turn : {-lap, 0.0, lap}) {
-                if (station + turn > low + tolerance_ && station + turn < high - tolerance_) return true;
-                if (lap == 0) break;
-            }
-        return false;
-    }
-    bool covers(const Touch& touch) const { return covers(touch.a, touch.at_a) || covers(touch.b, touch.at_b); }
-
-    /// Is nothing taken where the run goes, at its touches and between them?
-    bool leave_free(const Run& run) const {
-        for (std::size_t i = 0; i < run.touches.size(); ++i) {
-            if (covers(run.touches[i])) return false;
-            if (i == 0) continue;
-            const Touch& p = run.touches[i - 1];
-            const Touch& q = run.touches[i];
-            if (covers(p.a, (p.at_a + q.at_a) / 2) || covers(p.b, (p.at_b + q.at_b) / 2)) return false;
-        }
-        return true;
-    }
-
-  private:
-    void take(int chain, double from, double to) {
-        const ChainCurve& curve = chains_[static_cast<std::size_t>(chain)].curve;
-        taken_[static_cast<std::size_t>(chain)].push_back({station_at(curve, from), station_at(curve, to)});
-    }
-
-    const std::vector<PlacedChain>& chains_;
-    double tolerance_;
-    std::vector<std::vector<std::pair<double, double>>> taken_;
-};
-
-/// The parts of a run where nothing is taken yet.
-std::vector<Run> free_parts(const std::vector<PlacedChain>& chains, const Run& run, const Claims& claims,
-                            double tolerance) {
-    std::vector<Run> parts;
-    std::vector<Touch> free;
-    const auto end_part = [&] {
-        for (Run& part : join_touches(chains, free, tolerance)) parts.push_back(std::move(part));
-        free.clear();
-    };
-    for (std::size_t i = 0; i < run.touches.size(); ++i) {
-        const Touch& touch = run.touches[i];
-        if (claims.covers(touch)) {
-            end_part();
-            continue;
-        }
-        if (!free.empty() && (claims.covers(touch.a, (free.back().at_a + touch.at_a) / 2) ||
-                              claims.covers(touch.b, (free.back().at_b + touch.at_b) / 2)))
-            end_part();
-        free.push_back(touch);
-    }
-    end_part();
-    return parts;
-}
+constexpr double widest_slit = 0.1;     // of a tile's width: further apart its own edges miss nothing
 
 /// The touches of each pair of chains and direction that pass `wanted`, joined.
 template <class Wanted>
@@ -109,12 +40,29 @@ std::vector<Run> runs_where(const std::vector<PlacedChain>& chains, const std::v
     return runs;
 }
 
-/// Takes the longest run first and of the others what it leaves free, down to the shortest allowed.
+/// The names of the tiles of a run, the first of the alphabet first.
+std::pair<std::string, std::string> names_of(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
+                                             const Run& run) {
+    const auto name = [&](int chain) {
+        return tiles[static_cast<std::size_t>(chains[static_cast<std::size_t>(chain)].tile)].name;
+    };
+    return std::minmax(name(run.a), name(run.b));
+}
+
+/// Takes the longest run first, of those that compete the one of lowest rank, and of the others what it leaves free, down
+/// to the shortest allowed.
 template <class LongEnough>
-std::vector<Run> take_longest_first(const std::vector<PlacedChain>& chains, std::vector<Run> runs, double tolerance,
-                                    Claims& claims, LongEnough&& long_enough) {
-    const auto before = [&runs](std::size_t p, std::size_t q) {
+std::vector<Run> take_longest_first(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
+                                    std::vector<Run> runs, RunClaims& claims, LongEnough&& long_enough) {
+    const auto before = [&](std::size_t p, std::size_t q) {
         const Run &r = runs[p], &s = runs[q];
+        const auto turn = [](const Run& run) { return std::tuple(-std::max(run.turn, run.length), run.rank); };
+        if (turn(r) != turn(s)) return turn(r) < turn(s);
+        if (r.rank != 0) {  // whichever comes first in the file, and whatever rounding says
+            const auto first = std::tuple(-std::round(r.length / same_length), names_of(tiles, chains, r));
+            const auto second = std::tuple(-std::round(s.length / same_length), names_of(tiles, chains, s));
+            if (first != second) return first < second;
+        }
         return std::tuple(-r.length, r.gap, r.a, r.b, p) < std::tuple(-s.length, s.gap, s.a, s.b, q);
     };
     std::set<std::size_t, decltype(before)> waiting(before);
@@ -129,7 +77,7 @@ std::vector<Run> take_longest_first(const std::vector<PlacedChain>& chains, std:
             taken.push_back(runs[first]);
             continue;
         }
-        for (Run& part : free_parts(chains, runs[first], claims, tolerance)) {
+        for (Run& part : claims.free_parts(runs[first])) {
             if (!long_enough(part) || !(part.length < runs[first].length)) continue;
             runs.push_back(std::move(part));
             waiting.insert(runs.size() - 1);
@@ -140,7 +88,7 @@ std::vector<Run> take_longest_first(const std::vector<PlacedChain>& chains, std:
 
 /// Leaves the runs that end as seams do, and their claims; returns the others.
 std::vector<Run> drop_crossings(const std::vector<PlacedChain>& chains, const std::vector<Touch>& touches,
-                                std::vector<Run>& runs, double tolerance, Claims& claims) {
+                                std::vector<Run>& runs, double tolerance, RunClaims& claims) {
     const std::vector<bool> ends_well = find_well_ended(chains, touches, runs, tolerance);
     std::vector<Run> kept, dropped;
     for (std::size_t r = 0; r < runs.size(); ++r) (ends_well[r] ? kept : dropped).push_back(std::move(runs[r]));
@@ -150,23 +98,22 @@ std::vector<Run> drop_crossings(const std::vector<PlacedChain>& chains, const st
     return dropped;
 }
 
-/// The runs that are seams.
-std::vector<Run> sew(const std::vector<PlacedChain>& chains, const std::vector<Touch>& touches, double tolerance,
-                     Claims& claims) {
+bool is_same_place(const Run& p, const Run& q) {
+    const auto place = [](const Run& run) { return std::tuple(run.a, run.b, run.start_a(), run.end_a(), run.low_b); };
+    return place(p) == place(q);
+}
+
+/// The runs that are seams; takes those out of `runs` that are none though nothing is sewn there.
+std::vector<Run> sew(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
+                     const std::vector<Touch>& touches, std::vector<Run>& runs, double tolerance, RunClaims& claims) {
     const auto no_touch = [&](const Run& run) { return run.length > shortest_run * tolerance; };
-    std::vector<Run> runs = runs_where(
-        chains, touches, tolerance, [&](const Touch& t) { return !t.same_way && t.distance <= tolerance + t.slack; });
-    std::vector<Run> sewn = take_longest_first(chains, runs, tolerance, claims, no_touch);
+    std::vector<Run> sewn = take_longest_first(tiles, chains, runs, claims, no_touch);
     const std::vector<Run> dropped = drop_crossings(chains, touches, sewn, tolerance, claims);
     if (!dropped.empty()) {  // a seam may lie where one of them lay
-        const auto place = [](const Run& run) {
-            return std::tuple(run.a, run.b, run.start_a(), run.end_a(), run.low_b);
-        };
-        std::set<std::tuple<int, int, double, double, double>> gone;
-        for (const Run& run : dropped) gone.insert(place(run));
-        std::erase_if(runs, [&](const Run& run) { return gone.contains(place(run)); });
-        for (Run& run : take_longest_first(chains, std::move(runs), tolerance, claims, no_touch))
-            sewn.push_back(std::move(run));
+        std::erase_if(runs, [&](const Run& run) {
+            return std::any_of(dropped.begin(), dropped.end(), [&](const Run& one) { return is_same_place(one, run); });
+        });
+        for (Run& run : take_longest_first(tiles, chains, runs, claims, no_touch)) sewn.push_back(std::move(run));
         drop_crossings(chains, touches, sewn, tolerance, claims);
     }
     std::sort(sewn.begin(), sewn.end(), [](const Run& p, const Run& q) {
@@ -230,6 +177,47 @@ bool are_too_short(const std::vector<PlacedChain>& chains, double tolerance) {
     return chains.size() > few_chains && !(median_length(chains) > shortest_chain * tolerance);
 }
 
+/// The seams and where they are: those of two sheets, then the further sheets in them.
+std::vector<RunOnSeam> make_seams(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
+                                  const std::vector<Touch>& touches, std::vector<Run>& opposed, double tolerance,
+                                  RunClaims& claims, FoundSeams& found) {
+    std::vector<RunOnSeam> places;
+    for (const Run& run : sew(tiles, chains, touches, opposed, tolerance, claims)) {
+        found.seams.push_back(make_seam(chains, run, tolerance));
+        places.push_back({run.a, run.b, ends_of(chains, run, tolerance)});
+    }
+    const std::vector<RunOnSeam> skin = places;
+    for (const SewnInRun& sheet : find_sewn_in(chains, opposed, skin, tolerance, claims)) {
+        found.seams.push_back(make_sewn_in(chains, sheet, found.seams, skin[sheet.seam]));
+        places.push_back({sheet.run.a, sheet.run.b, sheet.ends});
+    }
+    for (std::size_t s = 0; s < places.size(); ++s) {
+        found.seams[s].id = seam_id(s, places.size());
+        found.places.push_back(places[s].ends);
+    }
+    return places;
+}
+
+/// Edges on edges that run the same way, though neither is a further sheet's.
+std::vector<NearMiss> find_same_way(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
+                                    const std::vector<Touch>& touches, const std::vector<Run>& same_way,
+                                    const SheetOrder& order, const RunClaims& claims, double tolerance) {
+    std::vector<NearMiss> found;
+    std::set<std::pair<int, int>> competing;
+    for (std::size_t r = 0; r < same_way.size(); ++r) {
+        if (!order.competes[r]) continue;
+        competing.insert({same_way[r].a, same_way[r].b});
+        if (order.shows_turned[r]) found.push_back(near_miss(tiles, chains, same_way[r]));
+    }
+    for (const Run& run : runs_where(chains, touches, tolerance, [&](const Touch& t) {
+             return t.same_way && t.distance <= tolerance + t.slack &&
+                    !(claims.is_sewn(t.a, t.at_a) && claims.is_sewn(t.b, t.at_b));
+         }))
+        if (is_long_run(chains, run, tolerance) && !competing.contains({run.a, run.b}))
+            found.push_back(near_miss(tiles, chains, run));
+    return found;
+}
+
 }  // namespace
 
 FoundSeams find_seams(const std::vector<Tile>& tiles, const SeamOptions& options) {
@@ -243,37 +231,33 @@ FoundSeams find_seams(const std::vector<Tile>& tiles, const SeamOptions& options
             "the edges of the tiles are short, half of them less than " +
             format_fixed(median_length(chains) / millimetre, 3) + " mm, and mean nothing against a seam tolerance of " +
             format_fixed(tolerance / millimetre, 3) + " mm; check --unit, or give a smaller --seam-tolerance");
-    const std::vector<Touch> touches = find_touches(chains, tolerance);
-    const auto shorter = [&](const Run& run) {
-        return std::min(chains[static_cast<std::size_t>(run.a)].curve.length(),
-                        chains[static_cast<std::size_t>(run.b)].curve.length());
+    ClothAcross across(tiles, chains);
+    std::vector<Touch> touches = find_touches(chains, tolerance);
+    std::erase_if(touches, [&](const Touch& t) { return !t.same_way && across.in_one_tile(t) && across.joins(t); });
+    const auto within = [&](bool same_way) {
+        return runs_where(chains, touches, tolerance,
+                          [&](const Touch& t) { return t.same_way == same_way && t.distance <= tolerance + t.slack; });
     };
-    const auto is_long = [&](const Run& run) {
-        return run.length > shortest_run * tolerance && run.length > shortest_miss * shorter(run);
-    };
-    Claims claims(chains, tolerance);
-
-    const std::vector<Run> sewn = sew(chains, touches, tolerance, claims);
+    std::vector<Run> opposed = within(false);
+    const std::vector<Run> same_way = within(true);
+    const SheetOrder order = order_sheets(tiles, chains, opposed, same_way, tolerance);
+    RunClaims claims(chains, order.beside, tolerance);
     FoundSeams found;
-    std::vector<RunOnSeam> places;
-    for (const Run& run : sewn) {
-        found.seams.push_back(make_seam(chains, run, tolerance));
-        found.seams.back().id = seam_id(places.size(), sewn.size());
-        places.push_back({run.a, run.b, ends_of(chains, run, tolerance)});
-        found.places.push_back(places.back().ends);
-    }
+    const std::vector<RunOnSeam> places = make_seams(tiles, chains, touches, opposed, tolerance, claims, found);
     found.loose = loose_runs_of(tiles, chains, places, tolerance);
     found.curve_lengths = curve_lengths_of(tiles, chains, found.seams, places, tolerance);
 
-    for (const Run& run : runs_where(chains, touches, tolerance, [&](const Touch& t) {
-             return t.same_way && t.distance <= tolerance + t.slack &&
-                    !(claims.covers(t.a, t.at_a) && claims.covers(t.b, t.at_b));
-         }))
-        if (is_long(run)) found.same_way.push_back(near_miss(tiles, chains, run));
-    for (const Run& run : take_longest_first(
-             chains,
-             runs_where(chains, touches, tolerance, [&](const Touch& t) { return !t.same_way && !claims.covers(t); }),
-             tolerance, claims, is_long))
+    const auto is_long = [&](const Run& run) { return is_long_run(chains, run, tolerance); };
+    found.same_way = find_same_way(tiles, chains, touches, same_way, order, claims, tolerance);
+    across.cross(found.seams);
+    const auto may_miss = [&](const Touch& t) {
+        if (t.same_way || claims.is_sewn(t)) return false;
+        const double narrower = std::min(across.width_at(t.a), across.width_at(t.b));
+        const double widest = across.in_one_tile(t) ? widest_slit * narrower : narrower;
+        return t.distance <= std::max(widest, tolerance + t.slack) && !across.joins(t);
+    };
+    for (const Run& run :
+         take_longest_first(tiles, chains, runs_where(chains, touches, tolerance, may_miss), claims, is_long))
         found.near_misses.push_back(near_miss(tiles, chains, run));
     std::sort(found.near_misses.begin(), found.near_misses.end(), [](const NearMiss& p, const NearMiss& q) {
         return std::tuple(p.tile_a, p.chain_a, p.tile_b, p.chain_b) <

@@ -26,7 +26,8 @@ struct RunEnds {
 
 /// What lies beside what.
 struct FoundSeams {
-    std::vector<Seam> seams;  ///< `S0001`, … in the order of tile a and the place along its boundary
+    std::vector<Seam> seams;  ///< `S0001`, … in the order of tile a and the place along its boundary; then the further
+                              ///< sheets in them, in the same order
     std::vector<Eigen::VectorXd> curve_lengths;  ///< of each tile, as `Tile::curve_lengths`
     std::vector<RunEnds> places;                 ///< of each seam
     std::vector<LooseRun> loose;                 ///< longer than a tolerance, in the order of the tiles
@@ -41,7 +42,12 @@ struct FoundSeams {
 /// (`find_well_ended`): edges that merely cross are none. The two sides need not share
 /// vertices; a run ends where either chain does, anywhere along an edge of the other (a T-junction); both sides may
 /// be one tile's (a cone cut open, a dart). Where more runs lie on one another the longest is the seam, so that no
-/// place is sewn twice.
+/// place is sewn twice; where they do along most of the shorter, as three or more sheets on an edge, the skin's
+/// (`order_sheets`).
+///
+/// What of the others lies on a seam, and is sewn to nothing itself, is a further sheet of it (`Seam::into`), over at
+/// least a quarter of the shorter of its chain and the seam: a rib, a fin, a diaphragm. It has a record for each seam that
+/// it lies on, and the length of that seam's curve, edge by edge where both have the same vertices, else by projection.
 ///
 /// Both sides are measured on one curve, so the sums of their parts agree. Where their vertices coincide (within 1e-6
 /// of the length) it is the polyline, and the edges keep their own lengths; else the smooth curve of the side with
@@ -53,8 +59,13 @@ struct FoundSeams {
 /// polyline, the sum of s (by which it is short) in place of |L_a - L_b|. For a chain of one edge, whose turn nobody
 /// sees, the turn of the surface's normal stands for phi, and the error may be as large as s.
 ///
+/// Two places of one tile that its own cloth joins straight across (`ClothAcross`), as at a tip or on the two edges of a
+/// narrow strip, are never sewn to each other.
+///
 /// A `NearMiss` is what stays loose and runs along another loose edge at less than 20 tolerances or 5 % of the shorter
-/// chain (`Reach`), over at least a quarter of that chain: reported, never sewn.
+/// chain (`Reach`), over at least a quarter of that chain: reported, never sewn. Edges of two tiles
+/// miss each other at less than the width of the narrower, those of one tile at less than a tenth of its width, and none that
+/// cloth joins straight across, seams and all.
 ///
 /// Throws InputError for a tolerance that is not positive and finite, and where more than 40 chains have a median length
 /// below twenty tolerances, as in a file read with the wrong unit. About linear in the number of boundary edges:

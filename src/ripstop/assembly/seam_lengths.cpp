@@ -198,6 +198,7 @@ std::vector<Eigen::VectorXd> curve_lengths_of(const std::vector<Tile>& tiles, co
     };
     for (std::size_t s = 0; s < seams.size(); ++s) {
         add(seams[s].a, chain_of(chains, runs[s].a), runs[s].ends.start_a, runs[s].ends.end_a);
+        if (seams[s].into) continue;  // the seam that it lies in has given its mate a length
         add(seams[s].b, chain_of(chains, runs[s].b), runs[s].ends.start_b, runs[s].ends.end_b);
     }
     for (std::size_t t = 0; t < tiles.size(); ++t) {

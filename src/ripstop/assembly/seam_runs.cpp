@@ -135,4 +135,45 @@ std::vector<Run> join_touches(const std::vector<PlacedChain>& chains, std::vecto
     return runs;
 }
 
+std::optional<Run> cut_run(const std::vector<PlacedChain>& chains, const Run& run, bool by_b, double low, double high) {
+    const auto key = [&](const Touch& touch) { return by_b ? touch.at_b : touch.at_a; };
+    Run part{run.a, run.b, run.same_way, {}};
+    const auto add_between = [&](const Touch& p, const Touch& q, double bound) {
+        if ((key(p) < bound) == (key(q) < bound) || key(p) == bound || key(q) == bound) return;
+        const double share = (bound - key(p)) / (key(q) - key(p));
+        Touch touch = p;
+        touch.at_a += share * (q.at_a - p.at_a);
+        touch.at_b += share * (q.at_b - p.at_b);
+        (by_b ? touch.at_b : touch.at_a) = bound;
+        touch.distance = std::max(p.distance, q.distance);
+        part.touches.push_back(touch);
+    };
+    for (std::size_t i = 0; i < run.touches.size(); ++i) {
+        const Touch& touch = run.touches[i];
+        if (i > 0) {
+            const Touch& before = run.touches[i - 1];
+            const bool rises = key(before) < key(touch);
+            add_between(before, touch, rises ? low : high);
+            add_between(before, touch, rises ? high : low);
+        }
+        if (key(touch) >= low && key(touch) <= high) part.touches.push_back(touch);
+    }
+    if (part.touches.size() < 2) return {};
+    measure(part, chains[static_cast<std::size_t>(run.a)].curve, chains[static_cast<std::size_t>(run.b)].curve);
+    return part;
+}
+
+Run seen_from_b(const Run& run) {
+    Run other = run;
+    std::swap(other.a, other.b);
+    for (Touch& touch : other.touches) {
+        std::swap(touch.a, touch.b);
+        std::swap(touch.at_a, touch.at_b);
+    }
+    if (!run.same_way) std::reverse(other.touches.begin(), other.touches.end());
+    other.low_b = run.start_a();
+    other.high_b = run.end_a();
+    return other;
+}
+
 }  // namespace ripstop

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ripstop/assembly/chain_curve.h"
@@ -37,6 +38,8 @@ struct Run {
     double low_b = 0, high_b = 0;
     double length = 0;  ///< the shorter of the two sides [m]
     double gap = 0;     ///< largest distance [m]
+    double turn = 0;    ///< its turn among the runs (`order_sheets`): the length of the longest it competes with [m]
+    double rank = 0;    ///< and among those, lower first
 };
 
 /// How far from each other two chains are looked at: twenty tolerances, or 5 % of the shorter one but no more than a
@@ -55,6 +58,13 @@ std::vector<Touch> find_touches(const std::vector<PlacedChain>& chains, double t
 /// Joins the touches of two chains into runs: from one to the next there is no vertex of either chain between. Takes
 /// one pair of chains and direction; runs of no length are left out.
 std::vector<Run> join_touches(const std::vector<PlacedChain>& chains, std::vector<Touch> touches, double tolerance);
+
+/// The part of a run between two places of its chain b, or of chain a: its ends lie between touches where they must. Nothing
+/// where the run does not reach there.
+std::optional<Run> cut_run(const std::vector<PlacedChain>& chains, const Run& run, bool by_b, double low, double high);
+
+/// The same run seen from its other chain: a and b change places.
+Run seen_from_b(const Run& run);
 
 /// Which of the runs end as seams do, at both ends: where either chain ends, at the tip of a dart, where another of
 /// them begins, all round a loop, or at the last of vertices that coincide; or where the two chains come together again,

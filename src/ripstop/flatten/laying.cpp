@@ -74,34 +74,6 @@ Vec2 laid_on(const TriangleMesh& mesh, const Points2& positions, int triangle, i
     return 0.5 * (p + q) + (rest(0, 1) - 0.5 * rest(0, 0)) * along + rest(1, 1) * up;
 }
 
-std::vector<LayingStep> laying_order(const Adjacency& adjacency, int seed) {
-    std::vector<LayingStep> order = {{seed, 0}};
-    std::vector<bool> found(static_cast<std::size_t>(adjacency.half_edge_count() / 3), false);
-    found[static_cast<std::size_t>(seed)] = true;
-    for (std::size_t next = 0; next < order.size(); ++next)
-        for (int k = 0; k < 3; ++k) {
-            const int twin = adjacency.twin(3 * order[next].triangle + k);
-            if (twin < 0 || found[static_cast<std::size_t>(twin / 3)]) continue;
-            found[static_cast<std::size_t>(twin / 3)] = true;
-            order.push_back({twin / 3, (twin % 3 + 2) % 3});
-        }
-    return order;
-}
-
-int middle_triangle(const TriangleMesh& mesh) {
-    const Vec3 centre = centroid(mesh);
-    const double equal = 1e-9 * bounding_diagonal(mesh);  // rounding must not choose among equals
-    int best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-        const double away = ((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3 - centre).norm();
-        if (away >= least - equal) continue;
-        least = away;
-        best = t;
-    }
-    return best;
-}
-
 void lay_first(const TriangleMesh& mesh, int triangle, Points2& positions) {
     const Mat22 flat = lay_flat(mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2));
     positions.row(mesh.triangles(triangle, 0)).setZero();

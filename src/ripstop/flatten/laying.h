@@ -4,25 +4,13 @@
 
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/triangle_mesh.h"
+#include "ripstop/mesh/unroll.h"
 
 namespace ripstop {
 
 /// Where corner k of a triangle lies if the triangle is laid unstrained on its two other corners: where the circles
 /// round them meet. On the middle of their edge, if that is strained.
 Vec2 laid_on(const TriangleMesh& mesh, const Points2& positions, int triangle, int k);
-
-/// A triangle laid beside those before it: its corner `corner` is the new one.
-struct LayingStep {
-    int triangle = 0;
-    int corner = 0;
-};
-
-/// The triangles one by one outward from `seed`, each across an edge of one before it; the first is the seed. #F steps
-/// on a connected mesh.
-std::vector<LayingStep> laying_order(const Adjacency& adjacency, int seed);
-
-/// The triangle nearest the area centre: the seed. Among those equally near, the lowest.
-int middle_triangle(const TriangleMesh& mesh);
 
 /// Lays a triangle alone: corner 0 at the origin, corner 1 on +x.
 void lay_first(const TriangleMesh& mesh, int triangle, Points2& positions);

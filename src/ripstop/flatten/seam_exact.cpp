@@ -11,6 +11,7 @@
 #include "ripstop/flatten/boundary_first.h"
 #include "ripstop/flatten/coarse_start.h"
 #include "ripstop/flatten/grain.h"
+#include "ripstop/flatten/seam_saddle.h"
 #include "ripstop/mesh/flips.h"
 
 namespace ripstop {
@@ -64,6 +65,7 @@ SeamSolution from_rest(const Tile& tile, SeamProblem& problem, SeamNewton& newto
     const bool too_much_area =
         options.keep_area && outline * outline < 4 * std::numbers::pi * problem.size() * problem.size();
     SeamSolution exact = too_much_area ? newton.minimize(loose.u, held) : hold_lengths(problem, newton, loose.u, held);
+    exact = leave_saddles(problem, newton, exact, held);
     if (too_much_area && exact.summary.termination != Termination::converged)
         exact.summary.reason = "no outline of this length encloses the whole area";
     count_also(loose.summary, exact.summary);
@@ -75,6 +77,7 @@ SeamSolution solve(const Tile& tile, const Fabric& fabric, SeamProblem& problem,
     SolveSummary spent;
     if (options.start == SeamStart::boundary_first) {
         std::optional<SeamSolution> exact = from_boundary(tile, fabric, newton);
+        if (exact) exact = leave_saddles(problem, newton, *exact);
         if (exact && exact->summary.termination == Termination::converged && exact->strict_minimum) return *exact;
         if (exact) spent = exact->summary;
     }

@@ -57,7 +57,8 @@ SeamSolution lead_lengths(SeamProblem& problem, SeamNewton& newton, const SeamNe
             "the edges could be led only " + format_fixed(100 * reached, 0) + " % of the way to their lengths";
         at.strict_minimum = false;  // what converged was another problem
         at.force_residual = std::numeric_limits<double>::quiet_NaN();
-        at.length_residual = problem.edge_residual(at.u).cwiseQuotient(true_lengths).lpNorm<Eigen::Infinity>();
+        at.length_residual =
+            problem.edge_residual(at.u).cwiseQuotient(problem.length_scales()).lpNorm<Eigen::Infinity>();
     }
     return at;
 }

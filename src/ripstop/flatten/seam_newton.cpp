@@ -77,7 +77,8 @@ class SeamNewton::Balance {
           dense(problem.dense_residual(at.u)) {
         if (options.hold_edges) force += problem.edge_transposed(at.u, at.lambda);
         force_residual = force.lpNorm<Eigen::Infinity>() / (problem.stiffness() * problem.lengths().mean());
-        if (options.hold_edges) length_residual = lengths.cwiseQuotient(problem.lengths()).lpNorm<Eigen::Infinity>();
+        if (options.hold_edges)
+            length_residual = lengths.cwiseQuotient(problem.length_scales()).lpNorm<Eigen::Infinity>();
         excess = std::max({force_residual / options.force_tolerance, length_residual / options.length_tolerance,
                            dense.lpNorm<Eigen::Infinity>() / problem.size() / options.length_tolerance});
         if (!std::isfinite(excess)) excess = std::numeric_limits<double>::infinity();

@@ -13,7 +13,7 @@ struct SeamNewtonOptions {
     bool go_on = false;               ///< edges held: begin with the factorisation at hand (`system_at`), from nearby
     int max_iterations = 60;          ///< > 0
     double force_tolerance = 1e-8;    ///< largest force out of balance, in E times the mean boundary edge
-    double length_tolerance = 1e-11;  ///< largest |length_i| left, in l_i
+    double length_tolerance = 1e-11;  ///< largest |length_i| left, in l_i (`length_scales`)
 };
 
 /// A point that may satisfy the first-order conditions, with what it took.
@@ -24,7 +24,7 @@ struct SeamSolution {
     SolveSummary summary;
     double energy = 0;            ///< [J]
     double force_residual = 0;    ///< largest entry of grad energy + Jᵀ lambda, in E times the mean boundary edge
-    double length_residual = 0;   ///< largest |length_i| / l_i
+    double length_residual = 0;   ///< largest |length_i| / l_i (`length_scales`)
     bool strict_minimum = false;  ///< edges held: the Hessian is positive definite along the constraints, nothing added
 };
 

@@ -1,6 +1,7 @@
 #include "ripstop/flatten/seam_problem.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,10 @@
 
 namespace ripstop {
 namespace {
+
+/// What bending may hold a vertex of the cut line in its place with, in E. On edges of a thousandth of the tile it would be
+/// some thousand times the cloth, on those of a blunt tip more than the edges are held with; nothing there can fold visibly.
+constexpr double stiffest_bend = 1e4;
 
 std::array<int, 6> unknowns_of(int a, int b, int c) {
     return {2 * a, 2 * a + 1, 2 * b, 2 * b + 1, 2 * c, 2 * c + 1};
@@ -65,7 +70,7 @@ SeamProblem::SeamProblem(const Tile& tile, const Fabric& fabric, const Options& 
         for (int i = 0; i < edge_count(); ++i) {
             if (corner[static_cast<std::size_t>(boundary_at(i))]) continue;
             const double before = lengths_[(i + edge_count() - 1) % edge_count()];
-            bends_.push_back({i, reference[i], 0.5 * (before + lengths_[i]), stiffness});
+            bends_.push_back({i, reference[i], 0.5 * (before + lengths_[i]), limited(stiffness, i)});
         }
     }
     Couplings couplings;
@@ -87,9 +92,14 @@ SeamProblem::SeamProblem(const Tile& tile, const Fabric& fabric, const Options& 
 
 void SeamProblem::set_bending(const Eigen::VectorXd& bending, const Eigen::VectorXd& reference) {
     for (Bend& bend : bends_) {
-        bend.stiffness = bending[bend.index] * stiffness_ * area_ * size_;
+        bend.stiffness = limited(bending[bend.index] * stiffness_ * area_ * size_, bend.index);
         bend.reference = reference[bend.index];
     }
+}
+
+double SeamProblem::limited(double stiffness, int i) const {
+    const double before = lengths_[(i + edge_count() - 1) % edge_count()], shortest = std::min(before, lengths_[i]);
+    return std::min(stiffness, stiffest_bend * stiffness_ * 0.5 * (before + lengths_[i]) * shortest * shortest);
 }
 
 void SeamProblem::add_membrane(const Eigen::VectorXd& u, Curvature curvature, double& energy, Eigen::VectorXd& gradient,

@@ -34,6 +34,8 @@ class SeamProblem {
     const SparsePattern& pattern() const { return *pattern_; }
     const Eigen::VectorXd& lengths() const { return lengths_; }
     void set_lengths(const Eigen::VectorXd& lengths) { lengths_ = lengths; }
+    /// What an edge's error is held against [m]: its length, at least 3e-5 of the outline, as positions are rounded.
+    Eigen::VectorXd length_scales() const { return lengths_.cwiseMax(3e-5 * lengths_.sum()); }
     /// Of each boundary vertex that is no corner: stiffness, in A^1.5 E, and turning at rest. Requires bending > 0 so far.
     void set_bending(const Eigen::VectorXd& bending, const Eigen::VectorXd& reference);
 
@@ -75,6 +77,7 @@ class SeamProblem {
                    Eigen::VectorXd& values) const;
     Vec2 at(const Eigen::VectorXd& u, int vertex) const { return u.segment<2>(2 * vertex); }
     double turning_at(const Eigen::VectorXd& u, int i) const;
+    double limited(double stiffness, int i) const;
     int boundary_at(int i) const { return boundary_[static_cast<std::size_t>(i % edge_count())]; }
 
     int vertex_count_;

@@ -10,9 +10,10 @@ namespace {
 
 constexpr double edge_weight = 1e6;  ///< rho, in mean stiffnesses of the cloth
 constexpr int max_attempts = 16;
-constexpr int max_rest_shifts = 6;         // near rest, before the elements are clamped
-constexpr double least_shift = 1e-7;  // in mean stiffnesses
-constexpr int max_updates = 8;
+constexpr int max_rest_shifts = 6;            // near rest, before the elements are clamped
+constexpr double least_shift = 1e-7;     // in mean stiffnesses
+constexpr int max_updates = 20;          // a few; more where an edge belongs to a needle as stiff as rho
+constexpr double short_edge = 0.01;      // of the mean boundary edge
 constexpr int columns_at_once = 64;      // of a solve for every edge: what a cache holds
 constexpr double edge_tolerance = 1e-4;  // of the edges' errors: Newton itself leaves their square
 constexpr double rounding = 1e-13;       // of the lengths: what is smaller cannot be mended
@@ -104,10 +105,12 @@ void SeamStep::update_multipliers(const Eigen::VectorXd& g, const Eigen::VectorX
     if (!hold_edges_) return;
     const double target =
         std::max(edge_tolerance * c.lpNorm<Eigen::Infinity>(), rounding * problem_.lengths().maxCoeff());
+    // an edge much shorter than the others would be torn by an error that is small for them
+    const Eigen::VectorXd weight = (short_edge * problem_.lengths().mean() / problem_.lengths().array()).max(1.0);
     for (int update = 0; update < max_updates; ++update) {
         const Eigen::VectorXd missing = problem_.edge_product(u_, solution.d) + c;
         solution.lambda += rho_ * missing;
-        if (missing.lpNorm<Eigen::Infinity>() <= target) break;
+        if (missing.cwiseProduct(weight).lpNorm<Eigen::Infinity>() <= target) break;
         solution.d = solver_.solve(right_side(g, solution.lambda, c));
         add_border(r, solution);
     }

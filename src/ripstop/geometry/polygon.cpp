@@ -101,6 +101,18 @@ double distance_to_outline(const Points2& polygon, const Vec2& point) {
     return std::sqrt(best);
 }
 
+double distance_along(const Points2& polygon, const Vec2& point, const Vec2& way) {
+    double best = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < polygon.rows(); ++i) {
+        const Vec2 a = corner(polygon, i) - point, b = corner(polygon, i + 1) - point;
+        const double side_a = cross(way, a), side_b = cross(way, b);
+        if ((side_a >= 0) == (side_b >= 0)) continue;
+        const double distance = way.dot(a) + side_a / (side_a - side_b) * way.dot(b - a);
+        if (distance >= 0) best = std::min(best, distance);
+    }
+    return best;
+}
+
 bool contains(const Points2& polygon, const Box& box) {
     if (!contains(polygon, box.centre)) return false;
     const double c = std::cos(box.turn), s = std::sin(box.turn);

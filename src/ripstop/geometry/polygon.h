@@ -24,6 +24,9 @@ bool contains(const Points2& polygon, const Vec2& point);
 /// Distance from `point` to the nearest point of the outline, never negative [m].
 double distance_to_outline(const Points2& polygon, const Vec2& point);
 
+/// How far from `point` along `way` (a unit vector) the outline is first met [m]; infinity where it never is.
+double distance_along(const Points2& polygon, const Vec2& point, const Vec2& way);
+
 /// A rectangle turned counter-clockwise by `turn` [rad]; `half` is half its width and height before the turn.
 struct Box {
     Vec2 centre = Vec2::Zero();

@@ -29,7 +29,7 @@ std::vector<Eigen::VectorXd> sewn_shares(const CutPlan& plan) {
     std::vector<Eigen::VectorXd> shares;
     for (const FlatTile& tile : plan.tiles) shares.push_back(Eigen::VectorXd::Zero(std::ssize(tile.tile.boundary)));
     for (const Seam& seam : plan.seams)
-        for (const SeamSide* side : {&seam.a, &seam.b})
+        for (const SeamSide* side : seam.own_sides())
             for (const SeamPart& part : side->parts)
                 shares[static_cast<std::size_t>(side->tile)][part.edge] += part.length;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
@@ -135,7 +135,7 @@ std::vector<TapeEnd> add_load_tapes(const CutPlan& plan, const Rigging& rigging,
     std::set<std::set<int>> laid;  // in each sector the same seam comes again
     for (std::size_t s = 0; s < plan.seams.size(); ++s) {
         const Seam& seam = plan.seams[s];
-        if (!seam.type.tape) continue;
+        if (!seam.has_tape()) continue;
         const auto points = points_of(plan, seam, place_of);
         if (symmetry.sectors > 1 && !laid.insert(nodes_of(points)).second) continue;
         const double shorter = (1 - rigging.foreshortening) * (factors.empty() ? 1.0 : factors[s]);

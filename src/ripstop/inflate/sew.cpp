@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/glob.h"
@@ -14,6 +15,7 @@
 #include "ripstop/inflate/rig.h"
 #include "ripstop/mesh/surface_finder.h"
 #include "ripstop/model/seam_place.h"
+#include "ripstop/model/seam_sheets.h"
 
 namespace ripstop {
 namespace {
@@ -86,6 +88,10 @@ class Seamstress {
 
     /// The finer side hangs on the coarser one, the ends of the coarser one on the finer.
     void join_edges(const Seam& seam) {
+        if (seam.into) {  // a further sheet hangs on the skin, however it is meshed
+            for (const SideVertex& each : vertices_of_side(plan_, seam, false)) join_to_edge(seam, false, each);
+            return;
+        }
         const std::vector<SideVertex> a = vertices_of_side(plan_, seam, false), b = vertices_of_side(plan_, seam, true);
         const bool b_is_finer = b.size() > a.size();
         for (const SideVertex& each : b_is_finer ? b : a) join_to_edge(seam, b_is_finer, each);
@@ -191,13 +197,23 @@ class Skin {
 /// Within this of the skin an edge of a diaphragm or an end of a tie is on it [m].
 constexpr double on_skin = 0.02;
 
-void join_diaphragms(const CutPlan& plan, const std::vector<char>& is_inside, Seamstress& sewn) {
+void join_diaphragms(const CutPlan& plan, const std::vector<char>& is_inside, const std::vector<char>& is_named,
+                     Seamstress& sewn) {
     Skin skin(plan, is_inside, sewn);
+    std::set<std::pair<int, int>> sewn_in;  // those that a seam holds already
+    for (const Seam& seam : plan.seams)
+        if (seam.into)
+            for (const SideVertex& each : vertices_of_side(plan, seam, false))
+                sewn_in.insert({seam.a.tile, each.vertex});
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
-        if (!is_inside[i]) continue;
+        if (!is_named[i]) continue;
         const Tile& tile = plan.tiles[i].tile;
         int joined = 0;
         for (const int vertex : tile.boundary) {
+            if (sewn_in.contains({static_cast<int>(i), vertex})) {
+                ++joined;
+                continue;
+            }
             if (const auto there = skin.nearest(tile.mesh.positions.row(vertex), on_skin))
                 joined += sewn.joints().join(sewn.point(static_cast<int>(i), vertex), *there);
         }
@@ -370,11 +386,13 @@ Symmetry no_symmetry(const CutPlan& plan) {
 SewnEnvelope sew(const CutPlan& plan, const SewOptions& options) {
     require_flat(plan);
     const Symmetry symmetry = options.symmetry.tiles.empty() ? no_symmetry(plan) : options.symmetry;
-    const std::vector<char> is_inside = find_diaphragms(plan, options.rigging.diaphragms);
+    const std::vector<char> is_named = find_diaphragms(plan, options.rigging.diaphragms);
+    std::vector<char> is_inside = find_inner_sheets(static_cast<int>(plan.tiles.size()), plan.seams);
+    for (std::size_t i = 0; i < is_inside.size(); ++i) is_inside[i] = is_inside[i] || is_named[i];
     Seamstress seamstress(plan, symmetry);
     for (const Seam& seam : plan.seams) seamstress.join_vertices(seam);
     for (const Seam& seam : plan.seams) seamstress.join_edges(seam);
-    join_diaphragms(plan, is_inside, seamstress);
+    join_diaphragms(plan, is_inside, is_named, seamstress);
 
     SewnEnvelope sewn;
     sewn.sectors = symmetry.sectors;

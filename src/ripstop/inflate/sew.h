@@ -23,7 +23,8 @@ struct SewOptions {
 
 /// Sews the flat pieces of a plan into one rest state: the two sides of each seam are one line in space, the same place of the seam's curve on both
 /// (where the notches lie), so unequal lengths become ease. Sides that are meshed differently, and T-junctions, hang on the edges they meet.
-/// Diaphragms hang on the skin where their edge lies as drawn. Load tapes follow the seams that take one, shorter than the
+/// Diaphragms hang on the skin where their edge lies as drawn. A further sheet in a seam (`Seam::into`) is one line with it, and
+/// has gas on both sides as a diaphragm has (`find_inner_sheets`). Load tapes follow the seams that take one, shorter than the
 /// seam's curve by the rigging's `foreshortening` and, but for
 /// `RestState::as_drawn`, by the plan's `tape_factors`. Openings: the lowest is the mouth, the highest the crown.
 ///

@@ -21,7 +21,7 @@ using nlohmann::json;
 
 static_assert(std::endian::native == std::endian::little, "the arrays are written as they lie in memory");
 
-constexpr double largest_coordinate = 1e12;
+constexpr double largest_converted = 1e12;
 
 json counts_of(const ConvertedFace& face) {
     return {{"name", face.name}, {"vertices", face.mesh.vertex_count()}, {"triangles", face.mesh.triangle_count()},
@@ -76,7 +76,7 @@ class Arrays {
 };
 
 void require_sound(const TriangleMesh& mesh, const std::string& name) {
-    if (!(mesh.positions.array().abs() < largest_coordinate).all())
+    if (!(mesh.positions.array().abs() < largest_converted).all())
         throw InputError(name + ": a coordinate is no finite number below 1e12");
     if (mesh.triangle_count() > 0 &&
         (mesh.triangles.minCoeff() < 0 || mesh.triangles.maxCoeff() >= mesh.vertex_count()))
@@ -103,7 +103,7 @@ NamedCurve curve_of(const json& entry, const std::string& name) {
     for (std::size_t i = 0; i < points.size(); ++i)
         for (int k = 0; k < 3; ++k)
             curve.points(static_cast<Eigen::Index>(i), k) = points[i][static_cast<std::size_t>(k)];
-    if (!(curve.points.array().abs() < largest_coordinate).all())
+    if (!(curve.points.array().abs() < largest_converted).all())
         throw InputError(name + ": a curve has a coordinate that is no finite number below 1e12");
     return curve;
 }

@@ -17,7 +17,7 @@ namespace ripstop {
 namespace {
 
 constexpr double unit = 0.025 * millimetre;
-constexpr long largest_coordinate = (1L << 23) - 1;      // of HP-GL/2
+constexpr long largest_unit = (1L << 23) - 1;      // of HP-GL/2
 constexpr long largest_in_frame = 32767;      // of HP-GL
 constexpr std::size_t points_a_command = 16;  // plotters' buffers are small
 constexpr double shortest_frame = 0.1;        // [m]
@@ -42,7 +42,7 @@ std::string in_units(double length) {
 struct Frame {
     Vec2 origin = Vec2::Zero();
     double left = -std::numeric_limits<double>::infinity(), right = std::numeric_limits<double>::infinity();
-    long reach = largest_coordinate;
+    long reach = largest_unit;
 };
 
 class Plotter {
@@ -66,7 +66,7 @@ class Plotter {
             throw InputError(
                 "the drawing goes on beyond the " + in_metres(static_cast<double>(frame_.reach) * unit) +
                 " that HPGL counts" +
-                (frame_.reach == largest_coordinate
+                (frame_.reach == largest_unit
                      ? "; take the files of the pieces by themselves"
                      : " on either side of a frame's middle; leave the frames out for a plotter that takes HP-GL/2"));
         return {std::lround(units.x()), std::lround(units.y())};

@@ -17,7 +17,6 @@ constexpr int strips_a_page = 4;
 constexpr double title_height = 0.008;
 constexpr double metres_height = 0.007;  // below each strip, for the ticks and what they say
 constexpr double letters = 0.0022;
-constexpr Colour black = {0, 0, 0};
 const Ink roll_ink{{0.5, 0.5, 0.5}, 0.0002};
 const Ink cut_ink{{1, 0, 0}, 0.0002};
 const Ink grain_ink{{0, 0, 1}, 0.00015};

@@ -6,9 +6,9 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/number_text.h"
+#include "ripstop/io/mesh_faces.h"
 #include "ripstop/io/text.h"
 #include "ripstop/mesh/components.h"
-#include "ripstop/mesh/fan.h"
 
 namespace ripstop {
 namespace {
@@ -16,22 +16,8 @@ namespace {
 constexpr double largest_coordinate = 1e12;  // beyond it squares and products lose what they are compared with
 constexpr int none = -1;
 
-/// The corners of all triangles, three a triangle, and the face each triangle comes from.
-struct TriangleList {
-    std::vector<std::size_t> corners;
-    std::vector<std::size_t> faces;
-};
-
-void require_faces(const MeshRecords& file) {
-    if (file.faces.empty())
-        throw InputError(file.name + ": no face, expected a triangulated surface; export the surfaces as meshes");
-    std::vector<std::size_t> last_face(file.vertices.size(), file.faces.size());
-    for (std::size_t f = 0; f < file.faces.size(); ++f) {
-        const RecordedFace& face = file.faces[f];
-        if (face.count < 3)
-            file.refuse(face.place, "a face with " + std::to_string(face.count) +
-                                        (face.count == 1 ? " corner" : " corners") +
-                                        ", expected at least 3; remove it or mesh the surface again");
+void require_indices(const MeshRecords& file) {
+    for (const RecordedFace& face : file.faces)
         for (std::size_t c = face.first; c < face.first + static_cast<std::size_t>(face.count); ++c) {
             const auto vertex = static_cast<std::size_t>(file.corners[c].vertex);
             if (vertex >= file.vertices.size())
@@ -39,46 +25,7 @@ void require_faces(const MeshRecords& file) {
             if (file.corners[c].texture >= static_cast<long>(file.textures.size()))
                 file.refuse_index(face.place, static_cast<long>(file.corners[c].texture) + file.first_index,
                                   file.textures.size(), "texture coordinate");
-            if (last_face[vertex] == f)
-                file.refuse(face.place, "a face has vertex " +
-                                            std::to_string(static_cast<long>(vertex) + file.first_index) +
-                                            " twice, expected different corners; triangulate the face in the CAD, "
-                                            "or remove it if it has no area");
-            last_face[vertex] = f;
         }
-    }
-}
-
-/// From which corner a face is fanned.
-std::size_t apex_of(const MeshRecords& file, const RecordedFace& face, std::vector<Vec3>& polygon) {
-    if (face.count == 3) return 0;
-    polygon.clear();
-    for (std::size_t k = 0; k < static_cast<std::size_t>(face.count); ++k)
-        polygon.push_back(file.vertices[static_cast<std::size_t>(file.corners[face.first + k].vertex)]);
-    const int apex = fan_corner(polygon);
-    if (apex < 0)
-        file.refuse(face.place, "a face with " + std::to_string(face.count) +
-                                    " corners has no area or folds over itself when it is fanned into triangles, "
-                                    "expected a plain polygon; triangulate it in the CAD");
-    return static_cast<std::size_t>(apex);
-}
-
-TriangleList triangulated(const MeshRecords& file) {
-    TriangleList list;
-    list.corners.reserve(3 * file.faces.size());
-    list.faces.reserve(file.faces.size());
-    std::vector<Vec3> polygon;
-    for (std::size_t f = 0; f < file.faces.size(); ++f) {
-        const RecordedFace& face = file.faces[f];
-        const auto count = static_cast<std::size_t>(face.count);
-        const std::size_t apex = apex_of(file, face, polygon);
-        for (std::size_t k = 1; k + 1 < count; ++k) {
-            for (const std::size_t step : {std::size_t{0}, k, k + 1})
-                list.corners.push_back(face.first + (apex + step) % count);
-            list.faces.push_back(f);
-        }
-    }
-    return list;
 }
 
 /// Renames the faces by the connected part they are in. A part lies in one surface.
@@ -213,8 +160,12 @@ class SurfaceMaker {
 
 }  // namespace
 
+std::string MeshRecords::at(long place) const {
+    return name + (binary ? ": byte " : ":") + std::to_string(place) + ": ";
+}
+
 void MeshRecords::refuse(long place, const std::string& what) const {
-    throw InputError(name + (binary ? ": byte " : ":") + std::to_string(place) + ": " + what);
+    throw InputError(at(place) + what);
 }
 
 void MeshRecords::refuse_index(long place, long given, std::size_t count, const char* what) const {
@@ -244,18 +195,32 @@ double MeshRecords::coordinate(double value, long place) const {
     return value;
 }
 
-std::vector<NamedMesh> make_surfaces(MeshRecords file) {
-    require_faces(file);
+void make_surfaces(MeshRecords file, CadModel& model) {
+    require_indices(file);
+    mend_faces(file);
+    if (file.faces.empty())
+        throw InputError(file.name + ": no face" + (file.remarks.empty() ? "" : " (" + file.remarks.back() + ")") +
+                         ", expected a triangulated surface; export the surfaces as meshes");
     const TriangleList list = triangulated(file);
     if (file.apart) name_parts(file, list);
     std::vector<std::vector<std::size_t>> triangles(file.surfaces.size());
     for (std::size_t t = 0; t < list.faces.size(); ++t)
         triangles[static_cast<std::size_t>(file.faces[list.faces[t]].surface)].push_back(t);
-    std::vector<NamedMesh> surfaces;
     SurfaceMaker maker(file, list);
-    for (std::size_t s = 0; s < triangles.size(); ++s)
-        if (!triangles[s].empty()) surfaces.push_back(maker.make(file.surfaces[s], triangles[s]));
-    return surfaces;
+    for (std::size_t s = 0; s < triangles.size(); ++s) {
+        if (triangles[s].empty()) continue;
+        NamedMesh& surface = model.surfaces.emplace_back(maker.make(file.surfaces[s], triangles[s]));
+        for (const std::size_t t : triangles[s]) {
+            const auto fault = list.faults.find(list.faces[t]);
+            if (fault == list.faults.end()) continue;
+            surface.fault = file.at(file.faces[fault->first].place) + fault->second;
+            break;
+        }
+    }
+    if (file.single_precision)
+        for (const Vec3& vertex : file.vertices)
+            model.rounding = std::max(model.rounding, single_rounding(vertex.cwiseAbs().maxCoeff()));
+    for (std::string& remark : file.remarks) model.remarks.push_back(file.name + ": " + std::move(remark));
 }
 
 std::string stem_of(const std::string& name, std::string_view extension) {

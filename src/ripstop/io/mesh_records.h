@@ -36,8 +36,12 @@ struct MeshRecords {
     std::vector<Vec3> warps = {};  ///< of each face, zero: not given; or empty
     std::vector<std::string> surfaces = {};
     std::vector<std::string> materials = {};
-    bool apart = false;  ///< whether each connected part of a surface is one of its own
+    bool apart = false;             ///< whether each connected part of a surface is one of its own
+    bool single_precision = false;  ///< how coordinates are stored
+    std::vector<std::string> remarks = {};
 
+    /// `NAME:LINE: `, or `NAME: byte N: ` of a binary file.
+    std::string at(long place) const;
     /// Throws InputError `NAME:LINE: what`, or `NAME: byte N: what` of a binary file.
     [[noreturn]] void refuse(long place, const std::string& what) const;
     /// The same for an index of which there is no vertex, as the file writes it.
@@ -48,15 +52,19 @@ struct MeshRecords {
     double coordinate(double value, long place) const;
 };
 
-/// The surfaces of a file, each with the vertices its faces use, in the file's order; nothing is welded. The faces of one
+/// Adds the surfaces of a file to a model, with its remarks: each with the vertices its faces use, in the file's order; nothing is welded. The faces of one
 /// `surface` make one, or, where the file has its parts `apart`, each connected part of them: `NAME` where there is one, else
 /// `NAME_01`, `NAME_02`, … but for names that are taken. Surfaces come in the order of their numbers, parts of their first
 /// faces. Polygons are fanned (`fan_corner`). `drawn` is filled where every corner has a texture coordinate and each vertex
 /// one alone; `warp` where the faces have one; the attribute `material` where all faces of a surface have the same.
 ///
-/// Throws InputError for an index beyond the vertices, a face with a vertex twice or a polygon that cannot be fanned, for
-/// a warp on some faces of a surface only, and where there is no face. Linear in time and memory.
-std::vector<NamedMesh> make_surfaces(MeshRecords records);
+/// A face may name a corner several times in a row, as exporters write a triangle as a quad, and go back the way it came; what
+/// is left of it counts. Faces with fewer than three different corners are left out, with a remark. A polygon that cannot be
+/// fanned, since it folds or comes by a corner twice, is the `fault` of its surface alone.
+///
+/// Throws InputError for an index beyond the vertices, for a warp on some faces of a surface only, and where there is no
+/// face. Linear in time and memory.
+void make_surfaces(MeshRecords records, CadModel& model);
 
 /// The file's name without folder and without `extension` (with its dot, in lower case).
 std::string stem_of(const std::string& name, std::string_view extension);

@@ -23,7 +23,7 @@ CadModel read_obj(std::istream& in, const std::string& name) {
     }
     model.unread = std::move(file.unread);
     model.remarks = std::move(file.remarks);
-    model.surfaces = make_surfaces(std::move(file.mesh));
+    make_surfaces(std::move(file.mesh), model);
     return model;
 }
 

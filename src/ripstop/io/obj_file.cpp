@@ -1,5 +1,6 @@
 #include "ripstop/io/obj_file.h"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <map>
@@ -12,6 +13,7 @@ namespace ripstop {
 namespace {
 
 constexpr int no_index = -1;
+constexpr std::size_t shown_objects = 6;
 
 /// Reads the records of the file, line by line.
 class Parser {
@@ -25,6 +27,8 @@ class Parser {
 
     ObjFile parse() {
         while (lines_.next()) read_line();
+        end_object();
+        name_empty();
         require_curves();
         if (mesh_.faces.empty())
             throw InputError(
@@ -41,12 +45,14 @@ class Parser {
         const std::string_view key = next_word(rest);
         if (key.empty() || key.front() == '#') return;
         if (key == "o" || key == "g") {
+            if (key == "o") end_object();
             (key == "o" ? object_ : group_) = readable_name(trimmed(rest));
             if (key == "o") group_.clear();
             surface_ = no_index;
         } else if (key == "usemtl") {
             material_ = number_of(readable_name(trimmed(rest)), materials_, mesh_.materials);
         } else if (key == "surf" || key == "curv") {
+            in_use_ = true;
             file_.unread.push_back({name_or_stem(), key == "surf" ? "Surface" : "Curve",
                                     std::string("it is given by equations (") + std::string(key) + " in line " +
                                         std::to_string(lines_.number()) +
@@ -62,12 +68,24 @@ class Parser {
                 const double u = coordinate(rest);
                 const std::string_view ahead = trimmed(rest);
                 mesh_.textures.emplace_back(u, ahead.empty() || ahead.front() == '#' ? 0 : coordinate(rest));
-            } else if (key == "f") {
-                read_face(rest);
             } else {
-                read_curve(rest);
+                in_use_ = true;
+                key == "f" ? read_face(rest) : read_curve(rest);
             }
         }
+    }
+
+    void end_object() {
+        if (!object_.empty() && !in_use_) empty_.push_back(object_);
+        in_use_ = false;
+    }
+
+    void name_empty() {
+        if (empty_.empty()) return;
+        std::string text =
+            std::to_string(empty_.size()) + (empty_.size() == 1 ? " object" : " objects") + " without a face or line: ";
+        for (std::size_t i = 0; i < std::min(empty_.size(), shown_objects); ++i) text += (i ? ", " : "") + empty_[i];
+        mesh_.remarks.push_back(text + (empty_.size() > shown_objects ? ", …" : ""));
     }
 
     /// The place of a name in `names`, where it is put if it is new.
@@ -187,6 +205,8 @@ class Parser {
     MeshRecords& mesh_ = file_.mesh;
     std::string object_;
     std::string group_;
+    std::vector<std::string> empty_;  ///< objects
+    bool in_use_ = false;             ///< the object has something
     int surface_ = no_index;
     int material_ = no_index;
     std::map<std::string, int> surfaces_;

@@ -221,14 +221,14 @@ CadModel read_off(std::istream& in, const std::string& name) {
     file.surfaces = {file.stem};
     OffKind kind;
     if (const auto start = binary_start(bytes, file, kind)) {
-        file.binary = true;
+        file.binary = file.single_precision = true;
         BinaryReader(bytes, *start, file).read(kind);
     } else {
         bytes = text_of(std::move(bytes), name);
         TextReader(bytes, file).read();
     }
     CadModel model;
-    model.surfaces = make_surfaces(std::move(file));
+    make_surfaces(std::move(file), model);
     return model;
 }
 

@@ -41,6 +41,12 @@ PrintRun plan_run(const std::vector<PatternPiece>& pieces, const PrintOptions& o
 
 }  // namespace
 
+void require_printable(const std::vector<PatternPiece>& pieces, const std::string& paper) {
+    PrintOptions options;
+    options.paper = paper;
+    plan_run(pieces, options);
+}
+
 void write_pdf(std::ostream& out, const std::vector<PatternPiece>& pieces, const PrintOptions& options) {
     const PrintRun run = plan_run(pieces, options);
     PdfCanvas canvas(run.title.empty() ? "Cut patterns" : run.title, options.date);

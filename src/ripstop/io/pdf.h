@@ -31,4 +31,7 @@ struct PrintOptions {
 /// Throws InputError for a paper that is not known and where there would be more than `most_pages` pages.
 void write_pdf(std::ostream& out, const std::vector<PatternPiece>& pieces, const PrintOptions& options = {});
 
+/// Throws InputError as `write_pdf` does, and draws nothing.
+void require_printable(const std::vector<PatternPiece>& pieces, const std::string& paper);
+
 }  // namespace ripstop

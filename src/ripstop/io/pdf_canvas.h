@@ -10,6 +10,7 @@
 namespace ripstop {
 
 using Colour = std::array<double, 3>;  ///< red, green, blue from 0 to 1
+constexpr Colour black = {0, 0, 0};
 
 /// How a line is drawn.
 struct Ink {

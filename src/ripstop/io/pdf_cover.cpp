@@ -10,11 +10,10 @@
 namespace ripstop {
 namespace {
 
-constexpr Colour black = {0, 0, 0};
 constexpr double cover_margin = 0.018;
 constexpr double line_height = 0.0055;
 constexpr double letters = 0.0024;
-constexpr double head = 0.068;                                       // what stands above the list on the first page
+constexpr double head_height = 0.068;                                       // what stands above the list on the first page
 constexpr double joining = 0.026;                                    // and the lines on how to join pages
 constexpr double headings = 0.016;                                   // on the others
 constexpr std::array<double, 4> columns = {0, 0.022, 0.075, 0.118};  // of the list, from the cover_margin
@@ -28,7 +27,7 @@ bool has_joints(const PrintRun& run) {
 }
 
 double above_list(const PrintRun& run, bool is_first) {
-    return !is_first ? headings : head + (has_joints(run) ? joining : 0);
+    return !is_first ? headings : head_height + (has_joints(run) ? joining : 0);
 }
 
 std::size_t rows_on(const PrintRun& run, bool is_first) {

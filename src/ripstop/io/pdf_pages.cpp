@@ -10,7 +10,7 @@ namespace ripstop {
 namespace {
 
 constexpr double page_margin = Paper::margin, overlap = Paper::overlap;
-constexpr Colour black = {0, 0, 0}, grey = {0.5, 0.5, 0.5}, red = {0.8, 0, 0}, blue = {0, 0, 0.8};
+constexpr Colour grey = {0.5, 0.5, 0.5}, red = {0.8, 0, 0}, blue = {0, 0, 0.8};
 constexpr Colour pale = {0.6, 0.6, 0.6};
 constexpr double small_letters = 0.0022;
 

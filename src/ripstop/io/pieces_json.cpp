@@ -46,8 +46,15 @@ Json notch_json(const PieceNotch& notch) {
             {"count", notch.count}};
 }
 
+Json met_json(const MetAllowances& met) {
+    return {{"edge", met.edge}, {"mate_edge", met.mate_edge}, {"length_m", met.length},
+            {"gap_m", met.gap}, {"left_m", met.left},         {"at_m", {met.at.x(), met.at.y()}}};
+}
+
 Json piece_json(const PatternPiece& piece) {
-    Json edges = Json::array(), notches = Json::array(), lines = Json::array(), labels = Json::array();
+    Json edges = Json::array(), notches = Json::array(), lines = Json::array(), labels = Json::array(),
+         met = Json::array();
+    for (const MetAllowances& allowances : piece.met) met.push_back(met_json(allowances));
     for (const PieceEdge& edge : piece.edges) edges.push_back(edge_json(edge));
     for (const PieceNotch& notch : piece.notches) notches.push_back(notch_json(notch));
     for (const DrawnLine& line : piece.lines)
@@ -72,6 +79,7 @@ Json piece_json(const PatternPiece& piece) {
             {"sew_line_m", points_json(piece.sew_line)},
             {"edges", edges},
             {"cut_line_m", points_json(piece.cut_line)},
+            {"allowances_met", met},
             {"notches", notches},
             {"grain_line_m", points_json(piece.grain_line)},
             {"lines", lines},
@@ -127,6 +135,17 @@ PieceNotch read_notch(const PlanReader& from, int edges) {
     return notch;
 }
 
+MetAllowances read_met(const PlanReader& from, int edges) {
+    MetAllowances met;
+    met.edge = from.whole("edge", 0, std::max(0, edges - 1));
+    met.mate_edge = from.whole("mate_edge", 0, std::max(0, edges - 1));
+    met.length = from.number("length_m", largest);
+    met.gap = from.number("gap_m", largest);
+    met.left = from.number("left_m", largest);
+    met.at = point_at(from, "at_m");
+    return met;
+}
+
 PatternPiece read_piece(const PlanReader& from) {
     PatternPiece piece;
     piece.name = from.text_or_none("name");
@@ -153,6 +172,9 @@ PatternPiece read_piece(const PlanReader& from) {
     piece.notches =
         from.each<PieceNotch>("notches", [edges](const PlanReader& notch) { return read_notch(notch, edges); });
     if (edges == 0 && !piece.notches.empty()) from.refuse("has notches and no edges");
+    if (edges > 0 && from.has("allowances_met"))
+        piece.met =
+            from.each<MetAllowances>("allowances_met", [edges](const PlanReader& met) { return read_met(met, edges); });
     piece.grain_line = points_at(from, "grain_line_m", 2);
     if (piece.grain_line.rows() > 2) from.refuse("grain_line_m has more than its two ends");
     piece.lines = from.each<DrawnLine>("lines", [](const PlanReader& line) {

@@ -237,10 +237,14 @@ CadModel read_ply(std::istream& in, const std::string& name) {
     } else {
         read_body(header, PlyBytes<std::endian::big>(bytes, header, file), file);
     }
+    for (const PlyElement& element : header.elements)
+        for (const PlyProperty& property : element.properties)
+            if (element.name == "vertex" && property.name == "x" && file.binary)
+                file.single_precision = property.type == PlyType::float32;
     CadModel model;
     model.unit = header.unit;
     model.remarks = std::move(header.remarks);
-    model.surfaces = make_surfaces(std::move(file));
+    make_surfaces(std::move(file), model);
     return model;
 }
 

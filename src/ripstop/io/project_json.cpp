@@ -65,7 +65,7 @@ Project read_project(std::istream& in, const std::string& name, const std::strin
     const json object = read_json_object(in, name);
     require_known_keys(object,
                        {"unit", "fabric", "materials", "layers", "grain_layers", "tolerances", "seam_tolerance_mm",
-                        "tiles", "seam_types", "seams", "flight"},
+                        "tiles", "seam_types", "seams", "flight", "size_is_meant"},
                        name);
     Project project;
     project.file = name;
@@ -75,6 +75,10 @@ Project read_project(std::istream& in, const std::string& name, const std::strin
         } catch (const InputError& error) {
             throw InputError(name + ": " + error.what());
         }
+    if (const auto meant = object.find("size_is_meant"); meant != object.end()) {
+        if (!meant->is_boolean()) throw InputError(name + ": size_is_meant is neither true nor false");
+        project.size_is_meant = meant->get<bool>();
+    }
     project.fabric = text_at(object, "fabric", name);
     if (object.contains("materials")) project.materials = read_materials(object["materials"], name + ": materials");
     project.layers = texts_at(object, "layers", name);

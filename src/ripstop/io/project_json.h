@@ -18,6 +18,7 @@ namespace ripstop {
 struct Project {
     std::string file;                              ///< where it was read from
     std::optional<std::string> unit;               ///< of the input file, one that `metres_per_unit` knows
+    bool size_is_meant = false;                    ///< the unit is not to be doubted, whatever size follows
     std::optional<std::string> fabric;             ///< of the tiles nothing else is said of
     std::map<std::string, std::string> materials;  ///< the fabric of what the file calls a material, or a fabric
     std::vector<std::string> layers;               ///< globs of the layers that are read; all where empty

@@ -127,6 +127,7 @@ class Modeller {
         for (std::size_t i = 0; i < surfaces.size(); ++i) {
             const RhinoMesh& found = mesh_of(*surfaces[i].object);
             joined_.to(names[i], found.joined);
+            model_.rounding = std::max(model_.rounding, found.rounding);
             narrow_.to(names[i], found.faces_left_out);
             TriangleMesh mesh = surfaces[i].instances.empty() ? found.mesh : moved(found.mesh, surfaces[i].place);
             model_.surfaces.push_back(

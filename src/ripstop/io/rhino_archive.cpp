@@ -16,7 +16,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "an archive is little-endian, and so is read as it stands");
 
 constexpr std::string_view magic = "3D Geometry File Format ";
-constexpr std::size_t header = 32;
+constexpr std::size_t header_bytes = 32;
 constexpr int first_with_long_chunks = 50;
 constexpr int newest = 89;
 constexpr std::uint32_t no_bytes = 0x80000000, has_checksum = 0x8000;
@@ -79,11 +79,11 @@ std::string utf8_of(std::string_view utf16) {
 
 RhinoArchive read_rhino_archive(std::istream& in, const std::string& name) {
     RhinoArchive archive{name, all_bytes(in, name)};
-    if (archive.bytes.size() < header || archive.bytes.compare(0, magic.size(), magic) != 0)
+    if (archive.bytes.size() < header_bytes || archive.bytes.compare(0, magic.size(), magic) != 0)
         throw InputError(name + ": byte 0: not the beginning of a Rhino file, expected \"3D Geometry File Format\"; " +
                          "save the model in Rhino as .3dm");
     const std::string_view digits =
-        trimmed(std::string_view(archive.bytes).substr(magic.size(), header - magic.size()));
+        trimmed(std::string_view(archive.bytes).substr(magic.size(), header_bytes - magic.size()));
     const std::optional<double> version = parse_double(digits);
     if (!version || *version < 1 || *version > 999 || *version != static_cast<int>(*version))
         throw InputError(name + ": byte 24: " + shown(digits) + " where the version belongs, expected 1 to 80; " +
@@ -95,7 +95,7 @@ RhinoArchive read_rhino_archive(std::istream& in, const std::string& name) {
     return archive;
 }
 
-RhinoBytes::RhinoBytes(const RhinoArchive& archive) : RhinoBytes(archive, header, archive.bytes.size()) {}
+RhinoBytes::RhinoBytes(const RhinoArchive& archive) : RhinoBytes(archive, header_bytes, archive.bytes.size()) {}
 
 RhinoBytes::RhinoBytes(const RhinoArchive& archive, std::size_t from, std::size_t to)
     : archive_(&archive), at_(from), end_(to) {}

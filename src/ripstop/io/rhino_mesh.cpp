@@ -9,6 +9,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/mesh/coincident.h"
 #include "ripstop/mesh/components.h"
+#include "ripstop/model/cad_model.h"
 
 namespace ripstop {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 constexpr RhinoId double_vertices_class = rhino_id("17F24E75-21BE-4a7b-9F3D-7F85225247E3");
 constexpr std::size_t float_point = 3 * sizeof(float), double_point = 3 * sizeof(double);
 constexpr unsigned first_writer_of_mapping_tags = 200606010;
-constexpr double largest_coordinate = 1e12;  // as in every reader: what is larger is no coordinate
+constexpr double largest_in_mesh = 1e12;  // as in every reader: what is larger is no coordinate
 
 using Quads = Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
@@ -80,7 +81,7 @@ std::optional<Points3> double_vertices_within(RhinoBytes& data, int minor, unsig
 }
 
 Points3 read_vertices(RhinoBytes& data, std::size_t count, RhinoBytes::Version version, unsigned writer,
-                      const RhinoClass& object) {
+                      const RhinoClass& object, double& rounding) {
     Points3 coarse;
     std::optional<Points3> fine = double_vertices_beside(object);
     if (version.major == 1) {
@@ -91,7 +92,9 @@ Points3 read_vertices(RhinoBytes& data, std::size_t count, RhinoBytes::Version v
         for (int unused = 0; unused < 4; ++unused) data.skip_buffer();  // normals, texture, curvature, colours
         if (auto within = double_vertices_within(data, version.minor, writer)) fine = std::move(within);
     }
-    return fine && fits(*fine, coarse) ? std::move(*fine) : std::move(coarse);
+    if (fine && fits(*fine, coarse)) return std::move(*fine);
+    if (coarse.size() > 0) rounding = single_rounding(coarse.cwiseAbs().maxCoeff());
+    return coarse;
 }
 
 void require_sound(const Points3& points, const Quads& faces, const RhinoBytes& data, const std::string& called) {
@@ -105,7 +108,7 @@ void require_sound(const Points3& points, const Quads& faces, const RhinoBytes& 
                        std::to_string(static_cast<std::uint32_t>(faces(f, k))) + " of " +
                        std::to_string(points.rows()) + ", counted from 0");
     for (Eigen::Index v = 0; v < points.rows(); ++v)
-        if (!(points.row(v).cwiseAbs().maxCoeff() < largest_coordinate) || !points.row(v).allFinite())
+        if (!(points.row(v).cwiseAbs().maxCoeff() < largest_in_mesh) || !points.row(v).allFinite())
             refuse("vertex " + std::to_string(v) + " has a coordinate that is not a number below 1e12");
 }
 
@@ -174,9 +177,9 @@ RhinoMesh read_rhino_mesh(const RhinoClass& object, unsigned writer, const std::
     for (int i = 0; i < 4; ++i)
         if (data.flag()) data.chunk();  // curvature
     const Quads quads = read_faces(data, faces);
-    const Points3 points = read_vertices(data, vertices, version, writer, object);
-    require_sound(points, quads, data, called);
     RhinoMesh found;
+    const Points3 points = read_vertices(data, vertices, version, writer, object, found.rounding);
+    require_sound(points, quads, data, called);
     found.mesh = drop_unused({points, triangulated(points, quads, found.faces_left_out)});
     join_parts(found);
     return found;

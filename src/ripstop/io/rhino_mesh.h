@@ -10,6 +10,7 @@ namespace ripstop {
 struct RhinoMesh {
     TriangleMesh mesh;
     int faces_left_out = 0;  ///< with fewer than three different corners
+    double rounding = 0;     ///< of vertices that the file has in single precision alone
     int joined = 0;          ///< vertices that were in one place with another
 };
 

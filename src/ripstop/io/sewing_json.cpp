@@ -112,6 +112,14 @@ SeamSide side_of(const PlanReader& reader, std::size_t tiles) {
     return side;
 }
 
+/// The seam it lies in stands before it, and is one of two sheets.
+SewnInto read_sewn_into(const PlanReader& reader, const std::vector<Seam>& before) {
+    const SewnInto into{reader.whole("seam", 0, static_cast<double>(before.size()) - 1), reader.number("from_m"),
+                        reader.flag("backwards")};
+    if (before[static_cast<std::size_t>(into.seam)].into) reader.refuse("lies in a seam that lies in another itself");
+    return into;
+}
+
 }  // namespace
 
 std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& files) {
@@ -124,7 +132,7 @@ std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& fil
         tiles.push_back(
             tile_json(tile.tile, files[i], tile.flattening.edges_on_curve, static_cast<int>(fabric - fabrics.begin())));
     }
-    for (const Seam& seam : plan.seams)
+    for (const Seam& seam : plan.seams) {
         seams.push_back({{"id", seam.id},
                          {"length_m", seam.length},
                          {"uncertainty_m", seam.uncertainty},
@@ -132,6 +140,10 @@ std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& fil
                          {"type", type_json(seam.type)},
                          {"a", side_json(seam.a)},
                          {"b", side_json(seam.b)}});
+        if (seam.into)
+            seams.back()["sewn_into"] = {
+                {"seam", seam.into->seam}, {"from_m", seam.into->from}, {"backwards", seam.into->backwards}};
+    }
     Json object = {{"schema", "1.0"},
                    {"input", plan.input_file},
                    {"fabrics", cloths},
@@ -177,6 +189,7 @@ Sewing read_sewing(std::istream& in, const std::string& name) {
         seam.uncertainty = each.number("uncertainty_m");
         seam.gap = each.number("gap_m");
         seam.type = type_of(each.at("type"));
+        if (each.has("sewn_into")) seam.into = read_sewn_into(each.at("sewn_into"), sewing.plan.seams);
         sewing.plan.seams.push_back(std::move(seam));
     }
     sewing.plan.tape_factors = reader.numbers("tape_factors");

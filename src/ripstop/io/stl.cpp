@@ -186,6 +186,7 @@ CadModel read_stl(std::istream& in, const std::string& name) {
     std::string bytes = read_bytes(in, name);
     const bool binary = is_binary(bytes);
     MeshRecords file{.name = name, .stem = stem_of(name, ".stl"), .binary = binary, .apart = true};
+    file.single_precision = binary;
     Welder welder(file);
     if (binary) {
         read_binary(bytes, file, welder);
@@ -195,7 +196,7 @@ CadModel read_stl(std::istream& in, const std::string& name) {
     }
     CadModel model;
     model.remarks = welder.remarks();
-    model.surfaces = make_surfaces(std::move(file));
+    make_surfaces(std::move(file), model);
     return model;
 }
 

@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int deepest_block = 32;  // blocks of rules within each other
+constexpr int deepest_rules = 32;  // blocks of rules within each other
 
 bool is_css_blank(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
@@ -257,7 +257,7 @@ class SheetReader {
         if (name == "@import") {
             rules.push_back({{}, {}, readable_name(head)});
         } else if (name == "@media" || name == "@supports" || name == "@layer" || name == "@container") {
-            if (depth > deepest_block) return;
+            if (depth > deepest_rules) return;
             bool is_all = name == "@media" && condition.empty(), is_other = name == "@media" && !condition.empty();
             for (const std::string_view medium : parts(condition, ',')) {
                 if (medium == "all" || medium == "screen" || medium == "only screen" || medium == "only all")

@@ -19,7 +19,7 @@ namespace ripstop {
 namespace {
 
 constexpr int deepest_element = 256;
-constexpr double farthest = 1e9;
+constexpr double farthest_point = 1e9;
 constexpr int most_used = 200'000;              // elements that uses draw again
 constexpr std::size_t most_points = 8'000'000;  // of curves
 
@@ -75,7 +75,7 @@ class Reader {
         std::optional<Vec2> at;
         const auto x = along("x", "cx", SvgAxis::x), y = along("y", "cy", SvgAxis::y);
         if (x && y) at = place.motion * Vec2(*x, *y);
-        if (at && !(at->cwiseAbs().maxCoeff() <= farthest)) at.reset();
+        if (at && !(at->cwiseAbs().maxCoeff() <= farthest_point)) at.reset();
         drawing_.leave_unread({readable_name(kind.substr(0, 60)), place.layer, 1, document_.line_of(node), reason,
                                may_be_cut, is_carried, at});
     }
@@ -278,7 +278,7 @@ class Reader {
     }
 
     Vec2 checked(const pugi::xml_node& node, const Vec2& at) const {
-        if (!(at.cwiseAbs().maxCoeff() <= farthest)) document_.refuse(node, "a point beyond 1e9; scale the drawing");
+        if (!(at.cwiseAbs().maxCoeff() <= farthest_point)) document_.refuse(node, "a point beyond 1e9; scale the drawing");
         return at;
     }
 

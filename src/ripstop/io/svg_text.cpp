@@ -9,7 +9,7 @@ namespace ripstop {
 namespace {
 
 constexpr int deepest_span = 64;  // tspan in tspan
-constexpr double farthest = 1e9;
+constexpr double farthest_text = 1e9;
 
 class TextReader {
   public:
@@ -46,7 +46,7 @@ class TextReader {
         std::string_view first = svg_next_word(list);
         first = first.substr(0, first.find(','));
         const std::optional<double> length = svg_length(first, axis, basis);
-        return length && std::abs(*length) <= farthest ? length : std::nullopt;
+        return length && std::abs(*length) <= farthest_text ? length : std::nullopt;
     }
 
     void place(const pugi::xml_node& element, const SvgBasis& basis) {

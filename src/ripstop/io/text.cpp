@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\f\v";
+constexpr std::string_view line_blanks = " \t\r\f\v";
 constexpr bool is_blank_in_line(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
@@ -105,7 +105,7 @@ bool Lines::next() {
 
 std::string_view Lines::joined() {
     const auto continued = [](std::string_view line) {
-        const std::size_t last = line.find_last_not_of(blanks);
+        const std::size_t last = line.find_last_not_of(line_blanks);
         return last != std::string_view::npos && line[last] == '\\';
     };
     std::string_view part = line_;
@@ -131,9 +131,9 @@ std::string_view next_word(std::string_view& rest) {
 }
 
 std::string_view trimmed(std::string_view text) {
-    const std::size_t start = text.find_first_not_of(blanks);
+    const std::size_t start = text.find_first_not_of(line_blanks);
     if (start == std::string_view::npos) return {};
-    return text.substr(start, text.find_last_not_of(blanks) - start + 1);
+    return text.substr(start, text.find_last_not_of(line_blanks) - start + 1);
 }
 
 std::string readable_name(std::string_view bytes) {

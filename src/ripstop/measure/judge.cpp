@@ -17,6 +17,7 @@ Vec3 middle_of(const Tile& tile, const Chain& chain) {
     return tile.mesh.positions.row(chain.vertices[chain.vertices.size() / 2]);
 }
 
+constexpr double plotter_step = 0.025 * millimetre;  // of HP-GL: no cutter makes an edge right to less, however short
 constexpr double certified_length = 1e-8;
 constexpr double certified_force = 1e-6;  // in mean stiffness times mean boundary edge
 
@@ -85,7 +86,8 @@ void judge_lengths(const Tile& tile, const Accuracy& accuracy, const Tolerances&
                                     tolerances.length / percent});
     for (std::size_t i = 0; i < accuracy.chains.size(); ++i) {
         const ChainAccuracy& chain = accuracy.chains[i];
-        if (std::abs(chain.error()) <= tolerances.length) continue;
+        if (std::abs(chain.error()) <= tolerances.length || std::abs(chain.flat_length - chain.length) <= plotter_step)
+            continue;
         verdict.findings.push_back({"chain",
                                     "edge " + std::to_string(i + 1) + " is " + percent_text(chain.error()) + " (" +
                                         format_fixed(std::abs(chain.flat_length - chain.length) / millimetre, 1) +

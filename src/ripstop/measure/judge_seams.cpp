@@ -6,6 +6,7 @@
 
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
+#include "ripstop/model/corner_turn.h"
 
 namespace ripstop {
 namespace {
@@ -40,7 +41,7 @@ std::vector<std::vector<Mating>> mate(const CutPlan& plan) {
     for (std::size_t i = 0; i < plan.seams.size(); ++i)
         for (const SeamSide* side : {&plan.seams[i].a, &plan.seams[i].b}) {
             Mating& here = mates[static_cast<std::size_t>(side->tile)][static_cast<std::size_t>(side->chain)];
-            here.sewn += plan.seams[i].length;
+            if (!plan.seams[i].into || side == &plan.seams[i].a) here.sewn += plan.seams[i].length;
             here.agrees = here.agrees && plan.walks[i].ok;
         }
     return mates;
@@ -82,14 +83,30 @@ void waive(FlatTile& tile, const std::vector<Mating>& mates, double tolerance) {
 }  // namespace
 
 void judge_seams(CutPlan& plan) {
+    const auto name = [&](const SeamSide& side) { return plan.tiles[static_cast<std::size_t>(side.tile)].tile.name; };
     for (std::size_t i = 0; i < plan.seams.size(); ++i) {
         const SeamWalk& walk = plan.walks[i];
-        if (walk.ok) continue;
-        plan.findings.push_back({"seam", message(plan.seams[i], walk, plan), walk.worst, walk.drift_max / millimetre,
-                                 walk.limit / millimetre});
+        if (!walk.ok)
+            plan.findings.push_back({"seam", message(plan.seams[i], walk, plan), walk.worst,
+                                     walk.drift_max / millimetre, walk.limit / millimetre});
+        else if (!walk.is_certain())
+            plan.findings.push_back(
+                {"uncertain", uncertain_text(plan.seams[i], name(plan.seams[i].a), name(plan.seams[i].b), walk.limit),
+                 walk.worst, walk.uncertainty / millimetre, walk.limit / millimetre});
     }
     const std::vector<std::vector<Mating>> mates = mate(plan);
     for (std::size_t t = 0; t < plan.tiles.size(); ++t) waive(plan.tiles[t], mates[t], plan.tolerances.length);
+}
+
+std::string uncertain_text(const Seam& seam, const std::string& tile_a, const std::string& tile_b, double limit) {
+    // A chord that turns by t is short of the curve through its ends by t^2 / 24 of it.
+    const double turn = std::sqrt(24 * limit / seam.length);
+    return "seam " + seam.id + ": the meshes of " + tile_a + " and " + tile_b + " leave " + in_mm(seam.uncertainty, 2) +
+           " of its length open, it may err by " + in_mm(limit, 2) +
+           ": they do not say whether their edges or a curve through their corners is meant; export a mesh whose edges "
+           "turn by less than " +
+           format_fixed(std::floor(turn / degree), 0) + " degrees from one to the next along it, or by more than " +
+           format_fixed(corner_turn / degree, 0) + " where corners are meant";
 }
 
 }  // namespace ripstop

@@ -21,10 +21,10 @@ TriangleMesh renumbered(const TriangleMesh& mesh, const std::vector<int>& number
 
 }  // namespace
 
-TriangleMesh join_coincident(const TriangleMesh& mesh) {
-    std::vector<int> order(static_cast<std::size_t>(mesh.vertex_count()));
+std::vector<int> first_in_place(const Points3& points) {
+    std::vector<int> order(static_cast<std::size_t>(points.rows()));
     std::iota(order.begin(), order.end(), 0);
-    const auto row = [&mesh](int v) { return mesh.positions.data() + 3 * v; };
+    const auto row = [&points](int v) { return points.data() + 3 * v; };
     std::sort(order.begin(), order.end(), [&row](int a, int b) {
         for (int k = 0; k < 3; ++k)
             if (row(a)[k] != row(b)[k]) return row(a)[k] < row(b)[k];
@@ -35,6 +35,11 @@ TriangleMesh join_coincident(const TriangleMesh& mesh) {
         const bool same = i > 0 && std::equal(row(order[i]), row(order[i]) + 3, row(order[i - 1]));
         first[static_cast<std::size_t>(order[i])] = same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
     }
+    return first;
+}
+
+TriangleMesh join_coincident(const TriangleMesh& mesh) {
+    const std::vector<int> first = first_in_place(mesh.positions);
     std::vector<int> number(first.size());
     int count = 0;
     for (std::size_t v = 0; v < first.size(); ++v) {

@@ -20,13 +20,21 @@ double surface_area(const TriangleMesh& mesh) {
     return triangle_areas(mesh).sum();
 }
 
+Vec3 area_vector(const TriangleMesh& mesh, int triangle) {
+    const Vec3 a = mesh.corner(triangle, 0);
+    return 0.5 * (mesh.corner(triangle, 1) - a).cross(mesh.corner(triangle, 2) - a);
+}
+
 Vec3 area_vector(const TriangleMesh& mesh) {
     Vec3 sum = Vec3::Zero();
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-        const Vec3 a = mesh.corner(t, 0);
-        sum += 0.5 * (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a);
-    }
+    for (int t = 0; t < mesh.triangle_count(); ++t) sum += area_vector(mesh, t);
     return sum;
+}
+
+Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
+    Eigen::AlignedBox3d box;
+    for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v) box.extend(Vec3(mesh.positions.row(v)));
+    return box;
 }
 
 Vec3 centroid(const TriangleMesh& mesh) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "ripstop/geometry/types.h"
 
 namespace ripstop {
@@ -19,8 +21,14 @@ double triangle_area(const TriangleMesh& mesh, int triangle);
 Eigen::VectorXd triangle_areas(const TriangleMesh& mesh);
 double surface_area(const TriangleMesh& mesh);
 
+/// (b - a) x (c - a) / 2 of one triangle [m2].
+Vec3 area_vector(const TriangleMesh& mesh, int triangle);
+
 /// Sum of the triangles' area vectors, (b - a) x (c - a) / 2: points outward on average; zero on a closed surface [m2].
 Vec3 area_vector(const TriangleMesh& mesh);
+
+/// The axis-aligned box round all vertices, used or not; empty without any.
+Eigen::AlignedBox3d box_of(const TriangleMesh& mesh);
 
 /// Area-weighted centre of the surface [m].
 Vec3 centroid(const TriangleMesh& mesh);

@@ -23,7 +23,7 @@ Tiles tiles_of(const Envelope& envelope) {
 template <class Work>
 void for_each_part(const std::vector<Seam>& seams, Work&& work) {
     for (const Seam& seam : seams)
-        for (const SeamSide* side : {&seam.a, &seam.b})
+        for (const SeamSide* side : seam.own_sides())
             for (const SeamPart& part : side->parts)
                 work(static_cast<std::size_t>(side->tile), part, seam.allowance(*side));
 }
@@ -67,6 +67,7 @@ std::vector<SeamTypeUse> uses_of(const Tiles& tiles, const std::vector<Seam>& se
         return known != uses.end() ? *known : uses.emplace_back(SeamTypeUse{type});
     };
     for (const Seam& seam : seams) {
+        if (seam.into) continue;  // sewn with the seam it lies in
         SeamTypeUse& use = use_of(seam.type);
         ++use.seams;
         use.length += seam.length;

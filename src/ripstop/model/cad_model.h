@@ -22,6 +22,7 @@ struct NamedMesh {
         {};             ///< #V x 2: flat positions from the file's texture coordinates, if each vertex has one
     Points3 warp = {};  ///< #F x 3: the warp of each triangle, any length but zero; empty: not given
     Attributes attributes = {};
+    std::string fault = {};  ///< why the file gives no whole surface here, with the place; empty: it does
 };
 
 /// A curve of a file as a polyline; a closed one ends where it starts.
@@ -47,9 +48,14 @@ struct CadModel {
     std::optional<LengthUnit> unit = {};    ///< where the file says one
     std::vector<std::string> layers = {};   ///< whole paths, in the file's order, where the format has layers
     std::vector<std::string> remarks = {};  ///< what was taken otherwise than it stands, one sentence each
+    double rounding = 0;  ///< of coordinates for being stored in single precision; 0: they are exact [file's unit]
 };
 
-/// The model in metres: every coordinate, drawn positions too, times the metres in one unit of the file.
+/// By how much numbers up to `largest` are rounded in single precision: half a unit in the last place.
+double single_rounding(double largest);
+
+/// The model in metres: every coordinate, drawn positions too, and the rounding, times the metres in one unit of the
+/// file.
 CadModel in_metres(CadModel model, double metres_per_unit);
 
 }  // namespace ripstop

@@ -5,17 +5,20 @@
 
 #include "ripstop/geometry/types.h"
 #include "ripstop/model/allowance.h"
+#include "ripstop/model/zigzag.h"
 
 namespace ripstop {
 
 /// One thing that is wrong with an envelope as it was given, named at the tile that is wrong.
 struct EnvelopeIssue {
     std::string code;     ///< stable, for machines: `unit`, `doubled`, `turned_over`, `scaled`, `shifted`, `gap`,
-                          ///< `missing_tile`, `apart`, `unsewn`, `inside_out`
+                          ///< `missing_tile`, `apart`, `unsewn`, `inside_out`, `uncertain`, `no_tile`, `precision`
     std::string message;  ///< one sentence for the designer, with what to do
     std::vector<std::string> tiles;  ///< by name
     Vec3 at = Vec3::Zero();          ///< where [m]
-    double value = 0;                ///< how far [m] for `shifted` and `gap`, the ratio for `scaled`; else 0
+    double value = 0;                ///< how far [m] for `shifted` and `gap`, the ratio for `scaled`, the size or the
+                                     ///< rounding [m] for `unit` and `precision`; else 0
+    double limit = 0;                ///< of the value, where it is not the seam tolerance [m]
 };
 
 /// A closed run of loose edges: a mouth, a crown, the outline of a sheet, a hole.
@@ -47,6 +50,7 @@ struct FabricUse {
 struct EnvelopeCheck {
     int tiles = 0, triangles = 0, chains = 0, corners = 0, seams = 0;
     bool seams_sought = true;   ///< false: tiles too small for the tolerance; figures of seams and loops say nothing
+    int sewn_in = 0;            ///< of these, further sheets in the seams of two others
     int self_seams = 0;         ///< seams of a tile with itself
     int t_junctions = 0;        ///< ends of seams within an edge or chain of the other side
     int parts = 0;              ///< groups of tiles that seams hold together
@@ -59,6 +63,7 @@ struct EnvelopeCheck {
     Vec3 size = Vec3::Zero();   ///< of the bounding box [m]
     std::vector<LooseLoop> loops;
     std::vector<SeamSampling> sampling;      ///< one a seam
+    std::vector<Zigzag> zigzags;             ///< edges that go along a mesh instead of along a curve
     std::vector<std::string> grain_sources;  ///< where the warps come from, with how many tiles each
     std::vector<FabricUse> fabrics;          ///< in the order of the tiles
     std::vector<SeamTypeUse> seam_types;     ///< of seams and free edges

@@ -28,10 +28,14 @@ void run_backwards(PatternPiece& piece) {
         piece.edges[e].first = e == 0 ? 0 : (start - edges[old + 1].first + points) % points;
     }
     for (PieceNotch& notch : piece.notches) notch.edge = static_cast<int>(count) - 1 - notch.edge;
+    for (MetAllowances& met : piece.met) {
+        met.edge = static_cast<int>(count) - 1 - met.edge;
+        met.mate_edge = static_cast<int>(count) - 1 - met.mate_edge;
+    }
 }
 
-/// Within a quarter turn of upright, whatever way the piece lies.
-double upright(double turn) {
+/// Within a quarter turn of turned_upright, whatever way the piece lies.
+double turned_upright(double turn) {
     turn = std::remainder(turn, 2 * std::numbers::pi);
     constexpr double quarter = std::numbers::pi / 2 + 1e-9;
     if (turn > quarter) turn -= std::numbers::pi;
@@ -89,11 +93,12 @@ PatternPiece placed_piece(const PatternPiece& piece, const Placement& placement)
         notch.outward = at(notch.outward) - origin;
         notch.on_sew = at(notch.on_sew);
     }
+    for (MetAllowances& met : laid.met) met.at = at(met.at);
     const int copies = piece.quantity + piece.quantity_mirrored;
     const std::string copy = std::to_string(placement.copy) + "/" + std::to_string(copies);
     for (Label& label : laid.labels) {
         label.middle = at(label.middle);
-        label.turn = upright(placement.turn + (placement.is_drawn_mirrored() ? -label.turn : label.turn));
+        label.turn = turned_upright(placement.turn + (placement.is_drawn_mirrored() ? -label.turn : label.turn));
         if (label.text == piece.name) label.text = laid.name;
     }
     lay_labels(piece.labels, laid.labels);

@@ -37,6 +37,15 @@ struct PieceEdge {
     std::vector<Mate> mates = {};  ///< in the order of the edge; none where it is free
 };
 
+/// Two edges of a piece, or two parts of one, whose allowances do not fit between them: the cut line keeps less there.
+struct MetAllowances {
+    int edge = 0, mate_edge = 0;  ///< in `PatternPiece::edges`
+    double length = 0;            ///< of the sew line where they meet [m]
+    double gap = 0;               ///< the least clear width between the two [m]
+    double left = 0;              ///< the least allowance that is left to either [m]; about 0 where they touch
+    Vec2 at = Vec2::Zero();       ///< on the sew line, where the gap is least
+};
+
 /// A match mark on an edge: the same place of the seam on both pieces. It is cut or drawn from the cut line inwards.
 struct PieceNotch {
     int edge = 0;                                   ///< in `PatternPiece::edges`
@@ -77,6 +86,7 @@ struct PatternPiece {
     std::vector<PieceEdge> edges =
         {};                 ///< they cover the sew line once, in its order; none on a piece that is not sewn
     Points2 cut_line = {};  ///< closed, counter-clockwise: what is cut; the sew line where nothing is allowed
+    std::vector<MetAllowances> met = {};  ///< where it keeps less than what is allowed
     std::vector<PieceNotch> notches = {};
     Points2 grain_line = {};  ///< 2 x 2: tail and head of the grain arrow, inside the piece
     std::vector<DrawnLine> lines = {};

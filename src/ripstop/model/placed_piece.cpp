@@ -30,6 +30,7 @@ PatternPiece placed(PatternPiece piece, const Vec2& shift, bool turned) {
         }
         notch.on_sew += shift;
     }
+    for (MetAllowances& met : piece.met) met.at = (turned ? quarter(met.at) : met.at) + shift;
     for (Label& label : piece.labels) {
         label.middle = (turned ? quarter(label.middle) : label.middle) + shift;
         if (turned) label.turn += std::numbers::pi / 2;

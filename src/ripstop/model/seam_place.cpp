@@ -62,6 +62,12 @@ BoundaryPlace place_on_side(const std::vector<FlatTile>& tiles, const Seam& seam
     return {};
 }
 
+BoundaryPlace place_on_sheet(const std::vector<FlatTile>& tiles, const SeamSheet& sheet, double along) {
+    const Seam& record = *sheet.record;
+    const double own = !record.into ? along : sheet.backwards ? sheet.to - along : along - sheet.from;
+    return place_on_side(tiles, record, sheet.side == &record.b, own);
+}
+
 Vec2 flat_point(const FlatTile& tile, const BoundaryPlace& place) {
     return point_on(tile.flattening.positions, tile.tile, place);
 }

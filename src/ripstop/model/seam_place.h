@@ -1,19 +1,18 @@
 #pragma once
 
+#include "ripstop/model/boundary_place.h"
 #include "ripstop/model/cut_plan.h"
+#include "ripstop/model/seam_sheets.h"
 
 namespace ripstop {
-
-/// A point of a tile's boundary: on boundary[edge] to boundary[edge + 1], `share` of the way.
-struct BoundaryPlace {
-    int edge = 0;
-    double share = 0;
-};
 
 /// Where a seam's curve `along` [m] from its start lies on one of its sides. `tiles` are the envelope's; `second`: on side b,
 /// which runs against the curve. Parts of edges lie where the seam's other side is in space (a T-junction within an edge).
 /// O(#parts).
 BoundaryPlace place_on_side(const std::vector<FlatTile>& tiles, const Seam& seam, bool second, double along);
+
+/// The same of one of a seam's sheets, `along` from the start of the seam that it lies in.
+BoundaryPlace place_on_sheet(const std::vector<FlatTile>& tiles, const SeamSheet& sheet, double along);
 
 /// On the cloth.
 Vec2 flat_point(const FlatTile& tile, const BoundaryPlace& place);

@@ -11,10 +11,17 @@
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
+#include "ripstop/mesh/unroll.h"
+#include "ripstop/model/cloth_warp.h"
+#include "ripstop/model/corner_turn.h"
 
 namespace ripstop {
 namespace {
 
+constexpr double least_agreement = 0.3;  // of directions in space: below, their mean stands for none of them
+constexpr double least_facing = 0.3;     // of the area: below, a tile runs round and faces no side
+constexpr const char* laid_on_cloth = ", laid along the cloth as the tile runs round";
+constexpr double alike = 1e-6;        // of second moments: nearer ones are one, what tells them apart is rounding
 constexpr double corner_reach = 0.1;  // of the tile's size: how far off its boundary a corner may be given
 
 void require_near(const std::string& name, const TriangleMesh& mesh, const Vec3& corner, double away) {
@@ -33,7 +40,7 @@ std::vector<int> corner_positions(const std::string& name, const TriangleMesh& m
     if (options.corners.empty()) {
         const Eigen::VectorXd turning = surface_turning(mesh, boundary);
         for (std::size_t i = 0; i < count; ++i)
-            corner[i] = std::abs(turning[static_cast<Eigen::Index>(i)]) > options.corner_angle;
+            corner[i] = std::abs(turning[static_cast<Eigen::Index>(i)]) > options.corner_angle + corner_rounding;
     } else {
         for (const Vec3& point : options.corners) {
             std::size_t nearest = 0;
@@ -65,52 +72,69 @@ std::vector<Chain> cut_into_chains(const std::vector<int>& boundary, const std::
     return chains;
 }
 
+/// The mean of directions over the area; where these cancel in space, as they do all round a tube, that of the middle triangle.
+Vec3 mean_direction(const TriangleMesh& mesh, const Points3& directions) {
+    const Vec3 mean = directions.transpose() * triangle_areas(mesh);
+    if (mean.norm() > least_agreement * surface_area(mesh)) return mean.normalized();
+    return directions.row(middle_triangle(mesh)).transpose().normalized();
+}
+
 /// The field with its mean over the area as the direction of the whole.
 Grain grain_of_field(const std::string& name, const TriangleMesh& mesh, const TileOptions& options) {
     Grain grain{Vec3::Zero(), options.warp_source, options.warp_field};
     if (grain.field.rows() != mesh.triangle_count())
         throw InputError("tile " + name + ": " + std::to_string(grain.field.rows()) + " warps for " +
                          std::to_string(mesh.triangle_count()) + " triangles, expected one each");
-    double area = 0;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         const double length = grain.field.row(t).norm();
         if (!(length > 0) || !std::isfinite(length))
             throw InputError("tile " + name + ": the warp of triangle " + std::to_string(t + 1) +
                              " has no direction; give a vector other than zero");
         grain.field.row(t) /= length;
-        const double share = triangle_area(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-        grain.direction += share * grain.field.row(t).transpose();
-        area += share;
     }
-    const double agreement = grain.direction.norm() / area;
-    if (!(agreement > 0.3))  // 1: all one way; below, no direction stands for the whole
+    if (lay_on_cloth(mesh, grain.field).laid_on_cloth)
         throw InputError("tile " + name +
                          ": the warps of its triangles point every way, expected one way along the cloth; "
                          "turn them to the same side or leave them out");
-    grain.direction.normalize();
+    grain.direction = mean_direction(mesh, grain.field);
+    return grain;
+}
+
+/// Turned on the cloth, triangle by triangle, where a tile that runs round has no side to turn it on.
+Grain turned_on_cloth(const TriangleMesh& mesh, const Eigen::Matrix2Xd& warp, double angle) {
+    Grain grain{Vec3::Zero(), {}, warp_in_space(mesh, warp, angle)};
+    grain.direction = mean_direction(mesh, grain.field);
     return grain;
 }
 
 Grain make_grain(const std::string& name, const TriangleMesh& mesh, const TileOptions& options) {
-    const Vec3 normal = area_vector(mesh).normalized();
+    const Vec3 facing = area_vector(mesh), normal = facing.normalized();
+    const bool has_side = facing.norm() > least_facing * surface_area(mesh);
     if (options.warp) {
         const double length = options.warp->norm();
         if (!(length > 0) || !std::isfinite(length))
             throw InputError("tile " + name + ": the warp has no direction; give two different points or a vector");
         const Vec3 direction = *options.warp / length;
-        if ((direction - direction.dot(normal) * normal).norm() < 0.05)
+        if (has_side && (direction - direction.dot(normal) * normal).norm() < 0.05)
             throw InputError("tile " + name +
                              ": the warp stands upright on the tile; give a direction that runs "
                              "along the cloth");
-        return {direction, options.warp_source};
+        const bool laid = lay_on_cloth(mesh, direction.transpose()).laid_on_cloth;
+        return {direction, options.warp_source + (laid ? laid_on_cloth : "")};
     }
     if (options.warp_field.rows() > 0) return grain_of_field(name, mesh, options);
     const Vec3 axis = longest_axis(mesh);
+    const ClothWarp warp = lay_on_cloth(mesh, axis.transpose());
     const double angle = options.grain_turn.value_or(0);
-    if (angle == 0) return {axis, "longest axis"};
-    const Eigen::AngleAxisd turn(angle, normal);
+    Grain grain{axis, {}};
+    if (angle != 0)
+        grain = has_side && !warp.laid_on_cloth ? Grain{Eigen::AngleAxisd(angle, normal) * axis, {}}
+                                                : turned_on_cloth(mesh, warp.along, angle);
     const double degrees = std::round(angle / degree * 1000) / 1000;
-    return {turn * axis, "longest axis turned by " + format_shortest(degrees) + " degrees"};
+    grain.source = "longest axis";
+    if (angle != 0) grain.source += " turned by " + format_shortest(degrees) + " degrees";
+    if (warp.laid_on_cloth) grain.source += laid_on_cloth;
+    return grain;
 }
 
 template <class Points>
@@ -176,6 +200,8 @@ Vec3 longest_axis(const TriangleMesh& mesh) {
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moment);
     Vec3 axis = solver.eigenvectors().col(2).normalized();
+    if (solver.eigenvalues()[1] > (1 - alike) * solver.eigenvalues()[2])
+        axis = longest_axis_on_cloth(mesh).value_or(axis);
     for (const int k : {2, 1, 0}) {
         if (std::abs(axis[k]) < 1e-9) continue;
         if (axis[k] < 0) axis = -axis;
@@ -185,17 +211,8 @@ Vec3 longest_axis(const TriangleMesh& mesh) {
 }
 
 Eigen::Matrix2Xd warp_in_triangles(const Tile& tile) {
-    Eigen::Matrix2Xd warp(2, tile.mesh.triangle_count());
-    for (int t = 0; t < tile.mesh.triangle_count(); ++t) {
-        const Vec3 a = tile.mesh.corner(t, 0);
-        const Vec3 e1 = (tile.mesh.corner(t, 1) - a).normalized();
-        const Vec3 normal = e1.cross(tile.mesh.corner(t, 2) - a).normalized();
-        const Vec3 yarn = tile.grain.field.rows() > 0 ? Vec3(tile.grain.field.row(t)) : tile.grain.direction;
-        Vec2 along(yarn.dot(e1), yarn.dot(normal.cross(e1)));
-        const double length = along.norm();
-        warp.col(t) = length > 1e-6 ? Vec2(along / length) : Vec2(Vec2::Zero());
-    }
-    return warp;
+    const Points3& field = tile.grain.field;
+    return lay_on_cloth(tile.mesh, field.rows() > 0 ? field : Points3(tile.grain.direction.transpose())).along;
 }
 
 std::vector<Mat22> target_triangles(const Tile& tile) {

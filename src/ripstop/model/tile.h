@@ -21,8 +21,8 @@ struct Chain {
     int edge_count() const { return static_cast<int>(vertices.size()) - 1; }
 };
 
-/// The warp of a tile: a direction in space, laid onto the surface by projection. `source` says where it comes from, for
-/// the report.
+/// The warp of a tile: a direction in space, laid onto the surface by projection (`lay_on_cloth`). `source` says where it
+/// comes from, for the report.
 struct Grain {
     Vec3 direction = Vec3::UnitX();  ///< unit length
     std::string source;
@@ -63,6 +63,7 @@ struct Tile {
     std::vector<SurfaceLine> lines = {};
     std::optional<Fabric> fabric = {};      ///< where it is not the envelope's
     std::optional<Remeshed> remeshed = {};  ///< where its mesh is not the input's
+    bool inside = false;                    ///< a diaphragm by the project file: no part of the skin
 
     const Fabric& fabric_or(const Fabric& of_envelope) const { return fabric ? *fabric : of_envelope; }
 };
@@ -87,11 +88,13 @@ Tile make_tile(std::string name, TriangleMesh mesh, const TileOptions& options =
 /// How much the boundary turns at each of its vertices, on the surface: pi less the angles there [rad]. Positive turns left.
 Eigen::VectorXd surface_turning(const TriangleMesh& mesh, const std::vector<int>& boundary);
 
-/// The tile's longest direction: the axis of greatest second moment of its area, towards +z (else +y, else +x).
+/// The tile's longest direction: the axis of greatest second moment of its area, towards +z (else +y, else +x). Where there are
+/// several such, as all round a tube, that of the unrolled tile (`longest_axis_on_cloth`).
 Vec3 longest_axis(const TriangleMesh& mesh);
 
 /// The warp in the frame of each triangle (2 x #F): its part along the triangle, in the basis of the triangle laid flat
-/// (`lay_flat`), unit length; zero where the warp stands on the triangle.
+/// (`lay_flat`), unit length; zero where the warp stands on the triangle. On a tile that runs round, where these would
+/// cancel, one direction on the cloth (`lay_on_cloth`).
 Eigen::Matrix2Xd warp_in_triangles(const Tile& tile);
 
 /// What the cloth of a triangle is to be (#F): the triangle laid flat (`lay_flat`), longer along warp and weft by the

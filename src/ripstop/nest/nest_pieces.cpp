@@ -27,7 +27,7 @@ constexpr int few_shapes = 80;
 constexpr int fine = 24;          // rows to a row when all slide together at the end
 constexpr int most_shapes = 600;  // laid together: their contact table takes some 300 MB
 constexpr double most_copies = 50000;
-constexpr double rounding = 1e-9;  // [m]
+constexpr double length_rounding = 1e-9;  // [m]
 
 std::string in_millimetres(double length) {
     return format_fixed(length / millimetre, 0) + " mm";
@@ -104,7 +104,7 @@ class Nester {
         outline.rowwise() -= shape.corner.transpose();
         shape.size = outline.colwise().maxCoeff();
         shape.area = std::abs(signed_area(outline));
-        shape.last_row = static_cast<int>(std::floor((width_ - shape.size.y() + rounding) / row_height_));
+        shape.last_row = static_cast<int>(std::floor((width_ - shape.size.y() + length_rounding) / row_height_));
         shape.grown = std::move(outline);  // where it fits, that is to come
         return shape;
     }
@@ -132,7 +132,7 @@ class Nester {
                 shortest = std::min(shortest, shape.size.x());
                 if (shape.last_row >= 0 && shape.size.x() <= longest()) add_shape(std::move(shape));
             }
-        if (narrowest > width_ + rounding)
+        if (narrowest > width_ + length_rounding)
             refuse(kind,
                    "is " + in_millimetres(narrowest) + " wide across the warp, the roll " + in_millimetres(width_) +
                        "; divide it, turn its grain or take a wider roll",
@@ -236,7 +236,7 @@ class Nester {
             RollPart part{start, std::isfinite(end) ? end - start : marker.length - start, 0};
             for (const Placement& placement : marker.placements) {
                 const double last = placement.placed(set_.pieces[placement.piece].outline()).col(0).maxCoeff();
-                if (last <= end + rounding) part.used = std::max(part.used, last - start);
+                if (last <= end + length_rounding) part.used = std::max(part.used, last - start);
             }
             marker.parts.push_back(part);
             start = end;

@@ -1,12 +1,13 @@
 #include "ripstop/pattern/cut_line.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
+#include <map>
 #include <polyclipping/clipper.hpp>
 
+#include "ripstop/geometry/simplify.h"
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/pattern/allowance_fit.h"
 
 namespace ripstop {
 namespace {
@@ -15,21 +16,16 @@ using ClipperLib::cInt;
 using ClipperLib::IntPoint;
 using ClipperLib::Path;
 
-constexpr double steps_per_metre = 1e7;  // a tenth of a micrometre; 64 bits hold a million kilometres of it
-constexpr double mitre_limit = 2;        // times the larger allowance
-constexpr double fold_limit = 2.5;       // the same for the ends of a fold
-constexpr double least_rise = 0.2;       // of a fold: flatter, its end would run far out
-constexpr double same_point = 1e-9;      // [m]
+constexpr double steps_per_metre = 1e7;   // a tenth of a micrometre; 64 bits hold a million kilometres of it
+constexpr double fit_error = 1e-5;        // of a reach between two of its samples [m]
+constexpr double finest = 1e-4;           // between samples [m]
+constexpr double coarsest = 5e-3;         // the same, where nothing is allowed [m]
+constexpr double chord_error = 5e-6;      // of the cut line where it is fitted [m]
+constexpr double nothing_missing = 5e-5;  // [m]
 
 IntPoint to_steps(const Vec2& p) {
     return {static_cast<cInt>(std::llround(p.x() * steps_per_metre)),
             static_cast<cInt>(std::llround(p.y() * steps_per_metre))};
-}
-
-/// Unit normal of a segment, away from a piece on its left.
-Vec2 outward(const Vec2& from, const Vec2& to) {
-    const Vec2 way = (to - from).normalized();
-    return {way.y(), -way.x()};
 }
 
 /// Outside of a contour that may cross itself: the largest outline of what it goes round counter-clockwise.
@@ -52,137 +48,178 @@ Points2 outside_of(const std::vector<Vec2>& contour) {
     return outline;
 }
 
-/// Where the lines p + s u and q + t v meet; nothing where they are parallel.
-bool meet(const Vec2& p, const Vec2& u, const Vec2& q, const Vec2& v, Vec2& at) {
-    const double sine = cross(u, v);
-    if (std::abs(sine) < 1e-9) return false;
-    at = p + cross(q - p, v) / sine * u;
-    return true;
-}
-
-/// The offset of an edge. Where it bends outward the offsets of two segments meet in a mitre; where it bends inward they
-/// cross, and the way over the sew line makes the loop between them run clockwise.
-void add_edge(std::vector<Vec2>& contour, const AllowedEdge& edge) {
-    const double reach = edge.allowance;
-    Vec2 before = Vec2::Zero();
-    for (Eigen::Index i = 0; i + 1 < edge.sew_line.rows(); ++i) {
-        const Vec2 from = edge.sew_line.row(i), to = edge.sew_line.row(i + 1);
-        if ((to - from).norm() < same_point) continue;
-        const Vec2 away = outward(from, to);
-        if (before != Vec2::Zero()) {
-            const Vec2 middle = (before + away).normalized();
-            const double cosine = std::max(middle.dot(away), 1 / mitre_limit);
-            contour.push_back(cross(before, away) > 0 ? Vec2(from + reach / cosine * middle) : from);
-        }
-        contour.push_back(from + reach * away);
-        contour.push_back(to + reach * away);
-        before = away;
-    }
-}
-
-struct Corner {
-    Vec2 at;
-    Vec2 in, out;  ///< unit ways into and out of it along the sew line
-    double reach_in, reach_out;
-
-    Vec2 away_in() const { return {in.y(), -in.x()}; }
-    Vec2 away_out() const { return {out.y(), -out.x()}; }
-    Vec2 end_in() const { return at + reach_in * away_in(); }
-    Vec2 end_out() const { return at + reach_out * away_out(); }
-    bool turns_left() const { return cross(in, out) > 0; }
+struct Sample {
+    double along;
+    ReachLimit limit;
 };
 
-/// Both allowances run on until they meet; beyond the limit they are cut at right angles to the way out of the corner. Where
-/// they would meet behind the end of one, that one being the wider by much, there is nothing between the two ends.
-void add_mitre(std::vector<Vec2>& contour, const Corner& corner, double limit) {
-    const Vec2 a = corner.end_in(), b = corner.end_out();
-    Vec2 tip;
-    if (!meet(a, corner.in, b, corner.out, tip) || (tip - a).dot(corner.in) < 0 || (tip - b).dot(corner.out) > 0)
-        return;
-    if ((tip - corner.at).norm() <= limit) {
-        contour.push_back(tip);
-        return;
+/// The reach along a segment, linear between samples.
+class ReachProfile {
+  public:
+    ReachProfile(const SewContour& contour, const AllowanceFit& fit, std::size_t segment)
+        : fit_(fit), segment_(contour.segments()[segment]), index_(segment) {
+        const double step = segment_.allowance > 0 ? std::max(segment_.allowance / 4, 2 * finest) : coarsest;
+        const int parts = fit.is_free(segment) ? 1 : static_cast<int>(std::ceil(segment_.length / step));
+        samples_.push_back(sample(0));
+        for (int i = 1; i <= parts; ++i) refine(sample(segment_.length * i / parts));
     }
-    const Vec2 middle = (corner.in - corner.out).normalized();
-    const Vec2 end = corner.at + limit * middle, across(-middle.y(), middle.x());
-    Vec2 from_a, from_b;
-    if (meet(a, corner.in, end, across, from_a) && meet(b, corner.out, end, across, from_b) &&
-        (from_a - a).dot(corner.in) >= 0 && (from_b - b).dot(corner.out) <= 0) {
-        contour.push_back(from_a);
-        contour.push_back(from_b);
-    }
-}
 
-/// A hem that ends at a corner, and the other edge there.
-struct HemEnd {
-    Vec2 at;
-    Vec2 hem;          ///< unit way along the hem, into the corner
-    Vec2 hem_outward;  ///< unit normal of the hem, away from the piece
-    double hem_reach;
-    Vec2 other;      ///< unit way along the other edge, out of the corner
-    Vec2 other_end;  ///< of the other edge's allowance, at the corner
+    const std::vector<Sample>& samples() const { return samples_; }
+    double first() const { return samples_.front().limit.reach; }
+    double last() const { return samples_.back().limit.reach; }
+
+    /// The cut line beside the segment.
+    Points2 points() const {
+        Points2 line(static_cast<Eigen::Index>(samples_.size()), 2);
+        Eigen::Index i = 0;
+        for (const auto& [along, limit] : samples_) line.row(i++) = segment_.at(along) + limit.reach * segment_.outward;
+        return samples_.size() > 2 ? simplified(line, chord_error) : line;
+    }
+
+  private:
+    Sample sample(double along) const {
+        return {along, fit_.limit({index_, along}, segment_.outward, segment_.allowance)};
+    }
+
+    /// Adds what lies between the last sample and this one, and this one.
+    void refine(const Sample& end) {
+        const Sample start = samples_.back();
+        const bool is_met = start.limit.segment >= 0 || end.limit.segment >= 0;
+        if (is_met && end.along - start.along > finest) {
+            const Sample middle = sample((start.along + end.along) / 2);
+            const double chord = (start.limit.reach + end.limit.reach) / 2;
+            if (std::abs(middle.limit.reach - chord) > fit_error) {
+                refine(middle);
+                refine(end);
+                return;
+            }
+        }
+        samples_.push_back(end);
+    }
+
+    const AllowanceFit& fit_;
+    const SewSegment& segment_;
+    std::size_t index_;
+    std::vector<Sample> samples_;
 };
 
-/// The end of a hem: its tip, and where it meets the fold. It is the mirror image of the other edge's cut line about the hem's
-/// sew line. Nothing where the two run too nearly alike for that.
-std::optional<std::array<Vec2, 2>> folded_end(const HemEnd& end) {
-    const Vec2 mirrored = end.other - 2 * end.other.dot(end.hem_outward) * end.hem_outward;
-    const double rise = mirrored.dot(end.hem_outward);
-    Vec2 turn;
-    if (rise < least_rise || !meet(end.at, end.hem, end.other_end, end.other, turn)) return std::nullopt;
-    const Vec2 tip = turn + end.hem_reach / rise * mirrored;
-    const double furthest = std::max((tip - end.at).norm(), (turn - end.at).norm());
-    if (furthest > fold_limit * std::max(end.hem_reach, (end.other_end - end.at).norm())) return std::nullopt;
-    return std::array<Vec2, 2>{tip, turn};
-}
+/// Collects where allowances meet, by edge and edge met.
+class AllowanceMeetings {
+  public:
+    explicit AllowanceMeetings(const SewContour& contour) : contour_(contour) {}
 
-void add_corner(std::vector<Vec2>& contour, const Corner& corner, CornerRule rule_in, CornerRule rule_out) {
-    if (!corner.turns_left()) {
-        contour.push_back(corner.at);
+    void add(std::size_t segment, const ReachProfile& profile) {
+        const std::vector<Sample>& samples = profile.samples();
+        const SewSegment& own = contour_.segments()[segment];
+        const auto is_met = [&own](const Sample& sample) {
+            return sample.limit.segment >= 0 && own.allowance - sample.limit.reach > nothing_missing;
+        };
+        for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+            if (!is_met(samples[i]) || !is_met(samples[i + 1])) continue;
+            const double length = samples[i + 1].along - samples[i].along;
+            for (const Sample* sample : {&samples[i], &samples[i + 1]}) add(own, *sample, length / 2);
+        }
+    }
+
+    /// What two edges take of each other once. What a corner at the end of a longer meeting adds to it is told with it.
+    std::vector<MetAllowances> list() const {
+        const std::vector<MetAllowances> all = pairs();
+        std::vector<MetAllowances> told;
+        for (const MetAllowances& met : all) {
+            const double both = allowance(met.edge) + allowance(met.mate_edge);
+            const auto holds = [&](const MetAllowances& other) {
+                return other.length > met.length && (other.at - met.at).norm() < 2 * both;
+            };
+            if (met.length >= both || std::none_of(all.begin(), all.end(), holds)) told.push_back(met);
+        }
+        return told;
+    }
+
+  private:
+    double allowance(int edge) const {
+        for (const SewSegment& segment : contour_.segments())
+            if (segment.edge == edge) return segment.allowance;
+        return 0;
+    }
+
+    std::vector<MetAllowances> pairs() const {
+        std::vector<MetAllowances> all;
+        for (const auto& [edges, met] : met_) {
+            const auto mate = met_.find({edges.second, edges.first});
+            if (edges.first == edges.second) {
+                all.push_back(met);
+                all.back().length /= 2;
+            } else if (mate == met_.end()) {
+                all.push_back(met);
+            } else if (edges.first < edges.second) {
+                const MetAllowances& other = mate->second;
+                all.push_back(met);
+                all.back().length = std::max(met.length, other.length);
+                all.back().left = std::min(met.left, other.left);
+            }
+        }
+        return all;
+    }
+
+    void add(const SewSegment& own, const Sample& sample, double length) {
+        const SewSegment& other = contour_.segments()[static_cast<std::size_t>(sample.limit.segment)];
+        const auto [found, is_new] = met_.try_emplace({own.edge, other.edge});
+        MetAllowances& met = found->second;
+        met.length += length;
+        if (is_new || sample.limit.gap < met.gap) {
+            met.at = own.at(sample.along);
+            met.gap = sample.limit.gap;
+        }
+        met.left = is_new ? sample.limit.reach : std::min(met.left, sample.limit.reach);
+        met.edge = own.edge;
+        met.mate_edge = other.edge;
+    }
+
+    const SewContour& contour_;
+    std::map<std::pair<int, int>, MetAllowances> met_;
+};
+
+/// Adds what lies between the allowances of two segments. Where the sew line bends inward they cross, and the way
+/// over it makes the loop between them run clockwise.
+void add_joint(std::vector<Vec2>& line, const SewContour& contour, const AllowanceFit& fit, std::size_t segment,
+               double reach_in, double reach_out) {
+    const Vec2 at = contour.segments()[segment].from;
+    if (!contour.turns_outward(segment)) {
+        line.push_back(at);
         return;
     }
-    const auto& [at, in, out, reach_in, reach_out] = corner;
-    const bool hem_in = rule_in == CornerRule::hem, hem_out = rule_out == CornerRule::hem;
-    const bool fold_in = hem_in != hem_out ? hem_in : !hem_in && rule_in == CornerRule::fold;
-    const bool fold_out = hem_in != hem_out ? hem_out : !hem_in && !fold_in && rule_out == CornerRule::fold;
-    if (fold_in)
-        if (const auto end = folded_end({at, in, corner.away_in(), reach_in, out, corner.end_out()})) {
-            contour.push_back((*end)[0]);
-            contour.push_back((*end)[1]);
-            return;
-        }
-    if (fold_out)
-        if (const auto end = folded_end({at, -out, corner.away_out(), reach_out, -in, corner.end_in()})) {
-            contour.push_back((*end)[1]);
-            contour.push_back((*end)[0]);
-            return;
-        }
-    const bool is_square = rule_in == CornerRule::square || rule_out == CornerRule::square;
-    add_mitre(contour, corner, (is_square ? 1 : mitre_limit) * std::max(reach_in, reach_out));
-}
-
-Vec2 way_of(const Points2& line, bool at_end) {
-    const Eigen::Index last = line.rows() - 1;
-    for (Eigen::Index i = 0; i < last; ++i) {
-        const Eigen::Index k = at_end ? last - 1 - i : i;
-        const Vec2 way = line.row(k + 1) - line.row(k);
-        if (way.norm() >= same_point) return way.normalized();
+    std::vector<Vec2> points = points_round(contour, segment, reach_in, reach_out);
+    if (reach_in < 0 || reach_out < 0) {  // sew lines that touch
+        const SewCorner corner = contour.corner(segment, reach_in, reach_out);
+        Vec2 tip;
+        points.clear();
+        if (lines_meet(corner.end_in(), corner.in, corner.end_out(), corner.out, tip)) points.push_back(tip);
     }
-    return Vec2::Zero();
+    for (const Vec2& point : points) {
+        const double wanted = (point - at).norm();
+        const Vec2 way = (point - at) / wanted;
+        line.push_back(wanted > 0 ? Vec2(at + fit.limit({segment, 0}, way, wanted).reach * way) : at);
+    }
 }
 
 }  // namespace
 
-Points2 make_cut_line(const std::vector<AllowedEdge>& edges) {
-    std::vector<Vec2> contour;
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-        add_edge(contour, edges[e]);
-        const AllowedEdge& next = edges[(e + 1) % edges.size()];
-        const Corner corner{next.sew_line.row(0), way_of(edges[e].sew_line, true), way_of(next.sew_line, false),
-                            edges[e].allowance, next.allowance};
-        add_corner(contour, corner, edges[e].corner, next.corner);
+CutLine make_cut_line(const std::vector<AllowedEdge>& edges) {
+    const SewContour contour(edges);
+    const AllowanceFit fit(contour);
+    AllowanceMeetings meetings(contour);
+    std::vector<ReachProfile> profiles;
+    for (std::size_t i = 0; i < contour.segments().size(); ++i) {
+        profiles.emplace_back(contour, fit, i);
+        meetings.add(i, profiles.back());
     }
-    return outside_of(contour);
+    std::vector<Vec2> line;
+    for (std::size_t i = 0; i < profiles.size(); ++i) {
+        add_joint(line, contour, fit, i, profiles[contour.before(i)].last(), profiles[i].first());
+        const Points2 beside = profiles[i].points();
+        for (Eigen::Index k = 0; k < beside.rows(); ++k) line.emplace_back(beside.row(k));
+    }
+    return {outside_of(line), meetings.list()};
 }
 
 }  // namespace ripstop

@@ -10,6 +10,7 @@
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
 #include "ripstop/geometry/polygon.h"
+#include "ripstop/pattern/drawing_openings.h"
 #include "ripstop/pattern/drawing_relation.h"
 
 namespace ripstop {
@@ -43,7 +44,7 @@ class OverlapFinder {
         if (survey_.convention == LayerConvention::unknown) return;
         if (survey_.convention == LayerConvention::named) check_holes();
         for (std::size_t i = 0; i < contours_.size(); ++i)
-            if (contours_[i].use == LayerUse::sew && has_area(i) && !sew_[i].is_held) report_sew(i);
+            if (contours_[i].use == LayerUse::sew && has_area(i)) sew_[i].is_held ? check_opening(i) : report_sew(i);
     }
 
   private:
@@ -51,6 +52,7 @@ class OverlapFinder {
     struct Sewn {
         bool is_held = false;
         int crossed = -1;  // cut contour
+        int holder = -1;   // the smallest cut contour around
     };
 
     bool has_area(std::size_t i) const { return contours_[i].points.rows() > 2; }
@@ -130,9 +132,13 @@ class OverlapFinder {
     }
 
     void place_sew(std::size_t sew, std::size_t cut) {
-        if (sew_[sew].is_held) return;
+        const int holder = sew_[sew].holder;
+        if (holder >= 0 && contours_[static_cast<std::size_t>(holder)].facts.area <= contours_[cut].facts.area) return;
         const Relation relation = relate(outline(sew), outline(cut), tolerance).relation;
-        sew_[sew].is_held = relation == Relation::within || relation == Relation::same;
+        if (relation == Relation::within || relation == Relation::same) {
+            sew_[sew].is_held = true;
+            sew_[sew].holder = static_cast<int>(cut);
+        }
         if (relation == Relation::crossing || relation == Relation::around) sew_[sew].crossed = static_cast<int>(cut);
     }
 
@@ -210,6 +216,35 @@ class OverlapFinder {
                         "cloth to sew; move one of them",
                         contours_[cut].facts.piece, facts.layer, format_fixed(out.distance / millimetre, 2),
                         contours_[cut].facts.layer, place_text(out.at)));
+    }
+
+    /// Is it the seam of a hole, or drawn within the piece?
+    bool is_within_sew_line(std::size_t sew) {
+        for (std::size_t i = 0; i < contours_.size(); ++i)
+            if (i != sew && sew_[i].holder == sew_[sew].holder && sew_[i].is_held &&
+                contours_[i].facts.area > contours_[sew].facts.area &&
+                outline(i).contains(contours_[sew].points.row(0)))
+                return true;
+        return false;
+    }
+
+    /// What the sew line runs round must be cut: by the line around it, or by one within that.
+    void check_opening(std::size_t sew) {
+        const int holder = sew_[sew].holder;
+        if (is_within_sew_line(sew)) return;
+        std::vector<const Points2*> cut_lines;
+        for (std::size_t i = 0; i < contours_.size(); ++i)
+            if (contours_[i].facts.is_cut && (static_cast<int>(i) == holder || parents_[i] == holder))
+                cut_lines.push_back(&contours_[i].points);
+        const auto lost = find_lost_opening(contours_[sew].points, cut_lines);
+        if (!lost) return;
+        const DrawingContour& cut = contours_[static_cast<std::size_t>(holder)].facts;
+        tell("opening", lost->at,
+             fmt::format("{}: the contour on layer {} faces itself across {} mm at {}, and nothing on layer {} is cut "
+                         "between: {} mm of it lie round an opening that is lost where two allowances run together; "
+                         "draw what is cut there",
+                         cut.piece, contours_[sew].facts.layer, format_fixed(lost->width / millimetre, 1),
+                         place_text(lost->at), cut.layer, format_fixed(lost->length / millimetre, 0)));
     }
 
     /// Both, and where they are when one name stands for both.

@@ -81,13 +81,16 @@ std::vector<Label> place_edge_labels(const PatternPiece& piece, std::vector<Box>
     std::vector<Label> labels;
     for (std::size_t e = 0; e < piece.edges.size(); ++e) {
         const Points2 line = piece.edge_line(e);
+        const std::vector<Mate>& mates = piece.edges[e].mates;
         double from = 0;
-        for (const Mate& mate : piece.edges[e].mates) {
+        for (std::size_t m = 0; m < mates.size(); ++m) {
+            const Mate& mate = mates[m];
             if (const std::optional<Label> label = place_name(piece, line, mate, from, taken)) {
                 labels.push_back(*label);
                 taken.push_back(box_of(*label));
             }
-            from += mate.length;
+            // several sheets of one seam lie beside each other, so their names stand beside each other
+            if (m + 1 == mates.size() || mates[m + 1].seam != mate.seam) from += mate.length;
         }
     }
     return labels;

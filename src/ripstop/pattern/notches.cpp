@@ -5,6 +5,7 @@
 
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/model/seam_place.h"
+#include "ripstop/model/seam_sheets.h"
 #include "ripstop/pattern/pieces.h"
 
 namespace ripstop {
@@ -137,17 +138,21 @@ std::vector<std::vector<PieceNotch>> make_notches(const CutPlan& plan, const std
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
         collectors.emplace_back(plan.tiles[i], outlines[i], options.depth);
     const std::vector<MarkDirection> directions = mark_directions(plan);
+    const std::vector<std::vector<SeamSheet>> sheets = sheets_of_seams(plan.seams);
     for (std::size_t s = 0; s < plan.seams.size(); ++s) {
         const Seam& seam = plan.seams[s];
+        if (seam.into) continue;
         const std::vector<SeamMark> marks = seam_marks(plan.tiles, seam, options, directions[s]);
-        for (const bool second : {false, true}) {
-            const SeamSide& side = second ? seam.b : seam.a;
-            const auto tile = static_cast<std::size_t>(side.tile);
-            if (!collectors[tile].takes_notches()) continue;
+        for (const SeamSheet& sheet : sheets[s]) {
+            Collector& collector = collectors[static_cast<std::size_t>(sheet.side->tile)];
+            if (!collector.takes_notches()) continue;
             for (const SeamMark& mark : marks)
-                collectors[tile].add(seam, place_on_side(plan.tiles, seam, second, mark.along), mark);
-            for (const double end : {0.0, seam.length})
-                collectors[tile].add_end(side, seam, place_on_side(plan.tiles, seam, second, end), end);
+                if (mark.along >= sheet.from && mark.along <= sheet.to)
+                    collector.add(seam, place_on_sheet(plan.tiles, sheet, mark.along), mark);
+            for (const SeamSheet& other : sheets[s])  // where any of them ends all are marked
+                for (const double end : {other.from, other.to})
+                    if (end >= sheet.from && end <= sheet.to)
+                        collector.add_end(*sheet.side, seam, place_on_sheet(plan.tiles, sheet, end), end);
         }
     }
     std::vector<std::vector<PieceNotch>> notches;

@@ -6,6 +6,7 @@
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/geometry/simplify.h"
 #include "ripstop/model/allowance.h"
+#include "ripstop/model/seam_sheets.h"
 #include "ripstop/pattern/pieces.h"
 
 namespace ripstop {
@@ -13,10 +14,11 @@ namespace {
 
 constexpr double same_allowance = 1e-6;  // [m]
 
-/// What seams take of each boundary edge of a tile.
+/// What seams take of each boundary edge of a tile, once for each sheet that lies there too.
 struct SewnPart {
     const Seam* seam = nullptr;
-    int mate = 0;  ///< tile
+    const SeamType* type = nullptr;  ///< as this tile is sewn in
+    int mate = 0;                    ///< tile
     double flat_length = 0;
 };
 using SewnParts = std::vector<std::vector<SewnPart>>;
@@ -34,17 +36,23 @@ double flat_edge(const FlatTile& tile, std::size_t edge) {
 std::vector<SewnParts> sewn_parts(const CutPlan& plan) {
     std::vector<SewnParts> parts;
     for (const FlatTile& tile : plan.tiles) parts.emplace_back(boundary_size(tile));
-    for (const Seam& seam : plan.seams)
-        for (const auto& [side, other] : {std::pair(&seam.a, &seam.b), std::pair(&seam.b, &seam.a)}) {
-            const FlatTile& tile = plan.tiles[static_cast<std::size_t>(side->tile)];
-            if (!has_flat_positions(tile)) continue;
-            const Eigen::VectorXd drawn = drawn_lengths(tile.tile);
-            for (const SeamPart& part : side->parts) {
-                const auto edge = static_cast<std::size_t>(part.edge);
-                parts[static_cast<std::size_t>(side->tile)][edge].push_back(
-                    {&seam, other->tile, flat_edge(tile, edge) * part.length / drawn[part.edge]});
-            }
+    const auto add = [&](const Seam& seam, const SeamSheet& sheet, const SeamSheet& mate) {
+        const int t = sheet.side->tile;
+        const FlatTile& tile = plan.tiles[static_cast<std::size_t>(t)];
+        const double from = std::max(sheet.from, mate.from), to = std::min(sheet.to, mate.to);
+        if (!has_flat_positions(tile) || !(from < to)) return;
+        const Eigen::VectorXd drawn = drawn_lengths(tile.tile);
+        for (const SeamPart& part : parts_between(sheet, from, to)) {
+            const auto edge = static_cast<std::size_t>(part.edge);
+            parts[static_cast<std::size_t>(t)][edge].push_back(
+                {&seam, &sheet.record->type, mate.side->tile, flat_edge(tile, edge) * part.length / drawn[part.edge]});
         }
+    };
+    const std::vector<std::vector<SeamSheet>> sheets = sheets_of_seams(plan.seams);
+    for (std::size_t s = 0; s < sheets.size(); ++s)
+        for (const SeamSheet& sheet : sheets[s])
+            for (const SeamSheet& mate : sheets[s])
+                if (&sheet != &mate) add(plan.seams[s], sheet, mate);
     return parts;
 }
 
@@ -74,7 +82,7 @@ std::vector<SewnAs> sewn_as(const Tile& tile, const SewnParts& parts) {
             return a.flat_length < b.flat_length;
         });
         const bool is_free = longest == parts[i].end();
-        found.push_back({is_free, is_free ? tile.chains[chain_of.at(tile.boundary[i])].finish : longest->seam->type});
+        found.push_back({is_free, is_free ? tile.chains[chain_of.at(tile.boundary[i])].finish : *longest->type});
     }
     return found;
 }
@@ -100,19 +108,20 @@ std::vector<std::size_t> starts(const Tile& tile, const std::vector<SewnAs>& sew
 class Mates {
   public:
     void add(const SewnPart& part, const CutPlan& plan) {
-        auto at = std::find(seams_.begin(), seams_.end(), part.seam);
-        if (at == seams_.end()) {
-            at = seams_.insert(at, part.seam);
+        const std::pair<const Seam*, int> mate(part.seam, part.mate);
+        auto at = std::find(mates_.begin(), mates_.end(), mate);
+        if (at == mates_.end()) {
+            at = mates_.insert(at, mate);
             list.push_back(
-                {part.seam->id, plan.tiles[static_cast<std::size_t>(part.mate)].tile.name, 0, part.seam->type.name});
+                {part.seam->id, plan.tiles[static_cast<std::size_t>(part.mate)].tile.name, 0, part.type->name});
         }
-        list[static_cast<std::size_t>(at - seams_.begin())].length += part.flat_length;
+        list[static_cast<std::size_t>(at - mates_.begin())].length += part.flat_length;
     }
 
     std::vector<Mate> list;
 
   private:
-    std::vector<const Seam*> seams_;
+    std::vector<std::pair<const Seam*, int>> mates_;
 };
 
 PieceOutline make_outline(const CutPlan& plan, const FlatTile& flat, const SewnParts& parts,

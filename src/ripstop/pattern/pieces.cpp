@@ -64,7 +64,7 @@ std::vector<std::string> notes_of(const PatternPiece& piece) {
     return notes;
 }
 
-Points2 cut_line(const PatternPiece& piece, CornerRule corners) {
+CutLine cut_line(const PatternPiece& piece, CornerRule corners) {
     std::vector<AllowedEdge> edges;
     double widest = 0;
     for (std::size_t e = 0; e < piece.edges.size(); ++e) {
@@ -76,7 +76,23 @@ Points2 cut_line(const PatternPiece& piece, CornerRule corners) {
         edges.push_back({piece.edge_line(e), edge.allowance, rule});
         widest = std::max(widest, piece.edges[e].allowance);
     }
-    return widest > 0 ? make_cut_line(edges) : piece.sew_line;
+    return widest > 0 ? make_cut_line(edges) : CutLine{piece.sew_line};
+}
+
+/// Where allowances meet a notch starts at the cut line too, and is less deep.
+void shorten_notches(PatternPiece& piece) {
+    constexpr double start = 0.05 * millimetre;  // the cut line lies within the sew line where that touches itself
+    for (PieceNotch& notch : piece.notches) {
+        const auto is_its = [&notch](const MetAllowances& met) {
+            return met.edge == notch.edge || met.mate_edge == notch.edge;
+        };
+        if (std::none_of(piece.met.begin(), piece.met.end(), is_its)) continue;
+        const double reach =
+            distance_along(piece.cut_line, notch.on_sew - start * notch.outward, notch.outward) - start;
+        if (!(reach < notch.reach)) continue;
+        notch.depth *= std::max(0.0, reach) / notch.reach;
+        notch.reach = std::max(0.0, reach);
+    }
 }
 
 /// Where nothing is allowed nothing can be cut: the match marks are drawn, from the sew line inwards.
@@ -149,8 +165,11 @@ std::vector<PatternPiece> make_pieces(const CutPlan& plan, const PieceOptions& o
         }
         piece.sew_line = outlines[i].sew_line;
         piece.edges = outlines[i].edges;
-        piece.cut_line = cut_line(piece, options.corners);
+        CutLine cut = cut_line(piece, options.corners);
+        piece.cut_line = std::move(cut.points);
+        piece.met = std::move(cut.met);
         piece.notches = notches[i];
+        shorten_notches(piece);
         piece.lines = draw_lines(plan.tiles[i], options.chord_error);
         draw_uncut_notches(piece);
         write_on(piece);

@@ -5,6 +5,7 @@
 
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/model/seam_place.h"
+#include "ripstop/model/seam_sheets.h"
 #include "ripstop/pattern/pieces.h"
 
 namespace ripstop {
@@ -56,16 +57,22 @@ SeamEnds::SeamEnds(const CutPlan& plan) : runs_(plan.tiles.size()) {
     for (std::size_t t = 0; t < plan.tiles.size(); ++t)
         if (has_flat_positions(plan.tiles[t]))
             middles[t] = area_centroid(plan.tiles[t].flattening.positions(plan.tiles[t].tile.boundary, Eigen::all));
-    for (std::size_t s = 0; s < plan.seams.size(); ++s)
-        for (const bool second : {false, true}) {
-            const Seam& seam = plan.seams[s];
-            const auto t = static_cast<std::size_t>(second ? seam.b.tile : seam.a.tile);
-            if (!has_flat_positions(plan.tiles[t])) continue;
-            const auto at = [&](double along) {
-                return Vec2(flat_point(plan.tiles[t], place_on_side(plan.tiles, seam, second, along)) - middles[t]);
-            };
-            runs_[t].push_back({static_cast<int>(s), at(0), at(seam.length)});
-        }
+    const auto add = [&](const SeamSheet& sheet, const SeamSheet& other) {
+        const auto t = static_cast<std::size_t>(sheet.side->tile);
+        if (!has_flat_positions(plan.tiles[t])) return;
+        const auto at = [&](double along) {
+            along = std::clamp(other.record->along_skin(along), sheet.from, sheet.to);
+            return Vec2(flat_point(plan.tiles[t], place_on_sheet(plan.tiles, sheet, along)) - middles[t]);
+        };
+        runs_[t].push_back({static_cast<int>(other.record - plan.seams.data()), at(0), at(other.record->length)});
+    };
+    for (const std::vector<SeamSheet>& sheets : sheets_of_seams(plan.seams))
+        for (const SeamSheet& sheet : sheets)
+            for (const SeamSheet& other : sheets) {
+                const bool ends_within = other.record->into && other.from < sheet.to && other.to > sheet.from &&
+                                         (other.from > sheet.from + same_end || other.to < sheet.to - same_end);
+                if (&other == &sheet || ends_within) add(sheet, other);  // there is a mark where another one ends
+            }
 }
 
 std::optional<std::vector<SeamMatch>> SeamEnds::match(std::size_t tile, std::size_t pattern, bool mirrored) const {
@@ -99,6 +106,8 @@ std::vector<MarkDirection> mark_directions(const CutPlan& plan) {
         if (const auto matches = ends.match(t, static_cast<std::size_t>(tile.equal_to), tile.mirrored))
             for (const SeamMatch& match : *matches) groups.tie(match.seam, match.pattern_seam, match.reversed);
     }
+    for (std::size_t s = 0; s < plan.seams.size(); ++s)  // the sheets of one seam have its marks
+        if (const auto& into = plan.seams[s].into) groups.tie(static_cast<int>(s), into->seam, into->backwards);
     std::vector<MarkDirection> directions;
     for (std::size_t s = 0; s < plan.seams.size(); ++s) directions.push_back(groups.direction(s));
     return directions;

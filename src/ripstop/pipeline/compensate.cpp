@@ -182,7 +182,7 @@ std::vector<Sensitivity> measure_sensitivity(const CutPlan& plan, const InflateP
     try_one("shear twice as stiff", with_cloth(1, 2), options);
     try_one("shear half as stiff", with_cloth(1, 0.5), options);
     const bool has_tapes =
-        std::any_of(plan.seams.begin(), plan.seams.end(), [](const Seam& seam) { return seam.type.tape; });
+        std::any_of(plan.seams.begin(), plan.seams.end(), [](const Seam& seam) { return seam.has_tape(); });
     for (const double longer : {0.01, -0.01}) {
         if (!has_tapes) break;
         CutPlan changed = plan;

@@ -1,9 +1,11 @@
 #include "ripstop/pipeline/copied_mesh.h"
 
+#include <algorithm>
+
 namespace ripstop {
 namespace {
 
-constexpr double same_vertex = 1e-6;  // [m]
+constexpr double same_vertex = 1.5e-4;  // [m], what equal tiles may be apart by and a half
 
 Vec3 moved(const Vec3& x, const Likeness& likeness) {
     return likeness.motion * (likeness.mirrored ? Vec3(-x.x(), x.y(), x.z()) : x);
@@ -28,13 +30,21 @@ std::vector<int> matching_nodes(const NewBoundary& first, const NewBoundary& bou
     return {};
 }
 
+bool corners_match(const NewBoundary& first, const NewBoundary& boundary, const std::vector<int>& number) {
+    std::vector<int> there, here = boundary.chain_starts;
+    for (const int start : first.chain_starts) there.push_back(number[static_cast<std::size_t>(start)]);
+    std::sort(there.begin(), there.end());
+    std::sort(here.begin(), here.end());
+    return there == here;
+}
+
 }  // namespace
 
 std::optional<Tile> copied_mesh(const Tile& tile, const NewBoundary& boundary, const Tile& made,
                                 const NewBoundary& first, const Likeness& likeness) {
     if (tile.grain.field.rows() > 0) return {};
     std::vector<int> number = matching_nodes(first, boundary, likeness);
-    if (number.empty()) return {};
+    if (number.empty() || !corners_match(first, boundary, number)) return {};
     TriangleMesh mesh = made.mesh;
     for (int v = static_cast<int>(number.size()); v < mesh.vertex_count(); ++v) {
         mesh.positions.row(v) = moved(made.mesh.positions.row(v), likeness);

@@ -8,10 +8,11 @@
 namespace ripstop {
 namespace {
 
-constexpr double rounding = 1e-6;    // of a count: equal curves are divided equally wherever they lie
+constexpr double count_rounding = 1e-2;    // of a count: equal curves are divided equally wherever they lie, rounded or not
 constexpr double longest = 4.0 / 3;  // edge lengths, as the remeshing has it
 constexpr double sparse_enough = 0.45, shortest = 0.3, densest = 0.35;
 constexpr double turn_wanted = 4 * degree;
+constexpr double kink_cosine = 0.999;  // the tangents on both sides of a vertex are the same, but at a corner
 
 int edge_at(const ChainCurve& curve, double at) {
     const int count = curve.edge_count();
@@ -20,6 +21,14 @@ int edge_at(const ChainCurve& curve, double at) {
 
 double turn_between(const ChainCurve& curve, double from, double to) {
     return (to - from) * turn_of_edge(curve, edge_at(curve, from));
+}
+
+/// Does the curve turn a corner at its vertex there?
+bool has_kink(const ChainCurve& curve, double at) {
+    const int after = edge_at(curve, at), before = edge_at(curve, at + curve.edge_count() - 1);
+    const Vec3 in = Vec3(curve.end_slopes.row(before)).normalized();
+    const Vec3 out = Vec3(curve.start_slopes.row(after)).normalized();
+    return in.dot(out) < kink_cosine;
 }
 
 double arc_between(const ChainCurve& curve, double from, double to) {
@@ -93,15 +102,20 @@ bool serves(const MeasuredCurve& measured, double edge_length, double most_turn)
 }
 
 std::vector<double> divided(const MeasuredCurve& measured, double edge_length) {
-    double turn = 0;
-    for (std::size_t k = 0; k + 1 < measured.breaks.size(); ++k)
-        turn += turn_between(*measured.curve, measured.breaks[k], measured.breaks[k + 1]);
-    const double by_turn = std::min(turn / turn_wanted, measured.length() / (densest * edge_length));
-    const int count = static_cast<int>(
-        std::max({1.0, std::ceil(measured.length() / edge_length - 0.25), std::ceil(by_turn - rounding)}));
     std::vector<double> places{measured.breaks.front()};
-    for (int k = 1; k < count; ++k) places.push_back(measured.place_of(measured.length() * k / count));
-    places.push_back(measured.breaks.back());
+    const std::size_t last = measured.breaks.size() - 1;
+    for (std::size_t from = 0, to = 1; from < last; from = to++) {
+        while (to < last && !has_kink(*measured.curve, measured.breaks[to])) ++to;
+        double turn = 0;
+        for (std::size_t k = from; k < to; ++k)
+            turn += turn_between(*measured.curve, measured.breaks[k], measured.breaks[k + 1]);
+        const double start = measured.stations[from], length = measured.stations[to] - start;
+        const double by_turn = std::min(turn / turn_wanted, length / (densest * edge_length));
+        const int count = static_cast<int>(
+            std::max({1.0, std::ceil(length / edge_length - 0.25 - count_rounding), std::ceil(by_turn - count_rounding)}));
+        for (int k = 1; k < count; ++k) places.push_back(measured.place_of(start + length * k / count));
+        places.push_back(measured.breaks[to]);
+    }
     return places;
 }
 

@@ -31,7 +31,8 @@ double turn_an_edge(const MeasuredCurve& measured);
 /// none below 0.3, and turning by no more than `most_turn` an edge.
 bool serves(const MeasuredCurve& measured, double edge_length, double most_turn);
 
-/// Even division by length: edges of about `edge_length`, turning by at most 4 degrees each unless they were shorter than 0.35 of it.
+/// Even division by length: edges of about `edge_length`, turning by at most 4 degrees each unless they were shorter than 0.35
+/// of it. Vertices where the curve has a corner (`corner_turn`) are kept, and each stretch between is divided by itself.
 std::vector<double> divided(const MeasuredCurve& measured, double edge_length);
 
 /// Its own breaks, with others where two are farther apart than 4/3 of the edge length.

@@ -10,6 +10,7 @@
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/judge.h"
 #include "ripstop/measure/judge_seams.h"
+#include "ripstop/measure/judge_zigzags.h"
 #include "ripstop/measure/seam_walk.h"
 #include "ripstop/pipeline/equal_pieces.h"
 
@@ -93,6 +94,7 @@ CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options
     list_equal_pieces(plan, likeness);
     plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);
     judge_seams(plan);
+    judge_zigzags(plan);
     return plan;
 }
 

@@ -30,12 +30,6 @@ double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const V
     return std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
 }
 
-Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
-    Eigen::AlignedBox3d box;
-    for (int v = 0; v < mesh.vertex_count(); ++v) box.extend(Vec3(mesh.positions.row(v)));
-    return box;
-}
-
 double distance(const TriangleMesh& mesh, const Vec3& p) {
     double least = infinite;
     for (int t = 0; t < mesh.triangle_count(); ++t)

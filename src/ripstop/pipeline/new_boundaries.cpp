@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "ripstop/assembly/seam_lengths.h"
 #include "ripstop/assembly/seam_runs.h"
+#include "ripstop/model/seam_sheets.h"
 #include "ripstop/pipeline/curve_division.h"
 
 namespace ripstop {
@@ -45,15 +47,30 @@ class Divider {
             first_chain_.push_back(first);
             first += static_cast<int>(tile.chains.size());
         }
+        find_rounded();
     }
 
     NewBoundaries divide() {
         NewBoundaries result{std::vector<NewBoundary>(tiles_.size()), found_.seams};
-        for (std::size_t s = 0; s < found_.seams.size(); ++s) divide_seam(static_cast<int>(s), result.seams[s]);
+        for (const Seam& seam : found_.seams)
+            if (seam.into && !moves(seam.a.tile)) holds_staying_.insert(seam.into->seam);
+        for (std::size_t s = 0; s < found_.seams.size(); ++s)
+            if (!found_.seams[s].into) divide_seam(static_cast<int>(s), result.seams[s]);
+        for (std::size_t s = 0; s < found_.seams.size(); ++s)
+            if (found_.seams[s].into) divide_sheet(static_cast<int>(s), result.seams);
         for (std::size_t t = 0; t < tiles_.size(); ++t)
             if (moves(static_cast<int>(t))) result.tiles[t] = assemble(static_cast<int>(t), result.seams);
+        for (Seam& seam : result.seams) {
+            if (!seam.into) continue;
+            const Seam& skin = result.seams[static_cast<std::size_t>(seam.into->seam)];
+            const SeamSheet side{&skin, seam.into->backwards ? &skin.a : &skin.b, 0, skin.length,
+                                 !seam.into->backwards};
+            seam.b.parts = parts_between(side, seam.into->from, seam.into->from + seam.length);
+        }
         return result;
     }
+
+    const std::vector<bool>& coarse() const { return coarse_; }
 
   private:
     bool moves(int tile) const { return edge_lengths_[static_cast<std::size_t>(tile)] > 0; }
@@ -68,13 +85,42 @@ class Divider {
         return make_measured(chain.curve, low, high, lengths);
     }
 
+    MeasuredCurve measured_side(int index, bool second) const {
+        const Seam& seam = found_.seams[static_cast<std::size_t>(index)];
+        const RunEnds& ends = found_.places[static_cast<std::size_t>(index)];
+        return second ? measured_side(chain(chain_index(seam.b)), seam.b, ends.start_b, ends.end_b)
+                      : measured_side(chain(chain_index(seam.a)), seam.a, ends.start_a, ends.end_a);
+    }
+
+    /// Is the seam known only as a polyline that turns too much for the tolerance?
+    bool is_coarse(int index) const {
+        const Seam& seam = found_.seams[static_cast<std::size_t>(index)];
+        return conforms(chain(chain_index(seam.a)).curve, chain(chain_index(seam.b)).curve,
+                        found_.places[static_cast<std::size_t>(index)]) &&
+               std::max(turn_an_edge(measured_side(index, false)), turn_an_edge(measured_side(index, true))) >
+                   most_turn_;
+    }
+
+    /// A polyline stays one on every edge of a tile where it does on one: a wall is as wide above as below.
+    void find_rounded() {
+        for (std::size_t t = 0; t < tiles_.size(); ++t) rounded_.push_back(moves(static_cast<int>(t)));
+        for (std::size_t s = 0; s < found_.seams.size(); ++s) coarse_.push_back(is_coarse(static_cast<int>(s)));
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (std::size_t s = 0; s < coarse_.size(); ++s) {
+                const auto a = static_cast<std::size_t>(found_.seams[s].a.tile);
+                const auto b = static_cast<std::size_t>(found_.seams[s].b.tile);
+                if (!coarse_[s] || rounded_[a] == rounded_[b]) continue;
+                rounded_[a] = rounded_[b] = false;
+                changed = true;
+            }
+        }
+    }
+
     void divide_seam(int index, Seam& seam) {
         const bool a_moves = moves(seam.a.tile), b_moves = moves(seam.b.tile);
         if (!a_moves && !b_moves) return;
-        const PlacedChain &a = chain(chain_index(seam.a)), &b = chain(chain_index(seam.b));
-        const RunEnds& ends = found_.places[static_cast<std::size_t>(index)];
-        const MeasuredCurve on_a = measured_side(a, seam.a, ends.start_a, ends.end_a);
-        const MeasuredCurve on_b = measured_side(b, seam.b, ends.start_b, ends.end_b);
+        const MeasuredCurve on_a = measured_side(index, false), on_b = measured_side(index, true);
         double edge = 0;
         for (const int tile : {seam.a.tile, seam.b.tile})
             if (moves(tile) && (edge == 0 || edge_lengths_[static_cast<std::size_t>(tile)] < edge))
@@ -82,6 +128,7 @@ class Divider {
 
         const bool one_stays = a_moves != b_moves;
         bool a_leads = on_a.breaks.size() >= on_b.breaks.size();
+        if (coarse_[static_cast<std::size_t>(index)]) a_leads = turn_an_edge(on_a) >= turn_an_edge(on_b);
         if (one_stays) {
             const MeasuredCurve& staying = a_moves ? on_b : on_a;
             if (staying.length() >= densest * edge * static_cast<double>(staying.breaks.size() - 1)) a_leads = b_moves;
@@ -92,7 +139,8 @@ class Divider {
                                      : serves(lead, edge, most_turn_) ? lead.breaks
                                                                       : divided(lead, edge);
         std::vector<double> lengths;
-        const bool too_coarse = !one_stays && conforms(a.curve, b.curve, ends) && turn_an_edge(lead) > most_turn_;
+        const bool too_coarse = !holds_staying_.contains(index) && coarse_[static_cast<std::size_t>(index)] &&
+                                rounded_[static_cast<std::size_t>(seam.a.tile)];
         const MeasuredCurve drawn =
             too_coarse ? make_measured_by_arc(*lead.curve, places.front(), places.back()) : lead;
         for (std::size_t k = 0; k + 1 < places.size(); ++k)
@@ -113,6 +161,66 @@ class Divider {
         for (std::vector<double>* list : {&across, &places, &lengths}) std::reverse(list->begin(), list->end());
         add_stretch({index, a_leads, &other, &lead, across}, lead, places, lengths);
         (a_leads ? seam.b : seam.a).parts.resize(lengths.size());
+    }
+
+    /// The vertices of a seam's side as they will be: how far along the side, and where.
+    struct Knot {
+        double along;
+        Vec3 position;
+    };
+    std::vector<Knot> knots_of(const Seam& seam, int index, bool is_side_b) const {
+        const SeamSide& side = is_side_b ? seam.b : seam.a;
+        const PlacedChain& placed = chain(chain_index(side));
+        std::vector<Knot> knots;
+        double along = 0;
+        for (const Stretch& stretch : stretches_[static_cast<std::size_t>(chain_index(side))]) {
+            if (stretch.nodes.front().seam != index || stretch.nodes.front().is_side_b != is_side_b) continue;
+            for (const ChainNode& node : stretch.nodes) {
+                knots.push_back({along, node.position});
+                along += node.length;
+            }
+            knots.push_back({along, point_at(placed.curve, stretch.to)});
+            return knots;
+        }
+        const RunEnds& ends = found_.places[static_cast<std::size_t>(index)];
+        const MeasuredCurve measured =
+            measured_side(placed, side, is_side_b ? ends.start_b : ends.start_a, is_side_b ? ends.end_b : ends.end_a);
+        for (std::size_t k = 0; k < measured.breaks.size(); ++k)
+            knots.push_back({measured.stations[k], point_at(placed.curve, measured.breaks[k])});
+        return knots;
+    }
+
+    /// A further sheet in a seam takes the vertices of the side that it hangs on.
+    void divide_sheet(int index, std::vector<Seam>& seams) {
+        const Seam& before = found_.seams[static_cast<std::size_t>(index)];
+        Seam& sheet = seams[static_cast<std::size_t>(index)];
+        const int skin = before.into->seam;
+        const bool on_b = !before.into->backwards;
+        const double scale =
+            seams[static_cast<std::size_t>(skin)].length / found_.seams[static_cast<std::size_t>(skin)].length;
+        sheet.length *= scale;
+        sheet.into->from *= scale;
+        if (!moves(before.a.tile)) return;
+        const RunEnds& ends = found_.places[static_cast<std::size_t>(index)];
+        const PlacedChain &own = chain(chain_index(before.a)), &mate = chain(chain_index(before.b));
+        const MeasuredCurve curve = measured_side(own, before.a, ends.start_a, ends.end_a);
+        const double whole = seams[static_cast<std::size_t>(skin)].length;
+        const double low = on_b ? whole - sheet.into->from - sheet.length : sheet.into->from;
+        const double high = low + sheet.length, near = same_vertex * sheet.length * 1e-3;
+        std::vector<Knot> knots{{high, point_at(mate.curve, ends.end_b)}};
+        std::vector<Knot> all = knots_of(seams[static_cast<std::size_t>(skin)], skin, on_b);
+        std::reverse(all.begin(), all.end());
+        for (const Knot& knot : all)
+            if (knot.along > low + near && knot.along < high - near) knots.push_back(knot);
+        if (ends.start_a == std::round(ends.start_a)) knots.front().position = point_at(own.curve, ends.start_a);
+        Stretch stretch{curve.breaks.front(), curve.breaks.back(), {}};
+        for (std::size_t k = 0; k < knots.size(); ++k) {
+            const double next = k + 1 < knots.size() ? knots[k + 1].along : low;
+            const double at = k == 0 ? curve.breaks.front() : curve.place_of((high - knots[k].along) / scale);
+            stretch.nodes.push_back({at, knots[k].position, knots[k].along - next, index, false, k});
+        }
+        sheet.a.parts.resize(knots.size());
+        stretches_[static_cast<std::size_t>(chain_index(before.a))].push_back(std::move(stretch));
     }
 
     /// One side of a seam that is divided: its own curve and its mate's, and its vertices on its own, ascending.
@@ -142,9 +250,11 @@ class Divider {
             std::move(stretch));
     }
 
-    Stretch loose_stretch(const ChainCurve& curve, double from, double to, double edge) const {
+    Stretch loose_stretch(int index, double from, double to, double edge) const {
+        const ChainCurve& curve = chain(index).curve;
         const MeasuredCurve polyline = make_measured_by_chords(curve, from, to);
-        const bool too_coarse = turn_an_edge(polyline) > most_turn_;
+        const bool too_coarse =
+            rounded_[static_cast<std::size_t>(chain(index).tile)] && turn_an_edge(polyline) > most_turn_;
         const MeasuredCurve drawn = too_coarse ? make_measured_by_arc(curve, from, to) : polyline;
         const std::vector<double> places = serves(polyline, edge, most_turn_) ? polyline.breaks : divided(drawn, edge);
         Stretch stretch{from, to, {}};
@@ -160,7 +270,7 @@ class Divider {
         const ChainCurve& curve = chain(index).curve;
         const double size = curve.edge_count();
         std::vector<Stretch> sewn = stretches_[static_cast<std::size_t>(index)];
-        if (sewn.empty()) return {loose_stretch(curve, 0, size, edge)};
+        if (sewn.empty()) return {loose_stretch(index, 0, size, edge)};
         for (Stretch& stretch : sewn) {
             const double laps = curve.closed ? std::floor(stretch.from / size) : 0;
             stretch.from -= laps * size;
@@ -174,11 +284,11 @@ class Divider {
         std::vector<Stretch> all;
         double reached = curve.closed ? sewn.back().to - size : 0;
         for (Stretch& stretch : sewn) {
-            if (apart(reached, stretch.from)) all.push_back(loose_stretch(curve, reached, stretch.from, edge));
+            if (apart(reached, stretch.from)) all.push_back(loose_stretch(index, reached, stretch.from, edge));
             reached = stretch.to;
             all.push_back(std::move(stretch));
         }
-        if (!curve.closed && apart(reached, size)) all.push_back(loose_stretch(curve, reached, size, edge));
+        if (!curve.closed && apart(reached, size)) all.push_back(loose_stretch(index, reached, size, edge));
         if (!curve.closed) {  // the chain begins at its corner, whatever came first
             all.front().nodes.front().at = 0;
             all.front().nodes.front().position = point_at(curve, 0);
@@ -249,6 +359,9 @@ class Divider {
     std::vector<PlacedChain> chains_;
     std::vector<int> first_chain_;
     std::vector<std::vector<Stretch>> stretches_;  ///< of each chain
+    std::vector<bool> coarse_;                     ///< of each seam (`is_coarse`)
+    std::vector<bool> rounded_;                    ///< of each tile: its coarse polylines become curves
+    std::set<int> holds_staying_;                  ///< seams in which a sheet lies that keeps its mesh
 };
 
 }  // namespace
@@ -257,6 +370,11 @@ NewBoundaries divide_boundaries(const std::vector<Tile>& tiles, const FoundSeams
                                 const std::vector<double>& edge_lengths, double length_tolerance,
                                 double seam_tolerance) {
     return Divider(tiles, found, edge_lengths, length_tolerance, seam_tolerance).divide();
+}
+
+std::vector<bool> find_coarse_seams(const std::vector<Tile>& tiles, const FoundSeams& found, double length_tolerance) {
+    const std::vector<double> none(tiles.size(), 0);
+    return Divider(tiles, found, none, length_tolerance, 0).coarse();
 }
 
 }  // namespace ripstop

@@ -22,9 +22,13 @@ struct NewBoundaries {
 /// chain (a T-junction) the chain gets a vertex at the corner there.
 ///
 /// Lengths are those of the seams as found, shared by arc length, with one exception: a seam or loose edge known only as a
-/// polyline that turns too much for the tolerance (t^2 / 24 beyond half of it) takes the length of its smooth curve.
+/// polyline that turns too much for the tolerance (t^2 / 24 beyond half of it) takes the length of its smooth curve. It does so on
+/// all edges of a tile or on none: where one tile of those that such seams join stays as it is, they all keep their polylines.
 NewBoundaries divide_boundaries(const std::vector<Tile>& tiles, const FoundSeams& found,
                                 const std::vector<double>& edge_lengths, double length_tolerance,
                                 double seam_tolerance);
+
+/// Of each seam: both sides share their vertices, and the polyline turns too much for the tolerance.
+std::vector<bool> find_coarse_seams(const std::vector<Tile>& tiles, const FoundSeams& found, double length_tolerance);
 
 }  // namespace ripstop

@@ -11,6 +11,7 @@
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/equal_tiles.h"
 #include "ripstop/measure/judge.h"
+#include "ripstop/measure/judge_zigzags.h"
 #include "ripstop/mesh/split.h"
 #include "ripstop/model/better_verdict.h"
 #include "ripstop/pipeline/half_tile.h"
@@ -19,7 +20,7 @@
 namespace ripstop {
 namespace {
 
-struct Line {
+struct StraightCut {
     bool along = true;  ///< the warp, which is +x of the cloth; else across it
     double at = 0;      ///< the other coordinate, which is the same all along it
 };
@@ -32,11 +33,11 @@ Vec2 on_cloth(const FlatTile& tile, const Vec3& point) {
 }
 
 /// Lines to try: none nearer to another than a twentieth of the piece, nor to its end than an eighth.
-std::vector<Line> lines_to_try(const FlatTile& tile) {
+std::vector<StraightCut> lines_to_try(const FlatTile& tile) {
     const Points2& flat = tile.flattening.positions;
     const std::array<Vec3, 4> places{tile.bounds.centre, tile.accuracy.worst_warp, tile.accuracy.worst_weft,
                                      tile.accuracy.worst_shear};
-    std::vector<Line> lines;
+    std::vector<StraightCut> lines;
     for (const bool along : {true, false}) {
         const Eigen::Index axis = along ? 1 : 0;
         const double low = flat.col(axis).minCoeff(), size = flat.col(axis).maxCoeff() - low;
@@ -63,11 +64,12 @@ Trial try_tile(const Tile& tile, const Method& method, const Fabric& fabric, con
         throw InputError("tile " + tile.name + ": " + flat.summary.text());
     trial.accuracy = measure_accuracy(tile, flat.positions, fabric, flat.edges_on_curve);
     trial.verdict = judge(tile, measure_bounds(tile), flat, trial.accuracy, tolerances);
+    judge_zigzags(tile, walk_zigzags(tile, flat.positions, find_zigzags({&tile}, {})), tolerances, trial.verdict);
     if (flattening) *flattening = flat;
     return trial;
 }
 
-std::optional<SplitProposal> try_line(const FlatTile& tile, const Line& line, const Method& method,
+std::optional<SplitProposal> try_line(const FlatTile& tile, const StraightCut& line, const Method& method,
                                       const Fabric& fabric, const Tolerances& tolerances) {
     const Points2& flat = tile.flattening.positions;
     const Eigen::VectorXd field =
@@ -148,7 +150,7 @@ std::optional<SplitProposal> propose_split(const FlatTile& tile, const Method& m
     if (!is_sound(tile)) return std::nullopt;
     std::optional<SplitProposal> best;
     int tried = 0;
-    for (const Line& line : lines_to_try(tile)) {
+    for (const StraightCut& line : lines_to_try(tile)) {
         std::optional<SplitProposal> here = try_line(tile, line, method, fabric, tolerances);
         if (!here) continue;
         ++tried;
@@ -195,9 +197,14 @@ bool add_proposals(CutPlan& plan, const Method& method, int threads, const Propo
 std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& method, int threads,
                                           const Progress& progress) {
     std::vector<std::optional<MergeProposal>> found(plan.seams.size());
+    std::vector<char> holds_further(plan.seams.size(), false);
+    for (std::size_t s = 0; s < plan.seams.size(); ++s)
+        if (const auto& into = plan.seams[s].into)
+            holds_further[s] = holds_further[static_cast<std::size_t>(into->seam)] = true;
     StepCounter counter(static_cast<int>(plan.seams.size()), progress);
     const auto try_seam = [&](int i) {
         const Seam& seam = plan.seams[static_cast<std::size_t>(i)];
+        if (holds_further[static_cast<std::size_t>(i)]) return;  // a further sheet would hang on nothing
         const FlatTile& a = plan.tiles[static_cast<std::size_t>(seam.a.tile)];
         const FlatTile& b = plan.tiles[static_cast<std::size_t>(seam.b.tile)];
         try {

@@ -9,6 +9,7 @@
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/judge.h"
 #include "ripstop/measure/judge_seams.h"
+#include "ripstop/measure/judge_zigzags.h"
 #include "ripstop/measure/seam_walk.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
@@ -91,6 +92,7 @@ CutPlan read_cut_plan(const std::filesystem::path& folder) {
     }
     plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);
     judge_seams(plan);
+    judge_zigzags(plan);
     return std::move(plan);
 }
 

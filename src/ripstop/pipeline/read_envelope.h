@@ -1,15 +1,18 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ripstop/assembly/judge_unit.h"
 #include "ripstop/base/units.h"
 #include "ripstop/io/convert.h"
 #include "ripstop/io/project_json.h"
 #include "ripstop/model/cad_model.h"
 #include "ripstop/model/envelope.h"
+#include "ripstop/model/envelope_check.h"
 #include "ripstop/pipeline/remesh_envelope.h"
 
 namespace ripstop {
@@ -23,16 +26,25 @@ struct ReadOptions {
     double seam_tolerance = 0.5 * millimetre;  ///< edges to be sewn together lie within this [m]
     Fabric fabric = {};                        ///< of the envelope: tiles of it have none of their own
     MeshingOptions meshing = {};  ///< of a CAD's surfaces; its unit and sewing tolerance are the ones above
+    bool fair_seams = false;      ///< by `read_input`: edges that zigzag are cut along fair curves (`fair_seams`)
     RemeshOptions remesh = {};    ///< by `read_input`, at this seam tolerance; never unless asked for
+    bool size_is_meant = false;   ///< the unit is not to be doubted
+    /// Is told at once where the unit is in doubt, before the work that the size costs.
+    std::function<void(const UnitDoubt&)> doubts = {};
 };
 
 /// An envelope with what its file said of it.
 struct EnvelopeInput {
     Envelope envelope;
-    LengthUnit unit;                        ///< of the file's numbers
+    UnitRead unit;                          ///< of the file's numbers
     bool unit_assumed = false;              ///< neither given nor said by the file
     std::vector<std::string> remarks = {};  ///< what was left out or taken otherwise than it stands, one sentence each
     std::vector<std::string> unused = {};   ///< entries of the project that fit nothing, a sentence each
+    std::optional<UnitDoubt> doubt = {};    ///< of the unit, from the surfaces as they are in the file
+    std::vector<EnvelopeIssue> issues =
+        {};              ///< what is wrong with the file: `no_tile` for a surface that is none and is
+                         ///< left out, `precision` where rounding is more than the seam tolerance
+    Flight flight = {};  ///< the project's, in the envelope's coordinates
 };
 
 /// Reads a file (`read_model`), makes every surface in it a tile and finds the seams between those kept (`find_seams`).
@@ -43,17 +55,20 @@ struct EnvelopeInput {
 ///
 /// The warp of a tile is, in this order: the project's; the line that lies on the tile, on a layer called GRAIN or WARP or on
 /// one of the project's `grain_layers`; the file's own for the surface, in its triangles or as the attribute `warp`
-/// (x, y, z); the longest axis. Objects that give no surface become remarks. Last, tiles are
-/// remeshed where `remesh` says so (`remesh_envelope`); `make_envelope` never does.
+/// (x, y, z); the longest axis. Objects that give no surface become remarks. Last, edges that
+/// zigzag are made fair where that is asked for (`fair_seams`), and tiles are remeshed where `remesh` says so (`remesh_envelope`); `make_envelope` never does.
 ///
-/// Throws InputError for a file that cannot be read or holds no surface, and for surfaces that are no tiles: one sentence
-/// each, all of them at once; and for a glob in `only` or `layers` that fits nothing.
+/// Meshes are mended (`mend_surfaces`); what lies far from the origin is counted from nearer by (`far_origin`), points of the
+/// project too. Both are remarks. A surface that is no tile even so is an issue, and the others are read without it.
+///
+/// Throws InputError for a file that cannot be read or holds no surface that is a tile: a sentence for each that is none; and
+/// for a glob in `only` or `layers` that fits nothing.
 EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& options);
 
-/// The envelope alone.
+/// The envelope alone; surfaces that are no tiles are refused.
 Envelope read_envelope(const std::filesystem::path& file, const ReadOptions& options);
 
-/// The same from surfaces at hand, in metres.
+/// The same from surfaces at hand, in metres, as they are.
 Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& options);
 
 }  // namespace ripstop

@@ -116,7 +116,9 @@ void give_seam_types(Envelope& envelope, const Project& project) {
     for (Seam& seam : envelope.seams) {
         const SeamRule* rule =
             deciding_rule(project, [&](const SeamRule& one) { return fits(one, seam, envelope, edges); });
-        seam.type = rule ? rule->type : felled;
+        seam.type = rule        ? rule->type
+                    : seam.into ? envelope.seams[static_cast<std::size_t>(seam.into->seam)].type
+                                : felled;
         if (!rule || !rule->mate_allowance) continue;
         // where both sides fit both names, b is the mate
         const bool a_is_mate = !rule->is_in_order(name_of(envelope, seam.a), name_of(envelope, seam.b));

@@ -11,6 +11,7 @@ void tape_meridians(CutPlan& plan) {
             box.extend(Vec3(tile.tile.mesh.positions.row(v)));
     const Vec3 middle = box.center();
     for (Seam& seam : plan.seams) {
+        if (seam.into) continue;
         const Tile& tile = plan.tiles[static_cast<std::size_t>(seam.a.tile)].tile;
         double along = 0, round = 0;
         for (const SeamPart& part : seam.a.parts) {

@@ -129,11 +129,20 @@ std::vector<Eigen::VectorXd> sewn_ratios(const Envelope& envelope, const std::ve
         covered.push_back(Eigen::VectorXd::Zero(drawn.back().size()));
     }
     for (const Seam& seam : envelope.seams) {
+        if (seam.into) continue;
         const auto a = static_cast<std::size_t>(seam.a.tile), b = static_cast<std::size_t>(seam.b.tile);
         const Steps first(seam.a, own[a], drawn[a], false), second(seam.b, own[b], drawn[b], true);
         const Steps common(first, second);
         share_out(seam.a, first, common, false, cloth[a], covered[a]);
         share_out(seam.b, second, common, true, cloth[b], covered[b]);
+    }
+    // A further sheet follows the seam it lies in.
+    for (const Seam& seam : envelope.seams) {
+        if (!seam.into) continue;
+        const auto a = static_cast<std::size_t>(seam.a.tile), b = static_cast<std::size_t>(seam.b.tile);
+        const Eigen::VectorXd sewn = cloth[b].cwiseQuotient(covered[b].cwiseMax(1e-300));
+        const Steps own_steps(seam.a, own[a], drawn[a], false), common(seam.b, sewn, drawn[b], true);
+        share_out(seam.a, own_steps, common, false, cloth[a], covered[a]);
     }
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const Eigen::VectorXd left = (drawn[i] - covered[i]).cwiseMax(0);
@@ -208,7 +217,7 @@ std::vector<double> tape_strains(const CutPlan& plan) {
         const double cut = path_length(side, tile.boundary, tile.mesh.positions) *
                            (plan.tape_factors.empty() ? 1 : plan.tape_factors[s]);
         const double stretch = path_length(side, tile.boundary, plan.inflated->tiles[i].positions) / cut;
-        strains.push_back(plan.seams[s].type.tape ? std::max(0.0, 0.5 * (stretch * stretch - 1)) : 0);
+        strains.push_back(plan.seams[s].has_tape() ? std::max(0.0, 0.5 * (stretch * stretch - 1)) : 0);
     }
     return strains;
 }

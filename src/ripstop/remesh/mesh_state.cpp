@@ -6,13 +6,13 @@
 
 #include "ripstop/base/number_text.h"
 #include "ripstop/base/units.h"
+#include "ripstop/geometry/angle.h"
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/model/corner_turn.h"
 
 namespace ripstop {
 namespace {
 
-constexpr double crease = 30 * degree;
-constexpr double kink = 45 * degree;  // of a chain in space, as `ChainCurve` has it
 constexpr double sliver_angle = 5 * degree;
 constexpr double many_slivers = 0.1;
 constexpr double many_locked = 0.25;
@@ -22,14 +22,8 @@ constexpr double most = 4000;  // triangles
 constexpr int too_many_corners = 50000;
 constexpr double far_below = 0.25;  // of the needed edge
 constexpr double coarse_share = 1.1;
-
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-Vec3 area_of(const TriangleMesh& mesh, int t) {
-    return (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)) / 2;
-}
+constexpr int most_corners = 6;  // of a tile cut along a mesh all the same
+constexpr double least_edges_a_chain = 3.5;
 
 void measure_boundary(const Tile& tile, MeshState& state) {
     for (const Chain& chain : tile.chains) {
@@ -42,7 +36,7 @@ void measure_boundary(const Tile& tile, MeshState& state) {
         std::vector<double> turns(static_cast<std::size_t>(count) + 1, 0);
         for (int e = 1; e < count; ++e) {
             const double turn = angle_between(edge(e - 1), edge(e));
-            if (turn > kink) continue;
+            if (turn > corner_turn) continue;
             turns[static_cast<std::size_t>(e)] = turn;
             state.turn_max = std::max(state.turn_max, turn);
         }
@@ -63,9 +57,9 @@ void measure_interior(const TriangleMesh& mesh, const Adjacency& adjacency, Mesh
         const double length = (mesh.positions.row(adjacency.to(h)) - mesh.positions.row(adjacency.from(h))).norm();
         lengths += length;
         if (adjacency.is_boundary(h)) continue;
-        const Vec3 a = area_of(mesh, Adjacency::triangle(h)), b = area_of(mesh, Adjacency::triangle(adjacency.twin(h)));
+        const Vec3 a = area_vector(mesh, Adjacency::triangle(h)), b = area_vector(mesh, Adjacency::triangle(adjacency.twin(h)));
         const double turn = angle_between(a, b);
-        if (turn > crease) continue;
+        if (turn > corner_turn) continue;
         const double weight = a.norm() + b.norm();
         squares += weight * turn * turn;
         weights += weight;
@@ -113,11 +107,16 @@ bool MeshState::is_flat() const {
     return curvature * std::sqrt(area) < 0.01;
 }
 
+bool MeshState::is_jagged() const {
+    return chains > most_corners && boundary_edges < least_edges_a_chain * chains;
+}
+
 std::vector<std::array<int, 2>> find_creases(const TriangleMesh& mesh, const Adjacency& adjacency) {
     std::vector<std::array<int, 2>> edges;
     for (const int h : adjacency.edges())
-        if (!adjacency.is_boundary(h) && angle_between(area_of(mesh, Adjacency::triangle(h)),
-                                                       area_of(mesh, Adjacency::triangle(adjacency.twin(h)))) > crease)
+        if (!adjacency.is_boundary(h) &&
+            angle_between(area_vector(mesh, Adjacency::triangle(h)),
+                          area_vector(mesh, Adjacency::triangle(adjacency.twin(h)))) > corner_turn)
             edges.push_back({adjacency.from(h), adjacency.to(h)});
     return edges;
 }
@@ -127,6 +126,8 @@ MeshState measure_mesh(const Tile& tile) {
     MeshState state;
     state.triangles = tile.mesh.triangle_count();
     state.area = surface_area(tile.mesh);
+    state.chains = static_cast<int>(tile.chains.size());
+    state.boundary_edges = static_cast<int>(tile.boundary.size());
     measure_boundary(tile, state);
     measure_interior(tile.mesh, adjacency, state);
     measure_shapes(tile, adjacency, state);

@@ -21,8 +21,12 @@ struct MeshState {
     double curvature = 0;      ///< of the surface: turn times edge length summed, over the area [1/m]
     double sliver_share = 0;   ///< triangles with an angle below 5 degrees, of all
     double locked_share = 0;   ///< interior edges that join two boundary vertices, no ear cut off, over boundary edges
+    int chains = 0, boundary_edges = 0;
 
     bool is_flat() const;  ///< it turns by less than 0.01 rad in all: every mesh of it is as good
+    /// It was cut along the edges of a mesh: more than six corners, and less than three and a half edges from one to the next.
+    /// Such a boundary is no curve that could be divided anew.
+    bool is_jagged() const;
 };
 
 MeshState measure_mesh(const Tile& tile);
@@ -30,7 +34,7 @@ MeshState measure_mesh(const Tile& tile);
 /// The edges of `triangles` equilateral triangles of this area together [m].
 double edge_of(double area, double triangles);
 
-/// Edges where two triangles meet at more than 30 degrees: meant, and kept.
+/// Edges where two triangles meet at more than `corner_turn`: meant, and kept.
 std::vector<std::array<int, 2>> find_creases(const TriangleMesh& mesh, const Adjacency& adjacency);
 
 /// The edge length that accuracy asks for [m]: 5 degrees over the curvature, but no less than what gives 4,000 triangles and

@@ -5,14 +5,9 @@
 #include <vector>
 
 #include "ripstop/mesh/triangle_mesh.h"
+#include "ripstop/model/boundary_place.h"
 
 namespace ripstop {
-
-/// A place on a boundary: of the edge from boundary[edge] to boundary[edge + 1], this share of the way, in [0, 1).
-struct BoundaryPlace {
-    int edge = 0;
-    double share = 0;
-};
 
 /// A place on a mesh: a triangle and the weights of its corners.
 struct MeshPlace {

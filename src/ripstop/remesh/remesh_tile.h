@@ -23,14 +23,26 @@ struct NewBoundary {
     BoundarySlopes slopes;          ///< of the old boundary's curves
 };
 
-/// The tile on a mesh whose edges are about `edge_length` long [m]: with exactly this boundary, its other vertices on the smooth
-/// surface through the old ones (`SmoothSurface`), creases of more than 30 degrees kept. Corners, chains, warp (each triangle
-/// has that of the nearest old one), compensation and attributes stay; flat positions that came with the tile are dropped.
+/// A tile on another mesh.
+struct RemeshedTile {
+    Tile tile;
+    double distance_max = 0;  ///< of its vertices from the triangles as they were [m]
+};
+
+/// The tile on a mesh whose edges are about `edge_length` long [m], with exactly this boundary. Where its facets lie in a row it
+/// is the ruled surface of that row, on rungs along its rulings (`mesh_row`): it stays developable. Else its other vertices lie on
+/// the smooth surface through the old ones (`SmoothSurface`), creases (`find_creases`) kept. Corners, chains, warp
+/// (each triangle has that of the nearest old one), compensation and attributes stay; flat positions that came with the
+/// tile are dropped.
 ///
-/// Where that gives no good mesh, smaller edges are tried (0.7 and 0.5 of the length).
+/// Where that gives no good mesh, smaller edges are tried (0.7 and 0.5 of the length), unless they give more than 6,000 triangles.
 /// Throws std::runtime_error, in words that follow the tile's name, where the new mesh is not as good as it must be: no disk,
-/// or a triangle turned by more than 60 degrees from the old one beneath it. Requires what `remesh_disk` does.
-Tile remesh_tile(const Tile& tile, const NewBoundary& boundary, double edge_length);
+/// a triangle turned by more than 60 degrees from the old one beneath it, or more than 0.05 % of area beyond what the turns
+/// of the old mesh explain (`explained_area`). Requires what `remesh_disk` does.
+RemeshedTile remesh_tile(const Tile& tile, const NewBoundary& boundary, double edge_length);
+
+/// The tile's new boundary as a tile without triangles: enough for `find_seams`.
+Tile outline_tile(const Tile& tile, const NewBoundary& boundary);
 
 /// What `remesh_tile` makes of a new mesh whose first vertices are the boundary's nodes. `origin`: of each triangle the old one
 /// beneath it; may be empty for a tile without a warp of each triangle. Throws std::runtime_error where it is no disk.

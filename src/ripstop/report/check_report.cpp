@@ -32,9 +32,12 @@ std::string seams_text(const EnvelopeCheck& check) {
     if (!check.seams_sought)
         return fmt::format("{}: the tiles are too small for the tolerance of {:.3g} mm", not_sought,
                            check.seam_tolerance / millimetre);
-    return fmt::format("{}, {:.2f} m, edges up to {:.3f} mm apart (tolerance {:.3g} mm); {} within a tile, {}",
+    const std::string further = check.sewn_in == 0 ? ""
+                                                   : fmt::format(", {} a further sheet into another seam",
+                                                                 plural(check.sewn_in, "of them sews", "of them sew"));
+    return fmt::format("{}, {:.2f} m, edges up to {:.3f} mm apart (tolerance {:.3g} mm); {} within a tile, {}{}",
                        check.seams, check.seam_length, check.gap_max / millimetre, check.seam_tolerance / millimetre,
-                       check.self_seams, plural(check.t_junctions, "T-junction", "T-junctions"));
+                       check.self_seams, plural(check.t_junctions, "T-junction", "T-junctions"), further);
 }
 
 std::string loops_text(const EnvelopeCheck& check) {
@@ -166,6 +169,7 @@ std::string check_json(const EnvelopeCheck& check, const std::string& file, cons
     for (const FabricUse& use : check.fabrics) json["fabrics"].push_back({{"name", use.name}, {"tiles", use.tiles}});
     json["self_seams"] = check.self_seams;
     json["t_junctions"] = check.t_junctions;
+    json["further_sheets"] = check.sewn_in;
     json["loose_ends"] = check.loose_ends;
     json["seams"] = Json::array();
     for (const SeamSampling& seam : check.sampling)
@@ -173,6 +177,14 @@ std::string check_json(const EnvelopeCheck& check, const std::string& file, cons
                                  {"length_mm", clean(seam.length / millimetre)},
                                  {"turn_deg", clean(seam.turn / degree)},
                                  {"chord_error_mm_per_m", clean(seam.chord_error / millimetre)}});
+    json["zigzags"] = Json::array();
+    for (const Zigzag& zigzag : check.zigzags)
+        json["zigzags"].push_back({{"tile", zigzag.tile_name},
+                                   {"mate", zigzag.mate.empty() ? Json() : Json(zigzag.mate)},
+                                   {"seams", zigzag.seams},
+                                   {"teeth_mm", clean(zigzag.teeth / millimetre)},
+                                   {"length_mm", clean(zigzag.length / millimetre)},
+                                   {"fair_length_mm", clean(zigzag.fair_length / millimetre)}});
     json["loops"] = Json::array();
     for (const LooseLoop& loop : check.loops)
         json["loops"].push_back({{"tiles", loop.tiles.size()},
@@ -187,6 +199,8 @@ std::string check_json(const EnvelopeCheck& check, const std::string& file, cons
             {"code", issue.code}, {"message", issue.message}, {"tiles", issue.tiles}, {"at_mm", point_mm(issue.at)}};
         if (issue.code == "shifted" || issue.code == "gap")
             entry["distance_mm"] = clean(issue.value / millimetre);
+        else if (issue.code == "uncertain")
+            entry["open_mm"] = clean(issue.value / millimetre);
         else if (issue.code == "scaled")
             entry["ratio"] = clean(issue.value);
         json["issues"].push_back(std::move(entry));
@@ -194,7 +208,7 @@ std::string check_json(const EnvelopeCheck& check, const std::string& file, cons
     json["notes"] = check.notes;
     if (!check.seams_sought)
         for (const char* key : {"odd_corners", "parts", "seam_length_mm", "seam_gap_max_mm", "seam_types", "self_seams",
-                                "t_junctions", "loose_ends", "seams", "loops"})
+                                "further_sheets", "t_junctions", "loose_ends", "seams", "loops"})
             json[key] = nullptr;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

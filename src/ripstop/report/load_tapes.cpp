@@ -51,7 +51,7 @@ std::vector<int> tapes_of_seams(const CutPlan& plan) {
     const Vec3 axis = axis_of(plan);
     const std::vector<int> own = found;
     for (std::size_t s = 0; s < plan.seams.size(); ++s) {
-        if (own[s] >= 0 || !plan.seams[s].type.tape) continue;
+        if (own[s] >= 0 || !plan.seams[s].has_tape()) continue;
         const Vec3 at = middle(plan, plan.seams[s]) - axis;
         double least = nearest * plan.seams[s].length;
         for (std::size_t other = 0; other < plan.seams.size(); ++other) {
@@ -77,7 +77,7 @@ std::vector<double> tape_cut_lengths(const CutPlan& plan) {
             if (tape.kind == TapeKind::load)
                 shortening = tape.cut_length / unshortened(static_cast<std::size_t>(tape.source));
     for (std::size_t s = 0; s < plan.seams.size(); ++s)
-        if (plan.seams[s].type.tape) lengths[s] = shortening * unshortened(s);
+        if (plan.seams[s].has_tape()) lengths[s] = shortening * unshortened(s);
     return lengths;
 }
 

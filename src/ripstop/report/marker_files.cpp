@@ -8,6 +8,7 @@
 #include "ripstop/io/marker_pdf.h"
 #include "ripstop/io/piece_format.h"
 #include "ripstop/report/figures.h"
+#include "ripstop/report/json_figures.h"
 #include "ripstop/report/order.h"
 #include "ripstop/report/output_file.h"
 #include "ripstop/report/text_table.h"
@@ -16,10 +17,6 @@ namespace ripstop {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double in_millimetres(double length) {
-    return clean(length / millimetre);
-}
 
 Points2 rectangle(double start, double length, double height) {
     Points2 corners(5, 2);
@@ -61,7 +58,7 @@ Json json_of(const PieceSet& set, const Marker& marker, const std::string& stem,
 std::string title_of(const PieceSet& set, const Marker& marker) {
     return fmt::format("{}, revision {}: {}{}{}, roll {:.0f} mm, {:.2f} m, {:.1f} %", set.input, set.revision,
                        marker.fabric, marker.colour.empty() ? "" : " ", marker.colour,
-                       in_millimetres(marker.roll_width), marker.length, marker.utilisation() / percent);
+                       marker.roll_width / millimetre, marker.length, marker.utilisation() / percent);
 }
 
 }  // namespace
@@ -123,7 +120,7 @@ std::string marker_table(const Markers& markers) {
         {"fabric", "colour", "roll mm", "pieces", "running m", "cloth m2", "pieces m2", "used %", "parts", ""}};
     for (const Marker& marker : markers.markers)
         rows.push_back({shortened(marker.fabric), marker.colour.empty() ? "-" : shortened(marker.colour),
-                        fmt::format("{:.0f}", in_millimetres(marker.roll_width)),
+                        fmt::format("{:.0f}", marker.roll_width / millimetre),
                         std::to_string(marker.placements.size()), fmt::format("{:.2f}", marker.length),
                         fmt::format("{:.2f}", marker.gross_area()), fmt::format("{:.2f}", marker.net_area),
                         fmt::format("{:.1f}", marker.utilisation() / percent), std::to_string(marker.parts.size()),

@@ -54,14 +54,33 @@ void add_cloths(std::string& text, const PieceSet& set, const Markers* markers) 
 
 constexpr double no_length = 1e-6;  // [m]
 
+/// Sorts the mates that an edge has in one seam; returns the first.
+const Mate& longest_first(std::vector<const Mate*>& mates) {
+    std::stable_sort(mates.begin(), mates.end(), [](const Mate* p, const Mate* q) { return p->length > q->length; });
+    return *mates.front();
+}
+
+/// What of a seam's length is an edge's: half where two sheets are sewn, a third where three are.
+double share_of_seam(const std::vector<const Mate*>& longest_first) {
+    double share = 0;
+    for (std::size_t m = 0; m < longest_first.size(); ++m) {
+        const double next = m + 1 < longest_first.size() ? longest_first[m + 1]->length : 0;
+        share += (longest_first[m]->length - next) / static_cast<double>(m + 2);
+    }
+    return share;
+}
+
 void add_seams(std::string& text, const PieceSet& set) {
     std::map<std::string, double> lengths;
     for (const PatternPiece& piece : set.pieces)
         for (const PieceEdge& edge : piece.edges) {
             double sewn = 0;
-            for (const Mate& mate : edge.mates) {
-                sewn += mate.length;
-                lengths[mate.type.empty() ? edge.seam_type : mate.type] += mate.length / 2;
+            std::map<std::string, std::vector<const Mate*>> seams;
+            for (const Mate& mate : edge.mates) seams[mate.seam].push_back(&mate);
+            for (auto& [id, mates] : seams) {
+                const Mate& longest = longest_first(mates);
+                sewn += longest.length;
+                lengths[longest.type.empty() ? edge.seam_type : longest.type] += share_of_seam(mates);
             }
             if (const double free = edge.length - sewn; edge.mates.empty() || free > no_length)
                 lengths[edge.seam_type] += free;

@@ -24,9 +24,12 @@ constexpr std::array meanings{Meaning{"isoperimetric", "no flat piece has this o
                               Meaning{"flipped", "cloth turned over", ""},
                               Meaning{"outline", "the outline meets itself", ""},
                               Meaning{"overlap", "the piece lies on itself", ""},
+                              Meaning{"allowances_meet", "allowances do not fit between their edges", ""},
+                              Meaning{"cut_line", "the cut line does not go round the sew line", ""},
                               Meaning{"area", "area", "\u00a0%"},
                               Meaning{"perimeter", "length of the outline", "\u00a0%"},
                               Meaning{"chain", "length of an edge", "\u00a0%"},
+                              Meaning{"zigzag", "length of the curve that a zigzag edge stands for", "\u00a0%"},
                               Meaning{"warp_strain", "strain along the warp", "\u00a0%"},
                               Meaning{"weft_strain", "strain along the weft", "\u00a0%"},
                               Meaning{"shear", "shear between the threads", "°"}};

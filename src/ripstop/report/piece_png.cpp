@@ -24,7 +24,7 @@ std::string millimetres(double length, int decimals = 1, bool is_signed = false)
 std::string percent_text(double ratio, int decimals = 2) {
     return page_figure(ratio / percent, decimals, true) + "\u00a0%";
 }
-std::string in_degrees(double angle, int decimals) {
+std::string degrees_text(double angle, int decimals) {
     return page_figure(angle / degree, decimals) + "°";
 }
 
@@ -60,7 +60,7 @@ std::vector<std::string> figures(const PieceSource& source, std::size_t i) {
                         percent_text(a.perimeter_error, 3)),
             fmt::format("Strain along the warp {} to {}, the weft {} to {} (limit ±{})  ·  shear up to {} (limit {})",
                         percent_text(a.warp_strain_min), percent_text(a.warp_strain_max), percent_text(a.weft_strain_min),
-                        percent_text(a.weft_strain_max), limit, in_degrees(a.shear_max, 2), in_degrees(limits.shear, 1)),
+                        percent_text(a.weft_strain_max), limit, degrees_text(a.shear_max, 2), degrees_text(limits.shear, 1)),
             fmt::format("{}; grain: {}; {} triangles{}; {}", source.plan.fabric_of(tile.tile).name,
                         tile.tile.grain.source, page_figure(tile.tile.mesh.triangle_count(), 0),
                         tile.tile.remeshed ? " (meshed anew)" : "", tile.method)};

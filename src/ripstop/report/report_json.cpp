@@ -168,6 +168,17 @@ Json seam_json(const Seam& seam, const SeamWalk& walk, const CutPlan& plan) {
             {"ok", walk.ok}};
 }
 
+/// A seam of three or more as its records: what lies in which.
+void add_further_sheets(Json& seams, const CutPlan& plan) {
+    for (std::size_t i = 0; i < plan.seams.size(); ++i) {
+        if (!plan.seams[i].into) continue;
+        const auto skin = static_cast<std::size_t>(plan.seams[i].into->seam);
+        seams[i]["sewn_into"] = plan.seams[skin].id;
+        seams[i]["sewn_into_from_mm"] = in_millimetres(plan.seams[i].into->from);
+        seams[skin]["further_tiles"].push_back(plan.tiles[static_cast<std::size_t>(plan.seams[i].a.tile)].tile.name);
+    }
+}
+
 Json strain_json(const Accuracy& accuracy) {
     return {{"warp_min_pct", in_percent(accuracy.warp_strain_min)},
             {"warp_max_pct", in_percent(accuracy.warp_strain_max)},
@@ -327,6 +338,7 @@ std::string report_json(const CutPlan& plan, bool reproducible, const std::vecto
             seams.back()["tape_force_max_n"] =
                 figure(plan.inflated->tapes[static_cast<std::size_t>(tapes[i])].force_max);
     }
+    add_further_sheets(seams, plan);
     Json report = {
         {"ripstop", version},
         {"schema", report_schema},

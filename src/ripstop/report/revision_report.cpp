@@ -7,16 +7,13 @@
 
 #include "ripstop/base/units.h"
 #include "ripstop/report/figures.h"
+#include "ripstop/report/json_figures.h"
 #include "ripstop/report/text_table.h"
 
 namespace ripstop {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double in_millimetres(double length) {
-    return clean(length / millimetre);
-}
 
 const char* name_of(PieceChange::Kind kind) {
     switch (kind) {

@@ -12,9 +12,9 @@ namespace ripstop {
 namespace {
 
 constexpr std::array seam_columns{
-    "id",        "tile_a",      "chain_a",      "tile_b",       "chain_b",         "length_mm",     "flat_a_mm",
-    "flat_b_mm", "mismatch_mm", "mismatch_pct", "drift_max_mm", "drift_max_at_mm", "limit_mm",      "uncertainty_mm",
-    "gap_mm",    "certain",     "ok",           "type",         "allowance_a_mm",  "allowance_b_mm"};
+    "id",        "tile_a",      "chain_a",      "tile_b",       "chain_b",         "length_mm",      "flat_a_mm",
+    "flat_b_mm", "mismatch_mm", "mismatch_pct", "drift_max_mm", "drift_max_at_mm", "limit_mm",       "uncertainty_mm",
+    "gap_mm",    "certain",     "ok",           "type",         "allowance_a_mm",  "allowance_b_mm", "sewn_into"};
 
 const std::string& tile_name(const CutPlan& plan, const SeamSide& side) {
     return plan.tiles[static_cast<std::size_t>(side.tile)].tile.name;
@@ -87,7 +87,8 @@ std::string seams_csv(const CutPlan& plan) {
                             walk.ok ? "true" : "false",
                             seam.type.name,
                             mm(seam.allowance(seam.a)),
-                            mm(seam.allowance(seam.b))});
+                            mm(seam.allowance(seam.b)),
+                            seam.into ? plan.seams[static_cast<std::size_t>(seam.into->seam)].id : ""});
     }
     return text;
 }

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "field/field_case.h"
+
+namespace ripstop::field {
+
+/// Developable strips: straps round a cylinder, belts, curved hems.
+std::vector<Case> straps();
+std::vector<Case> belts();
+
+/// Tiles sewn to themselves: tubes and cones cut open, and rings.
+std::vector<Case> sleeves();
+std::vector<Case> rings();
+std::vector<Case> skirts();
+
+/// Flat panels whose outline comes close to itself.
+std::vector<Case> keyholes();
+
+/// Gores of a sphere with points, short edges, openings or unwelded triangles at their tips.
+std::vector<Case> gores();
+
+/// Several sheets on an edge.
+std::vector<Case> ribs();
+std::vector<Case> fins();
+
+/// Curved shapes on a flat floor, tents of equal segments, covers of strips.
+std::vector<Case> pools();
+std::vector<Case> tents();
+std::vector<Case> covers();
+
+}  // namespace ripstop::field
