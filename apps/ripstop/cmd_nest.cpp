@@ -128,9 +128,8 @@ void add_nest(CLI::App& app) {
         "  ripstop nest cut-plan --roll 1500mm\n"
         "  ripstop nest cut-plan --roll 1500mm --roll-length 100m --force     with joins, in place of the last\n"
         "  ripstop nest cut-plan --one-way --effort 400 -o marker             cloth with a nap, a longer search\n\n"
-        "Exit codes: 0 all laid, 1 some pieces do not fit the roll (the others are laid) or a cut line does not go "
-        "round\n"
-        "its sew line, 2 usage, 3 unusable input.");
+        "Exit codes: 0 all laid, 1 some pieces do not fit the roll (the others are laid), or a cut line does not go\n"
+        "round its sew line, 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

@@ -128,7 +128,7 @@ TEST(Strips, SewnAlongOrAcrossAreSound) {
     EXPECT_EQ(seams_of(along), 1);
     std::vector<NamedMesh> across;
     for (int i = 0; i < 4; ++i)
-        across.push_back(tile("p" + std::to_string(i), grid(6, 1, [&](double u, double v) {
+        across.push_back(tile(std::string("p").append(std::to_string(i)), grid(6, 1, [&](double u, double v) {
                                   return Vec3(0.5 * i + 0.5 * u + 0.4 * v, 0.02 * v, 0);
                               })));
     EXPECT_EQ(faults_of(across), "");

@@ -52,7 +52,7 @@ Cumulated cumulated(const Envelope& envelope, const std::vector<Points2>& flats,
 
 }  // namespace
 
-std::string lettered(char letter, std::size_t number) {
+std::string numbered(char letter, std::size_t number) {
     std::string name(1, letter);
     return name += std::to_string(number);
 }
@@ -88,7 +88,7 @@ std::vector<Seam> conforming_seams(const std::vector<Tile>& tiles) {
             if (edge.tile != last.tile || edge.chain != last.chain || other.tile != last_mate.tile ||
                 other.chain != last_mate.chain)
                 seams.push_back(
-                    {lettered('S', seams.size() + 1), {edge.tile, edge.chain, {}}, {other.tile, other.chain, {}}});
+                    {numbered('S', seams.size() + 1), {edge.tile, edge.chain, {}}, {other.tile, other.chain, {}}});
             const double length = drawn_lengths(tile)[edge.edge];
             seams.back().a.parts.push_back({edge.edge, length});
             seams.back().b.parts.insert(seams.back().b.parts.begin(), {other.edge, length});
@@ -116,7 +116,7 @@ Envelope gores(const std::vector<double>& angles, int count, int columns, int ro
         Eigen::Matrix3d about;
         about << std::cos(turn), -std::sin(turn), 0, std::sin(turn), std::cos(turn), 0, 0, 0, 1;
         mesh.positions = (mesh.positions * about.transpose()).eval();
-        tiles.push_back(make_tile(lettered('G', tiles.size() + 1), mesh, {.warp = Vec3::UnitZ()}));
+        tiles.push_back(make_tile(numbered('G', tiles.size() + 1), mesh, {.warp = Vec3::UnitZ()}));
         at += angle;
     }
     return sewn(std::move(tiles));

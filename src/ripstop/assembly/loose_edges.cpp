@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double corner_turn = 40 * degree;
+constexpr double loose_corner_turn = 40 * degree;
 
 double turn_between(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -42,7 +42,7 @@ struct LoopSums {
             const Vec3 to = placed.curve.point(at);
             add_step(from, to);
             from = to;
-            corners += turn_between(placed.curve.direction_before(at), placed.curve.direction_after(at)) > corner_turn;
+            corners += turn_between(placed.curve.direction_before(at), placed.curve.direction_after(at)) > loose_corner_turn;
         }
         add_step(from, placed.end);
     }
@@ -62,7 +62,7 @@ LooseLoop make_loop(const std::vector<Tile>& tiles, const std::vector<PlacedRun>
         if (i + 1 == members.size() && !closed) continue;
         sums.add_step(run.end, next.start);
         sums.corners += turn_between(run.curve.direction_before(run.run->end),
-                                     next.curve.direction_after(next.run->start)) > corner_turn;
+                                     next.curve.direction_after(next.run->start)) > loose_corner_turn;
     }
     loop.closed = closed;
     loop.length = sums.length;

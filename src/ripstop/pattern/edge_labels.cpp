@@ -9,7 +9,7 @@ namespace ripstop {
 namespace {
 
 constexpr double air = 0.004;          // between the sew line and the letters [m]
-constexpr double share_of_edge = 0.8;  // of a mate's length that its name may take
+constexpr double label_share = 0.8;  // of a mate's length that its name may take
 constexpr std::array heights{0.008, 0.006, 0.0045, 0.003};
 constexpr std::array places{0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8};
 
@@ -23,13 +23,13 @@ double reach(const Box& box, const Vec2& axis) {
     return box.half.x() * std::abs(along.dot(axis)) + box.half.y() * std::abs(up.dot(axis));
 }
 
-struct Place {
+struct LabelPlace {
     Vec2 at, way;
 };
 
 /// The point `walked` along a polyline, and the way it goes there.
-Place along(const Points2& line, double walked) {
-    Place place{line.row(0), Vec2::UnitX()};
+LabelPlace along(const Points2& line, double walked) {
+    LabelPlace place{line.row(0), Vec2::UnitX()};
     for (Eigen::Index i = 0; i + 1 < line.rows(); ++i) {
         const Vec2 from = line.row(i), way = Vec2(line.row(i + 1)) - from;
         const double length = way.norm();
@@ -46,20 +46,20 @@ double letters(const std::string& text) {
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-Box box_of(const Label& label) {
+Box label_box(const Label& label) {
     return {label.middle, label.height * Vec2(letters(label.text) / 2, 0.5), label.turn};
 }
 
 std::optional<Label> place_name(const PatternPiece& piece, const Points2& line, const Mate& mate, double from,
                                 const std::vector<Box>& taken) {
     for (const double height : heights) {
-        if (height * letters(mate.piece) > share_of_edge * mate.length) continue;
+        if (height * letters(mate.piece) > label_share * mate.length) continue;
         for (const double share : places) {
-            const Place place = along(line, from + share * mate.length);
+            const LabelPlace place = along(line, from + share * mate.length);
             const Vec2 inward(-place.way.y(), place.way.x());
             const Label label{mate.piece, place.at + (air + height / 2) * inward, height,
                               std::atan2(place.way.y(), place.way.x())};
-            const Box box = box_of(label);
+            const Box box = label_box(label);
             const auto in_the_way = [&box](const Box& other) { return overlap(box, other); };
             if (contains(piece.sew_line, box) && std::none_of(taken.begin(), taken.end(), in_the_way)) return label;
         }
@@ -87,7 +87,7 @@ std::vector<Label> place_edge_labels(const PatternPiece& piece, std::vector<Box>
             const Mate& mate = mates[m];
             if (const std::optional<Label> label = place_name(piece, line, mate, from, taken)) {
                 labels.push_back(*label);
-                taken.push_back(box_of(*label));
+                taken.push_back(label_box(*label));
             }
             // several sheets of one seam lie beside each other, so their names stand beside each other
             if (m + 1 == mates.size() || mates[m + 1].seam != mate.seam) from += mate.length;

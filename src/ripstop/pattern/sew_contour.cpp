@@ -10,7 +10,7 @@ namespace {
 
 constexpr double same_point = 1e-9;                           // [m]
 constexpr double corner_reach = 2;                            // times both allowances
-constexpr double corner_turn = 127 * std::numbers::pi / 180;  // [rad]: of the corner whose sides are so long
+constexpr double pocket_turn = 127 * std::numbers::pi / 180;  // [rad]: of the corner whose sides are so long
 constexpr double least_edge = 0.2;                            // times its allowance
 
 }  // namespace
@@ -95,7 +95,7 @@ bool SewContour::holds_edge(const SewPlace& a, const SewPlace& b) const {
 }
 
 bool SewContour::is_open(const Pocket& pocket, const SewPlace& a, const SewPlace& b) const {
-    return pocket.turn > corner_turn && (pocket.forward ? holds_edge(a, b) : holds_edge(b, a));
+    return pocket.turn > pocket_turn && (pocket.forward ? holds_edge(a, b) : holds_edge(b, a));
 }
 
 bool SewContour::is_apart(const SewPlace& a, const SewPlace& b) const {
