@@ -40,8 +40,8 @@ class Remeshing : public ::testing::Test {
     }
 };
 
-Envelope one_tile(const TriangleMesh& mesh) {
-    Envelope envelope{{make_tile("tile", mesh, {.warp = Vec3(0, 0, 1)})}};
+Envelope one_tile(const TriangleMesh& mesh, const Vec3& warp = Vec3::UnitZ()) {
+    Envelope envelope{{make_tile("tile", mesh, {.warp = warp})}};
     add_seams(envelope);
     return envelope;
 }
@@ -51,10 +51,10 @@ RemeshOptions at(double length) {
 }
 const RemeshOptions automatic{.mode = RemeshMode::automatic};
 
-Tile remeshed(const TriangleMesh& mesh, const RemeshOptions& options) {
-    Envelope envelope = one_tile(mesh);
-    remesh_envelope(envelope, options);
-    EXPECT_TRUE(envelope.tiles[0].remeshed) << "stayed as it was";
+Tile remeshed(const TriangleMesh& mesh, const RemeshOptions& options, const Vec3& warp = Vec3::UnitZ()) {
+    Envelope envelope = one_tile(mesh, warp);
+    const std::vector<std::string> remarks = remesh_envelope(envelope, options);
+    EXPECT_TRUE(envelope.tiles[0].remeshed) << ::testing::PrintToString(remarks);
     return envelope.tiles[0];
 }
 
@@ -209,7 +209,7 @@ TEST_F(Remeshing, OfAStrapStaysOnTheCylinderAndDevelopable) {
             for (const double slant : {0.0, 0.1})
                 for (const int across : {1, quads == 10 ? 3 : 1}) {
                     const double area = 0.1 * std::numbers::pi * width;
-                    const Tile tile = remeshed(strap(quads, across, width, slant), automatic);
+                    const Tile tile = remeshed(strap(quads, across, width, slant), automatic, Vec3::UnitY());
                     const Laid laid = laid_flat(tile, area);
                     EXPECT_LT(laid.strain, 5e-4) << quads << " quads, " << width << ", " << slant;
                     EXPECT_NEAR(laid.area_error, 0, 1e-3) << quads << " quads, " << width << ", " << slant;
@@ -341,9 +341,10 @@ EnvelopeDesign small_design() {
 TEST_F(Remeshing, GivesBothSidesOfEverySeamTheSameVerticesAndKeepsTheLengths) {
     Envelope envelope = make_envelope(meshed_apart(small_design(), 3, 6), {});
     const Envelope before = envelope;
-    remesh_envelope(envelope, at(0.6));
+    const std::vector<std::string> remarks = remesh_envelope(envelope, at(0.6));
     ASSERT_EQ(envelope.seams.size(), before.seams.size());
-    for (const Tile& tile : envelope.tiles) EXPECT_TRUE(tile.remeshed) << tile.name;
+    for (const Tile& tile : envelope.tiles)
+        EXPECT_TRUE(tile.remeshed) << tile.name << ": " << ::testing::PrintToString(remarks);
     expect_same_vertices(envelope, 1e-6);
     for (std::size_t s = 0; s < before.seams.size(); ++s) {
         EXPECT_EQ(envelope.seams[s].id, before.seams[s].id);
@@ -530,7 +531,7 @@ void expect_failures_as_they_were(const Envelope& before, const Envelope& after,
         EXPECT_EQ(after.tiles[t].mesh.triangles, before.tiles[t].mesh.triangles);
         EXPECT_EQ(after.tiles[t].boundary, before.tiles[t].boundary);
     }
-    ASSERT_GT(kept, 0) << "nothing failed: nothing was shown";
+    ASSERT_GT(kept, 0) << "nothing failed: " << ::testing::PrintToString(remarks);
     EXPECT_THAT(remarks, ::testing::Contains(::testing::AllOf(HasSubstr("not remeshed"), HasSubstr(why))));
 }
 
@@ -543,14 +544,38 @@ TEST_F(Remeshing, LeavesTilesWhoseSeamsWouldBeOthers) {
     EXPECT_EQ(envelope.seams.size(), before.seams.size());
 }
 
-TEST_F(Remeshing, LeavesATileThatWouldFold) {
-    // Cloth crumpled at the size of its triangles, on edges three times as long.
+TEST_F(Remeshing, KeepsTheCreasesOfACrumpledTile) {
+    // Crumpled at the size of its triangles: nearly every edge is a crease, however long the edges are to be.
     std::mt19937 random(3);
     Envelope envelope = one_tile(grid(
         30, 30, [&](double u, double v) { return Vec3(0.06 * static_cast<double>(random() % 1000) / 1000, u, v); }));
-    const Envelope before = envelope;
+    const double area = surface_area(envelope.tiles[0].mesh);
     const std::vector<std::string> remarks = remesh_envelope(envelope, at(0.1));
+    ASSERT_TRUE(envelope.tiles[0].remeshed) << ::testing::PrintToString(remarks);
+    EXPECT_NEAR(surface_area(envelope.tiles[0].mesh) / area, 1, 5e-4);
+}
+
+/// A square metre of waves both ways, smooth for its triangles.
+TriangleMesh egg_box(int waves, int cells, double steepest) {
+    const double turns = 2 * std::numbers::pi * waves, height = std::tan(steepest) / turns;
+    return grid(cells, cells,
+                [=](double u, double v) { return Vec3(height * std::sin(turns * u) * std::sin(turns * v), u, v); });
+}
+
+TEST_F(Remeshing, LeavesATileThatWouldFold) {
+    // Flanks of 68 degrees, on edges about as long as half a wave even where smaller ones are tried.
+    Envelope envelope = one_tile(egg_box(2, 80, 68 * degree));
+    const Envelope before = envelope;
+    const std::vector<std::string> remarks = remesh_envelope(envelope, at(2));
     expect_failures_as_they_were(before, envelope, remarks, "the new triangles would fold over");
+}
+
+TEST_F(Remeshing, LeavesATileThatWouldLoseItsArea) {
+    // No triangle is turned by 60 degrees where none stands steeper than 28; the waves have 6 % of the area.
+    Envelope envelope = one_tile(egg_box(3, 60, 28 * degree));
+    const Envelope before = envelope;
+    const std::vector<std::string> remarks = remesh_envelope(envelope, at(2));
+    expect_failures_as_they_were(before, envelope, remarks, "its area would become another");
 }
 
 TEST_F(Remeshing, RefusesALengthThatMeansNothing) {
@@ -560,10 +585,14 @@ TEST_F(Remeshing, RefusesALengthThatMeansNothing) {
     EXPECT_THROW(remesh_envelope(envelope, at(1e-6)), InputError);
 }
 
-TEST_F(Remeshing, AtALengthBeyondTheTileLeavesItSomeTriangles) {
-    const Tile tile = remeshed(sphere_grid(half, 12, 12), at(50));
+TEST_F(Remeshing, AtALengthBeyondTheTileLeavesItSomeTrianglesAndItsArea) {
+    // As few triangles as a tile may have would lack 1 % of its area, so smaller ones are taken: not many, but enough.
+    const TriangleMesh mesh = sphere_grid(half, 12, 12);
+    const Tile tile = remeshed(mesh, at(50));
     EXPECT_GT(tile.mesh.triangle_count(), 8);
-    EXPECT_LT(tile.mesh.triangle_count(), 100);
+    EXPECT_LT(tile.mesh.triangle_count(), mesh.triangle_count() / 2);
+    const double of_sphere = 2 * half * 2 * std::sin(half), lacking = 1 - surface_area(mesh) / of_sphere;
+    EXPECT_NEAR(surface_area(tile.mesh) / surface_area(mesh), 1, 5e-4 + 1.5 * lacking);
 }
 
 }  // namespace remesh_envelope_test

@@ -69,7 +69,7 @@ TEST(FacetRow, OfASlantedStrapIsTheCylinderToo) {
 }
 
 TEST(FacetRow, OfAConeAndItsTipLiesOnTheCone) {
-    // z = r / tan(0.4): a fan about the tip, and a band.
+    // |z| = r / tan(0.4): a fan about the tip, and bands, which hang below it.
     TriangleMesh fan;
     fan.positions.resize(10, 3);
     fan.triangles.resize(8, 3);
@@ -84,7 +84,7 @@ TEST(FacetRow, OfAConeAndItsTipLiesOnTheCone) {
         for (double along = 0.05; along < found.row->cell_count(); along += 0.3)
             for (const double across : {0.1, 0.5, 0.9}) {
                 const Vec3 at = found.row->at(along, across);
-                EXPECT_NEAR(at.head<2>().norm() / at.z(), std::tan(0.4), 1e-4);
+                EXPECT_NEAR(at.head<2>().norm() / std::abs(at.z()), std::tan(0.4), 1e-4);
             }
     }
 }

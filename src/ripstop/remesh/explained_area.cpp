@@ -19,7 +19,8 @@ double mean_square_turn(const TriangleMesh& mesh, const Adjacency& adjacency) {
     double squares = 0, weights = 0;
     for (const int h : adjacency.edges()) {
         if (adjacency.is_boundary(h)) continue;
-        const Vec3 a = area_vector(mesh, Adjacency::triangle(h)), b = area_vector(mesh, Adjacency::triangle(adjacency.twin(h)));
+        const Vec3 a = area_vector(mesh, Adjacency::triangle(h)),
+                   b = area_vector(mesh, Adjacency::triangle(adjacency.twin(h)));
         const double turn = std::atan2(a.cross(b).norm(), a.dot(b));
         if (turn > meant) continue;
         squares += (a.norm() + b.norm()) * turn * turn;
@@ -41,17 +42,39 @@ double mean_defect(const Tile& tile) {
     return inner > 0 ? missing.cwiseAbs().cwiseMin(meant * meant).sum() / static_cast<double>(inner) : 0;
 }
 
-double area_outside_edges(const Tile& tile, const Adjacency& adjacency, const BoundarySlopes& slopes) {
-    std::vector<Eigen::Index> place(static_cast<std::size_t>(tile.mesh.vertex_count()), -1);
-    for (std::size_t i = 0; i < tile.boundary.size(); ++i)
-        place[static_cast<std::size_t>(tile.boundary[i])] = static_cast<Eigen::Index>(i);
+Vec3 point_on_old_boundary(const Tile& tile, const BoundaryPlace& place) {
+    const std::size_t edge = static_cast<std::size_t>(place.edge);
+    const Vec3 start = tile.mesh.positions.row(tile.boundary[edge]);
+    const Vec3 end = tile.mesh.positions.row(tile.boundary[(edge + 1) % tile.boundary.size()]);
+    return start + place.share * (end - start);
+}
+
+/// From the old edges outward to the new ones: between two nodes a polygon, seen along the old triangles there.
+double area_between_boundaries(const Tile& tile, const Adjacency& adjacency, const NewBoundary& boundary) {
+    const int count = static_cast<int>(tile.boundary.size());
+    std::vector<int> place(static_cast<std::size_t>(tile.mesh.vertex_count()), -1);
+    for (int i = 0; i < count; ++i) place[static_cast<std::size_t>(tile.boundary[static_cast<std::size_t>(i)])] = i;
+    std::vector<Vec3> normals(static_cast<std::size_t>(count), Vec3::Zero());
+    for (const int h : adjacency.edges())
+        if (adjacency.is_boundary(h))
+            normals[static_cast<std::size_t>(place[static_cast<std::size_t>(adjacency.from(h))])] =
+                area_vector(tile.mesh, Adjacency::triangle(h)).normalized();
     double sum = 0;
-    for (const int h : adjacency.edges()) {
-        if (!adjacency.is_boundary(h)) continue;
-        const Eigen::Index e = place[static_cast<std::size_t>(adjacency.from(h))];
-        const Vec3 chord = tile.mesh.positions.row(adjacency.to(h)) - tile.mesh.positions.row(adjacency.from(h));
-        const Vec3 outward = chord.cross(area_vector(tile.mesh, Adjacency::triangle(h)).normalized());
-        sum += (slopes.start.row(e) - slopes.end.row(e)).dot(outward) / 12;
+    for (std::size_t i = 0; i < boundary.nodes.size(); ++i) {
+        const BoundaryNode &first = boundary.nodes[i], &second = boundary.nodes[(i + 1) % boundary.nodes.size()];
+        int edges = (second.place.edge - first.place.edge + count) % count;
+        if (edges == 0 && second.place.share <= first.place.share) edges = count;
+        std::vector<Vec3> polygon{first.position, second.position, point_on_old_boundary(tile, second.place)};
+        for (int e = edges; e > 0; --e)
+            polygon.push_back(
+                tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>((first.place.edge + e) % count)]));
+        polygon.push_back(point_on_old_boundary(tile, first.place));
+        Vec3 normal = Vec3::Zero(), area = Vec3::Zero();
+        for (int e = 0; e < edges + (second.place.share > 0 ? 1 : 0); ++e)
+            normal += normals[static_cast<std::size_t>((first.place.edge + e) % count)];
+        for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+            area += (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]) / 2;
+        sum += area.dot(normal.normalized());
     }
     return sum;
 }
@@ -63,9 +86,9 @@ double ExplainedArea::beyond(double gain) const {
     return std::max(0.0, std::abs(rest) - room * bending);
 }
 
-ExplainedArea explained_area(const Tile& tile, const Adjacency& adjacency, const BoundarySlopes& slopes) {
+ExplainedArea explained_area(const Tile& tile, const Adjacency& adjacency, const NewBoundary& boundary) {
     ExplainedArea explained;
-    explained.boundary = area_outside_edges(tile, adjacency, slopes) / surface_area(tile.mesh);
+    explained.boundary = area_between_boundaries(tile, adjacency, boundary) / surface_area(tile.mesh);
     explained.bending = mean_square_turn(tile.mesh, adjacency) / 8 + mean_defect(tile) / 6;
     return explained;
 }

@@ -1,13 +1,15 @@
 #pragma once
 
+#include "ripstop/mesh/adjacency.h"
 #include "ripstop/model/tile.h"
-#include "ripstop/remesh/smooth_surface.h"
+#include "ripstop/remesh/remesh_tile.h"
 
 namespace ripstop {
 
-/// By how much the smooth surface that a mesh stands for has more area than the mesh, as far as the mesh itself tells; ratios.
+/// By how much the smooth surface within a tile's new boundary has more area than the tile's mesh, as far as the mesh itself
+/// tells; ratios.
 struct ExplainedArea {
-    double boundary = 0;  ///< between the edges and the boundary's curves, in the surface; of either sign
+    double boundary = 0;  ///< between the old edges and the new ones, in the surface; of either sign
     double bending = 0;   ///< of the triangles, from their turns and the angles that lack about the vertices; >= 0
 
     /// What a gain of area is beyond it: nothing up to half as much again, for the second is an estimate [ratio, >= 0].
@@ -20,8 +22,8 @@ struct ExplainedArea {
 ///
 /// of their area, theta the turn from triangle to triangle, weighted with the area of the two, D the angle that is missing
 /// about an interior vertex: t1 t2, the Gaussian curvature. Where none is missing the surface is developable, and gains from
-/// its first term only. Turns beyond 45 degrees are meant and left out. A curve with end slopes m0 and m1 over an edge d lies
-/// |d| (m0 - m1) . o / 12 outside it, o the outward direction in the surface. O(#F).
-ExplainedArea explained_area(const Tile& tile, const Adjacency& adjacency, const BoundarySlopes& slopes);
+/// its first term only. Turns beyond 45 degrees are meant and left out. The boundary's part is measured, not estimated: the
+/// new edges may be longer than the old ones, and then cut off more. O(#F + #nodes).
+ExplainedArea explained_area(const Tile& tile, const Adjacency& adjacency, const NewBoundary& boundary);
 
 }  // namespace ripstop

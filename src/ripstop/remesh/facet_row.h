@@ -25,7 +25,8 @@ class FacetRow {
   public:
     /// Nothing where the facets do not lie in a row. Triangles are one facet where they meet at less than 0.2 degrees, or at
     /// less than half of what the sharpest other edge of the two does; a crease is straight within a thousandth of its
-    /// length; an end of the row is straight, or a tip. `tile` must outlive it. O(#F log #F).
+    /// length; an end of the row is straight, or a tip; creases that fan out from a corner of the tile do so to the end.
+    /// `tile` must outlive it. O(#F log #F).
     static std::optional<FacetRow> find(const Tile& tile, const Adjacency& adjacency, const BoundarySlopes& slopes);
 
     Vec3 at(const MeshPlace& place) const;

@@ -12,8 +12,8 @@ namespace ripstop {
 namespace {
 
 constexpr double flat_turn = 0.2 * degree;
-constexpr double flat_share = 0.5;   // of the sharpest edge beside it
-constexpr double straight = 1e-3;    // of a crease's length
+constexpr double flat_share = 0.5;  // of the sharpest edge beside it
+constexpr double straight = 1e-3;   // of a crease's length
 constexpr double same_foot = 1e-6;  // of a side's length
 
 }  // namespace
@@ -167,30 +167,64 @@ class RowFinder {
     }
 
     bool find_ends() {
-        const std::optional<Rung> first = end_between(rungs_[1].b, rungs_[1].a);
-        const Rung& last = rungs_[rungs_.size() - 2];
-        const std::optional<Rung> second = end_between(last.a, last.b);
+        const std::size_t creases = rungs_.size() - 2;
+        const Rung &start = rungs_[1], &last = rungs_[creases];
+        const Rung after = creases > 1 ? rungs_[2] : Rung{-1, -1};
+        const Rung before = creases > 1 ? rungs_[creases - 1] : Rung{-1, -1};
+        // Of a zigzag of triangles two creases share a vertex too, but there the side goes on.
+        const auto stays = [&](int at, int next) { return at == next && is_corner(at); };
+        const std::optional<Rung> first =
+            end_between(start.b, start.a, stays(start.b, after.b), stays(start.a, after.a));
+        const std::optional<Rung> second =
+            end_between(last.a, last.b, stays(last.a, before.a), stays(last.b, before.b));
         if (!first || !second) return false;
         rungs_.front() = {first->b, first->a};  // the boundary comes from side b here
         rungs_.back() = *second;
         return true;
     }
 
-    /// The end of a row on the boundary between two places: the edge between its two corners, or a tip.
-    std::optional<Rung> end_between(int from, int to) const {
+    /// The end of a row on the boundary between two places: the edge between its two corners, or a tip. `from_stays`,
+    /// `to_stays`: the creases before it fan out from that place, so its end does too.
+    std::optional<Rung> end_between(int from, int to, bool from_stays, bool to_stays) const {
         const int edges = forward(from, to);
-        if (edges == 2) return Rung{(from + 1) % count_, (from + 1) % count_};
-        if (edges == 3) return Rung{(from + 1) % count_, (from + 2) % count_};
+        const bool fans_out = (from_stays && is_straight_between(from, from + edges - 1)) ||
+                              (to_stays && is_straight_between(from + 1, from + edges));
+        if (edges == 3 && !fans_out) return Rung{(from + 1) % count_, (from + 2) % count_};
         std::vector<int> corners;
         for (int i = 1; i < edges; ++i)
-            for (const Chain& chain : tile_.chains)
-                if (chain.vertices.front() == vertex(from + i)) corners.push_back((from + i) % count_);
-        if (corners.size() == 1) return Rung{corners[0], corners[0]};
+            if (is_corner(from + i)) corners.push_back((from + i) % count_);
+        if (edges == 2) corners = {(from + 1) % count_};
+        if (corners.size() == 1) {
+            const int corner = from + forward(from, corners[0]);
+            if (from_stays && is_straight_between(from, corner)) return Rung{from, corners[0]};
+            if (to_stays && is_straight_between(corner, from + edges)) return Rung{corners[0], to};
+            return end_at(corners[0], from, edges);
+        }
         if (corners.size() != 2) return {};
-        std::vector<int> path;
-        for (int i = 0; i <= forward(corners[0], corners[1]); ++i) path.push_back(vertex(corners[0] + i));
-        if (!is_straight(path)) return {};
+        if (!is_straight_between(corners[0], corners[0] + forward(corners[0], corners[1]))) return {};
         return Rung{corners[0], corners[1]};
+    }
+
+    bool is_corner(int place) const {
+        return std::any_of(tile_.chains.begin(), tile_.chains.end(),
+                           [&](const Chain& chain) { return chain.vertices.front() == vertex(place); });
+    }
+
+    bool is_straight_between(int first, int last) const {
+        std::vector<int> path;
+        for (int i = first; i <= last; ++i) path.push_back(vertex(i));
+        return is_straight(path);
+    }
+
+    /// The end with one corner of the tile: a tip, or an edge whose other end meets its side at too small an angle for a
+    /// corner. That edge is straight between sides of one edge each, and goes straight on into neither.
+    Rung end_at(int corner, int from, int edges) const {
+        const int low = from + 1, high = from + edges - 1;
+        const bool begins_or_ends = corner == low % count_ || corner == high % count_;
+        if (edges > 2 && begins_or_ends && is_straight_between(low, high) && !is_straight_between(from, high) &&
+            !is_straight_between(low, high + 1))
+            return {low % count_, high % count_};
+        return {corner, corner};
     }
 
     /// Do both sides and both ends make up the boundary?

@@ -57,7 +57,8 @@ void measure_interior(const TriangleMesh& mesh, const Adjacency& adjacency, Mesh
         const double length = (mesh.positions.row(adjacency.to(h)) - mesh.positions.row(adjacency.from(h))).norm();
         lengths += length;
         if (adjacency.is_boundary(h)) continue;
-        const Vec3 a = area_vector(mesh, Adjacency::triangle(h)), b = area_vector(mesh, Adjacency::triangle(adjacency.twin(h)));
+        const Vec3 a = area_vector(mesh, Adjacency::triangle(h)),
+                   b = area_vector(mesh, Adjacency::triangle(adjacency.twin(h)));
         const double turn = angle_between(a, b);
         if (turn > corner_turn) continue;
         const double weight = a.norm() + b.norm();

@@ -158,10 +158,7 @@ RemeshedTile remesh_tile(const Tile& tile, const NewBoundary& boundary, double e
     const Adjacency adjacency(tile.mesh.triangles, tile.mesh.vertex_count());
     const std::vector<std::array<int, 2>> creases = find_creases(tile.mesh, adjacency);
     const std::optional<FacetRow> row = FacetRow::find(tile, adjacency, boundary.slopes);
-    ExplainedArea explained = explained_area(tile, adjacency, boundary.slopes);
-    // The new edges lack the same between them and the curves, by the square of how much shorter they are.
-    const double shorter = static_cast<double>(tile.boundary.size()) / static_cast<double>(boundary.nodes.size());
-    if (shorter < 1) explained.boundary *= 1 - shorter * shorter;
+    const ExplainedArea explained = explained_area(tile, adjacency, boundary);
     if (row) {
         if (std::optional<RemeshedTile> made = remesh_row(tile, boundary, *row)) {
             require_explained(tile, made->tile.mesh, explained);
