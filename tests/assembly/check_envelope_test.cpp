@@ -217,6 +217,45 @@ TEST(MissingTile, AtTheMouthIsSuspectedFromTheCornersOfTheOpenEdge) {
     EXPECT_THAT(named(check(balloon)), ::testing::ElementsAre(HasSubstr("missing_tile")));
 }
 
+/// `panels` of `rows` tiles each: flat, their lower edges on a polygon of radius 1, the upper ones 2 m above on one of `top`.
+std::vector<NamedMesh> prism(int panels, int rows, double top) {
+    std::vector<NamedMesh> tiles;
+    const auto at = [&](int panel, double height) {
+        const double angle = 2 * std::numbers::pi * panel / panels, radius = 1 + (top - 1) * height;
+        return Vec3(radius * std::cos(angle), radius * std::sin(angle), 2 * height);
+    };
+    for (int p = 0; p < panels; ++p)
+        for (int r = 0; r < rows; ++r)
+            tiles.push_back({std::to_string(p) + "-" + std::to_string(r),
+                             testing::grid(2, 2,
+                                           [&](double u, double v) {
+                                               const double height = (r + v) / rows;
+                                               return Vec3((1 - u) * at(p, height) + u * at(p + 1, height));
+                                           }),
+                             {}});
+    return tiles;
+}
+
+TEST(Rim, OfATubeWithSidesIsNoMissingTile) {
+    for (const int panels : {3, 4, 5, 6, 8, 9})
+        for (const int rows : {1, 3}) {
+            EXPECT_THAT(named(check(prism(panels, rows, 1))), ::testing::IsEmpty()) << panels << " " << rows;
+            EXPECT_THAT(named(check(prism(panels, rows, 0.8))), ::testing::IsEmpty()) << panels << " " << rows;
+        }
+    for (const int panels : {5, 6, 8}) EXPECT_THAT(named(check(prism(panels, 1, 0.1))), ::testing::IsEmpty()) << panels;
+}
+
+TEST(MissingTile, OfATubeWithSidesIsNamedThoughItsRimsAreNot) {
+    for (const int panels : {4, 6, 8}) {
+        std::vector<NamedMesh> tube = prism(panels, 3, 1);
+        const Vec3 place = middle_of(tube[4].mesh);
+        tube.erase(tube.begin() + 4);
+        const EnvelopeCheck result = check(tube);
+        ASSERT_THAT(named(result), ::testing::ElementsAre(HasSubstr("missing_tile"))) << panels;
+        EXPECT_LT((result.issues[0].at - place).norm(), 0.3);
+    }
+}
+
 TEST(FlippedTile, IsNamed) {
     for (std::vector<NamedMesh> balloon : both_balloons()) {
         balloon[middle].mesh.triangles.col(0).swap(balloon[middle].mesh.triangles.col(1));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -15,6 +16,7 @@
 #include "ripstop/model/seam_sheets.h"
 #include "support/envelopes.h"
 #include "support/further_sheets.h"
+#include "support/shapes.h"
 
 namespace ripstop {
 namespace further_sheets_test {
@@ -97,7 +99,7 @@ std::string by_alphabet(const std::string& one, const std::string& other) {
 
 TEST(RibUnderASeam, IsSewnIntoItWhicheverComesFirstAndWhicheverSideIsUp) {
     for (const double slope : {0.0, 0.2, -0.3})
-        for (const double lean : {0.0, 0.5, -0.5})
+        for (const double lean : {0.0, 0.5, -0.5, 0.7, -0.7})
             expect_seams(testing::rib_under_seam(slope, lean), {"LEFT RIGHT + RIB"}, "RIB", 6);
 }
 
@@ -133,6 +135,33 @@ TEST(RibUnderASeam, LeavesATileThatIsTurnedOverToBeNamed) {
         ASSERT_EQ(check.issues.size(), 1u);
         EXPECT_EQ(check.issues[0].code, "turned_over");
         EXPECT_THAT(check.issues[0].message, ::testing::Not(HasSubstr("RIB")));
+    }
+}
+
+/// WAIST along the x axis from 0 to 0.4 m, and below it PANEL, 0.8 m wide: from 0.1 to 0.3 m its upper edge lies in three
+/// layers, which part further down.
+Meshes pleat_under_waist() {
+    const auto folded = [](double u, double v) {
+        const double x = u < 0.3 ? u : u < 0.5 ? 0.6 - u : u - 0.4;
+        return Vec3(x, 0.3 * (v - 1), 0.5 * (1 - v) * std::clamp(u - 0.3, 0.0, 0.2));
+    };
+    return {{"WAIST", testing::grid(4, 2, [](double u, double v) { return Vec3(0.4 * u, 0.1 * v, 0); }), {}},
+            {"PANEL", testing::grid(8, 3, [&](double u, double v) { return folded(0.8 * u, v); }), {}}};
+}
+
+TEST(Pleat, HasAllItsLayersSewn) {
+    for (const bool panel_first : {false, true}) {
+        Meshes meshes = pleat_under_waist();
+        if (panel_first) std::swap(meshes[0], meshes[1]);
+        const std::vector<Tile> tiles = testing::tiles_of(meshes).tiles;
+        std::map<std::string, double> sewn;
+        for (const Seam& seam : find_seams(tiles).seams) {
+            EXPECT_FALSE(seam.into) << seam.id;
+            for (const SeamSide* side : {&seam.a, &seam.b})
+                sewn[tiles[static_cast<std::size_t>(side->tile)].name] += length(*side);
+        }
+        EXPECT_NEAR(sewn["WAIST"], 0.4, 1e-9);
+        EXPECT_NEAR(sewn["PANEL"], 0.8, 1e-9);
     }
 }
 

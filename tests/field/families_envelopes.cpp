@@ -106,9 +106,15 @@ Case wing(int cells, int along) {
         wing.tiles.push_back(
             {fmt::format("L{:02d}", i), wing_skin(width * i, width * (i + 1), chord, height, along, 2, false)});
     }
-    for (int i = 0; i <= cells; ++i)
-        wing.tiles.push_back({fmt::format("R{:02d}", i), without_empty(wing_rib(width * i, chord, height, along, 2))});
+    for (int i = 0; i <= cells; ++i) {
+        TriangleMesh rib = without_empty(wing_rib(width * i, chord, height, along, 2));
+        // Those at the tips close the wing: their outside is that of the skin. Of the others any side may be up.
+        if (i == cells || i % 2 == 1) rib.triangles.col(1).swap(rib.triangles.col(2));
+        wing.tiles.push_back({fmt::format("R{:02d}", i), std::move(rib)});
+    }
     wing.expected.is_isometric = true;
+    // At nose and tail of each cell; above and below each rib, where at the tips it is one of two sheets, else one of three.
+    wing.expected.seams = 2 * cells + 4 + 4 * (cells - 1);
     return wing;
 }
 

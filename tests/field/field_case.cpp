@@ -64,23 +64,35 @@ struct Run {
     std::vector<PatternPiece> pieces;
 };
 
+std::ptrdiff_t failing_tiles(const CutPlan& plan) {
+    return std::count_if(plan.tiles.begin(), plan.tiles.end(),
+                         [](const FlatTile& tile) { return !tile.verdict.manufacturable(); });
+}
+
 Run run(const Case& each) {
     const Fabric fabric = each.variant.fabric.empty() ? Fabric{} : fabric_named(each.variant.fabric);
     ReadOptions reading;
     reading.fabric = fabric;
     Run result;
-    result.envelope = make_envelope(varied(each.tiles, each.variant), reading);
+    const Envelope drawn = make_envelope(varied(each.tiles, each.variant), reading);
+    result.envelope = drawn;
     if (each.variant.remesh) {
         RemeshOptions remeshing;
         remeshing.mode = RemeshMode::automatic;
         remeshing.threads = 1;
         remesh_envelope(result.envelope, remeshing);
     }
-    result.check = check_envelope(result.envelope);
     FlattenOptions flattening;
     flattening.fabric = fabric;
     flattening.threads = 1;
     result.plan = flatten_envelope(result.envelope, flattening);
+    // As `ripstop flatten` does: where tiles fail on new meshes, those they were drawn with, if less fails on them.
+    if (each.variant.remesh && failing_tiles(result.plan) > 0)
+        if (CutPlan own = flatten_envelope(drawn, flattening); failing_tiles(own) < failing_tiles(result.plan)) {
+            result.envelope = drawn;
+            result.plan = std::move(own);
+        }
+    result.check = check_envelope(result.envelope);
     add_faults(result.plan, result.check);
     result.pieces = make_pieces(result.plan, {}, 1);
     return result;

@@ -8,12 +8,15 @@
 
 #include "ripstop/assembly/loose_edges.h"
 #include "ripstop/base/number_text.h"
+#include "ripstop/model/seam_sheets.h"
 
 namespace ripstop {
 namespace {
 
 constexpr std::size_t shown_names = 6;
 constexpr double slit = 0.003;  // openness: a circle has 0.08, a square 0.06, what a missing gore leaves 0.008
+constexpr double corner_on_cloth = 40 * degree;
+constexpr double corner_reach = 4;  // tolerances: how far from a corner the corners of its tiles lie
 
 std::string name_of(const std::vector<Tile>& tiles, int tile) {
     return tiles[static_cast<std::size_t>(tile)].name;
@@ -160,6 +163,28 @@ bool passes_a_miss(const LooseLoop& loop, const std::vector<NearMiss>& misses) {
                        [&](const NearMiss& miss) { return passes(miss.tile_a) && passes(miss.tile_b); });
 }
 
+/// The tiles without further sheets: what has loose edges round the openings of the skin.
+std::vector<Tile> skin_without_sheets(const std::vector<Tile>& tiles, const std::vector<Seam>& seams,
+                                      std::vector<int>& numbers) {
+    const std::vector<char> is_inner = find_inner_sheets(static_cast<int>(tiles.size()), seams);
+    std::vector<Tile> skin;
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        if (is_inner[t] != 0) continue;
+        skin.push_back(tiles[t]);
+        numbers.push_back(static_cast<int>(t));
+    }
+    return skin;
+}
+
+/// The end of a tube or a tent: it passes every tile of the skin, each once. What a tile leaves passes some of them, what a
+/// gore leaves each twice.
+bool goes_round_all(const LooseLoop& loop, std::vector<int> skin) {
+    std::vector<int> passed = loop.tiles;
+    std::sort(passed.begin(), passed.end());
+    std::sort(skin.begin(), skin.end());
+    return passed == skin;
+}
+
 }  // namespace
 
 std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance) {
@@ -167,10 +192,21 @@ std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const Foun
     std::vector<double> outlines;
     for (const Tile& tile : tiles) outlines.push_back(outline_length(tile));
     const auto longest = std::max_element(outlines.begin(), outlines.end());
+    std::vector<int> numbers;
+    const std::vector<Tile> skin = skin_without_sheets(tiles, found.seams, numbers);
     std::vector<EnvelopeIssue> issues;
-    for (const LooseLoop& loop : find_loops(tiles, place_chains(tiles), found.loose, tolerance)) {
+    std::vector<std::vector<Vec3>> corners;
+    const std::vector<LooseLoop> loops =
+        find_loops(tiles, place_chains(tiles), found.loose, tolerance, nullptr, &corners);
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+        const LooseLoop& loop = loops[l];
         if (!loop.closed || loop.outline || loop.openness < slit || loop.corners < 2) continue;
         if (passes_a_miss(loop, found.near_misses)) continue;  // its corners are where the gap begins
+        if (goes_round_all(loop, numbers)) continue;
+        const auto on_cloth = std::count_if(corners[l].begin(), corners[l].end(), [&](const Vec3& corner) {
+            return std::abs(turn_on_cloth(skin, corner, corner_reach * tolerance)) > corner_on_cloth;
+        });
+        if (on_cloth < 2) continue;  // the rim of a tube with sides
         const std::vector<std::string> around = each_once(names_of(tiles, loop.tiles));
         const bool lobed = loop.corners > 8 && loop.corners >= static_cast<int>(loop.tiles.size());
         if (lobed) continue;  // a mouth or crown of lobes: a corner from each tile to the next

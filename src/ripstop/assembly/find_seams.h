@@ -46,7 +46,8 @@ struct FoundSeams {
 /// (`order_sheets`).
 ///
 /// What of the others lies on a seam, and is sewn to nothing itself, is a further sheet of it (`Seam::into`), over at
-/// least a quarter of the shorter of its chain and the seam: a rib, a fin, a diaphragm. It has a record for each seam that
+/// least a quarter of the shorter of its chain and the seam: a rib, a fin, a diaphragm. Edges of a tile of that seam itself,
+/// as the layers of a pleat, are none: two of them are a seam of their own. It has a record for each seam that
 /// it lies on, and the length of that seam's curve, edge by edge where both have the same vertices, else by projection.
 ///
 /// Both sides are measured on one curve, so the sums of their parts agree. Where their vertices coincide (within 1e-6

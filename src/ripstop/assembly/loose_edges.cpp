@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 namespace ripstop {
@@ -27,7 +28,7 @@ struct PlacedRun {
 /// Corners, area vector and centre of a run's points, gathered run by run.
 struct LoopSums {
     Vec3 area = Vec3::Zero(), moment = Vec3::Zero();
-    int corners = 0;
+    std::vector<Vec3> corners = {};
     double length = 0;
 
     void add_step(const Vec3& from, const Vec3& to) {
@@ -42,14 +43,15 @@ struct LoopSums {
             const Vec3 to = placed.curve.point(at);
             add_step(from, to);
             from = to;
-            corners += turn_between(placed.curve.direction_before(at), placed.curve.direction_after(at)) > loose_corner_turn;
+            if (turn_between(placed.curve.direction_before(at), placed.curve.direction_after(at)) > loose_corner_turn)
+                corners.push_back(to);
         }
         add_step(from, placed.end);
     }
 };
 
 LooseLoop make_loop(const std::vector<Tile>& tiles, const std::vector<PlacedRun>& runs, const std::vector<int>& members,
-                    bool closed) {
+                    bool closed, std::vector<std::vector<Vec3>>* corners_of_loop) {
     LooseLoop loop;
     LoopSums sums;
     Vec3 outward = Vec3::Zero();
@@ -61,15 +63,17 @@ LooseLoop make_loop(const std::vector<Tile>& tiles, const std::vector<PlacedRun>
         sums.add(run);
         if (i + 1 == members.size() && !closed) continue;
         sums.add_step(run.end, next.start);
-        sums.corners += turn_between(run.curve.direction_before(run.run->end),
-                                     next.curve.direction_after(next.run->start)) > loose_corner_turn;
+        if (turn_between(run.curve.direction_before(run.run->end), next.curve.direction_after(next.run->start)) >
+            loose_corner_turn)
+            sums.corners.push_back(run.end);
     }
     loop.closed = closed;
     loop.length = sums.length;
-    loop.corners = sums.corners;
+    loop.corners = static_cast<int>(sums.corners.size());
     loop.centre = sums.length > 0 ? Vec3(sums.moment / sums.length) : runs[0].start;
     loop.openness = sums.length > 0 ? sums.area.norm() / (sums.length * sums.length) : 0;
     loop.outline = sums.area.dot(outward) > 0;
+    if (corners_of_loop) corners_of_loop->push_back(std::move(sums.corners));
     return loop;
 }
 
@@ -147,7 +151,8 @@ double BoundaryCurve::length_between(double start, double end) const {
 
 std::vector<LooseLoop> find_loops(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                                   const std::vector<LooseRun>& loose, double tolerance,
-                                  std::vector<std::vector<int>>* runs_of_loop) {
+                                  std::vector<std::vector<int>>* runs_of_loop,
+                                  std::vector<std::vector<Vec3>>* corners_of_loop) {
     std::vector<PlacedRun> runs;
     for (const LooseRun& run : loose) {
         const BoundaryCurve curve(chains, run.tile);
@@ -158,7 +163,7 @@ std::vector<LooseLoop> find_loops(const std::vector<Tile>& tiles, const std::vec
     std::vector<LooseLoop> loops;
     std::vector<bool> taken(runs.size(), false);
     const auto keep = [&](const std::vector<int>& members, bool closed) {
-        loops.push_back(make_loop(tiles, runs, members, closed));
+        loops.push_back(make_loop(tiles, runs, members, closed, corners_of_loop));
         if (runs_of_loop) runs_of_loop->push_back(members);
     };
     for (int first = 0; first < static_cast<int>(runs.size()); ++first) {
@@ -178,6 +183,30 @@ std::vector<LooseLoop> find_loops(const std::vector<Tile>& tiles, const std::vec
         keep(members, next == first);
     }
     return loops;
+}
+
+double turn_on_cloth(const std::vector<Tile>& tiles, const Vec3& place, double reach) {
+    double turn = std::numbers::pi;
+    for (const Tile& tile : tiles) {
+        const std::size_t count = tile.boundary.size();
+        std::vector<bool> is_near(count);
+        for (std::size_t i = 0; i < count; ++i)
+            is_near[i] = (Vec3(tile.mesh.positions.row(tile.boundary[i])) - place).norm() < reach;
+        const bool has_corner = std::find(is_near.begin(), is_near.end(), true) != is_near.end();
+        const Eigen::VectorXd turning =
+            has_corner ? surface_turning(tile.mesh, tile.boundary) : Eigen::VectorXd(Eigen::VectorXd::Zero(0));
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t next = (i + 1) % count;
+            if (is_near[i]) turn += turning[static_cast<Eigen::Index>(i)];
+            if (is_near[i] && !is_near[next]) turn -= std::numbers::pi;
+            if (is_near[i] || is_near[next]) continue;
+            const Vec3 from = tile.mesh.positions.row(tile.boundary[i]);
+            const Vec3 along = Vec3(tile.mesh.positions.row(tile.boundary[next])) - from;
+            const double share = std::clamp((place - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+            if ((from + share * along - place).norm() < reach) turn -= std::numbers::pi;
+        }
+    }
+    return turn;
 }
 
 }  // namespace ripstop

@@ -28,9 +28,14 @@ class BoundaryCurve {
 
 /// The loose edges of an envelope joined end to start into loops: a tile's own first, over its corners, then the
 /// nearest start of another within twenty tolerances or a twentieth of the longer run. O(#runs^2) in the runs of
-/// tiles that are sewn somewhere.
+/// tiles that are sewn somewhere. `corners_of_loop`: where each turns in space by more than 40 degrees.
 std::vector<LooseLoop> find_loops(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                                   const std::vector<LooseRun>& loose, double tolerance,
-                                  std::vector<std::vector<int>>* runs_of_loop = nullptr);
+                                  std::vector<std::vector<int>>* runs_of_loop = nullptr,
+                                  std::vector<std::vector<Vec3>>* corners_of_loop = nullptr);
+
+/// How much a loose edge turns on the cloth at a place: pi less the angles that the tiles fill there, as far as `reach` [m]
+/// about it. 0 on the rim of a tube, whatever its sides: they turn in space alone. O(#boundary vertices).
+double turn_on_cloth(const std::vector<Tile>& tiles, const Vec3& place, double reach);
 
 }  // namespace ripstop

@@ -52,7 +52,7 @@ void RunClaims::take_beside(const Run& run, int chain, double from, double to) {
         const Run& other = beside_[r];
         const bool by_b = other.b == chain;
         const int across = by_b ? other.a : other.b;
-        if (across == run.a || across == run.b) continue;
+        if (is_of_one_tile(across, run)) continue;  // a pleat: its layers are sewn to one another
         const ChainCurve& its = chains_[static_cast<std::size_t>(across)].curve;
         for (const double turn : {-lap, 0.0, lap}) {
             if (const auto part = cut_run(chains_, other, by_b, from + turn, to + turn))
@@ -62,6 +62,11 @@ void RunClaims::take_beside(const Run& run, int chain, double from, double to) {
             if (lap == 0) break;
         }
     }
+}
+
+bool RunClaims::is_of_one_tile(int chain, const Run& run) const {
+    const auto tile = [this](int c) { return chains_[static_cast<std::size_t>(c)].tile; };
+    return tile(chain) == tile(run.a) || tile(chain) == tile(run.b);
 }
 
 bool RunClaims::covers(const Ranges& ranges, int chain, double at, double margin) const {

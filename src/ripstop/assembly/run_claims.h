@@ -42,6 +42,8 @@ class RunClaims {
     /// Where between two touches of a run, one taken and one not, what is taken ends.
     std::optional<Touch> end_of_taken(const Touch& taken, const Touch& open) const;
     void take(int chain, double from, double to);
+    /// Is a chain of one of the tiles that a run joins?
+    bool is_of_one_tile(int chain, const Run& run) const;
     void take_beside(const Run& run, int chain, double from, double to);
 
     const std::vector<PlacedChain>& chains_;

@@ -13,14 +13,13 @@
 namespace ripstop {
 namespace {
 
-constexpr double shortest_touch = 4;                   // tolerances
-constexpr double shortest_common = 0.25;               // of the shorter chain
+constexpr double shortest_touch = 4;                 // tolerances
+constexpr double shortest_common = 0.25;             // of the shorter chain
 constexpr double competing = 0.5;                    // of the shorter run
 constexpr double named_inside = 20;                  // more than all that geometry tells
 constexpr double skin_weighs = 3;                    // more than any angle
-constexpr double least_skin = 0.15, all_skin = 0.4;  // of one-sidedness: below it a tile may be anything
+constexpr double least_skin = 0.5, all_skin = 0.75;  // of one-sidedness: a flap beside a sheet hides less
 constexpr double clearly_lower = 0.3;                // of ranks
-constexpr double one_layer = 0.5;                    // cosine: sheets within 60 degrees lie on one another
 constexpr double rank_step = 1e-6;                   // below it ranks are equal: rounding decides nothing
 constexpr std::size_t most_samples = 16;
 
@@ -140,41 +139,6 @@ class Competition {
     std::vector<std::size_t> group_;
 };
 
-using ChainPair = std::pair<int, int>;
-ChainPair pair_of(int p, int q) {
-    return {std::min(p, q), std::max(p, q)};
-}
-
-/// Pairs of chains whose sheets lie on one another, so that each layer has a seam of its own: a lining on its cloth. Two runs are
-/// two layers where each sheet of one lies on a sheet of the other and runs the same way.
-std::set<ChainPair> find_layers(Inward& inward, Competition& competition, const std::vector<Run>& opposed,
-                                const std::vector<Run>& same_way) {
-    std::map<ChainPair, double> cosines;
-    for (std::size_t r = 0; r < same_way.size(); ++r) {
-        if (competition.against(opposed.size() + r).empty()) continue;
-        double& cosine = cosines.try_emplace(pair_of(same_way[r].a, same_way[r].b), -1).first->second;
-        cosine = std::max(cosine, mean_cosine(inward, same_way[r]));
-    }
-    const auto lie_together = [&cosines](int p, int q) {
-        const auto known = cosines.find(pair_of(p, q));
-        return known != cosines.end() && known->second > one_layer;
-    };
-    std::map<std::size_t, std::vector<const Run*>> groups;
-    for (std::size_t r = 0; r < opposed.size(); ++r)
-        if (!competition.against(r).empty()) groups[competition.group(r)].push_back(&opposed[r]);
-    std::set<ChainPair> layers;
-    for (const auto& [group, runs] : groups)
-        for (const Run* one : runs)
-            for (const Run* other : runs) {
-                const bool is_layer = (lie_together(one->a, other->a) && lie_together(one->b, other->b)) ||
-                                      (lie_together(one->a, other->b) && lie_together(one->b, other->a));
-                if (!is_layer) continue;
-                for (const int p : {one->a, one->b})
-                    for (const int q : {other->a, other->b}) layers.insert(pair_of(p, q));
-            }
-    return layers;
-}
-
 }  // namespace
 
 bool is_long_run(const std::vector<PlacedChain>& chains, const Run& run, double tolerance) {
@@ -213,10 +177,8 @@ SheetOrder order_sheets(const std::vector<Tile>& tiles, const std::vector<Placed
         ranks[r] = std::round(rank / rank_step) * rank_step;
     }
     SheetOrder order;
-    const std::set<ChainPair> layers = find_layers(inward, competition, opposed, same_way);
     for (const Run* run : runs)
-        if (is_long_run(chains, *run, tolerance) && !layers.contains(pair_of(run->a, run->b)))
-            order.beside.push_back(*run);
+        if (is_long_run(chains, *run, tolerance)) order.beside.push_back(*run);
     for (std::size_t r = opposed.size(); r < runs.size(); ++r) {
         const std::vector<std::size_t>& others = competition.against(r);
         order.competes.push_back(!others.empty());
