@@ -59,7 +59,7 @@ TEST(SpecialJson, RefusesWhatASchemaCannotSay) {
 TEST(SpecialJson, ReadsTheExampleInTheDocs) {
     std::ifstream in(RIPSTOP_SOURCE_DIR "/docs/special.example.json");
     const SpecialShape shape = read_special_shape(in, "example");
-    EXPECT_DOUBLE_EQ(shape.edge_length, 0.1);
+    EXPECT_DOUBLE_EQ(shape.edge_length, 0.06);
     EXPECT_DOUBLE_EQ(shape.mouth.value(), -2.35);
     EXPECT_EQ(shape.joint_radius, 0);
     ASSERT_EQ(shape.primitives.size(), 5U);

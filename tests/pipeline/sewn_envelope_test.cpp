@@ -27,6 +27,10 @@ void expect_exact_seams(const CutPlan& plan) {
         EXPECT_LT(plan.walks[i].drift_max, 2e-8 * plan.walks[i].length) << plan.seams[i].id;
         EXPECT_TRUE(plan.walks[i].ok);
     }
+}
+
+void expect_exact_and_certain_seams(const CutPlan& plan) {
+    expect_exact_seams(plan);
     EXPECT_TRUE(plan.findings.empty());
 }
 
@@ -34,14 +38,14 @@ TEST(SewnEnvelope, MeshedTileByTileHasExactSeams) {
     const EnvelopeDesign design{.gores = 10, .panels = 5, .volume = 600, .edge_length = 0.4};
     const CutPlan plan = flatten(make_envelope(testing::meshed_apart(design, 5), {}));
     EXPECT_EQ(static_cast<int>(plan.seams.size()), testing::seam_count(design));
-    expect_exact_seams(plan);
+    expect_exact_and_certain_seams(plan);
 }
 
 TEST(SewnEnvelope, WithTJunctionsHasExactSeams) {
     const int rows = 4, bricks = 10;
     const CutPlan plan = flatten(make_envelope(testing::brick_wall(rows, bricks), {}));
     EXPECT_EQ(static_cast<int>(plan.seams.size()), rows * bricks + (rows - 1) * 2 * bricks);
-    expect_exact_seams(plan);
+    expect_exact_and_certain_seams(plan);
 }
 
 TEST(SewnEnvelope, OfBentSheetsMeshedDifferentlyFitsByMethodsThatKnowOnlyTheMesh) {
@@ -64,10 +68,23 @@ TEST(RealInput, TheDressHasExactSeamsAndItsOwnPatternTheMismatchThatWasPublished
     RIPSTOP_REQUIRE_SHARED(dress, "dress/dress_knife_drape_3d.obj");
     RIPSTOP_REQUIRE_SHARED(list, "dress/dress_knife_seams.json");
     const Envelope envelope = read_envelope(dress, {});
-    expect_exact_seams(flatten(envelope));
+    const CutPlan plan = flatten(envelope);
+    expect_exact_seams(plan);
+    // Cloth is draped in folds that its triangles hardly follow: of many seams they leave the length open. Each
+    // of these is a finding, and nothing else is one.
+    std::vector<const SeamWalk*> open;
+    for (const SeamWalk& walk : plan.walks)
+        if (walk.uncertainty > 0.001 * walk.length) open.push_back(&walk);
+    ASSERT_EQ(plan.findings.size(), open.size());
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        EXPECT_EQ(plan.findings[i].code, "uncertain");
+        EXPECT_DOUBLE_EQ(plan.findings[i].value, open[i]->uncertainty / millimetre);
+        EXPECT_DOUBLE_EQ(plan.findings[i].limit, open[i]->length);  // 0.1 %, in mm
+    }
     const CutPlan given = flatten(envelope, "given");
     std::ifstream in(list);
     const nlohmann::json published = nlohmann::json::parse(in);
+    int certain = 0;
     // Seams of the list and ours are one where they join the same panels and are as long, to 1 %, and not short.
     std::vector<double> differences;
     for (const auto& seam : published["seams"]) {
@@ -80,12 +97,19 @@ TEST(RealInput, TheDressHasExactSeamsAndItsOwnPatternTheMismatchThatWasPublished
             const bool turned = ours.a.tile == b && ours.b.tile == a;
             if (!turned && !(ours.a.tile == a && ours.b.tile == b)) continue;
             if (std::abs(ours.length / length - 1) > 0.01) continue;
+            // Where the list has two sides that are not equally long as draped, ours is not certain.
+            const double apart = std::abs(seam["draped_len_a"].get<double>() - seam["draped_len_b"].get<double>());
+            if (plan.walks[i].is_certain()) {
+                EXPECT_LE(apart, plan.walks[i].limit) << ours.id;
+                ++certain;
+            }
             const double mismatch = (turned ? -1 : 1) * given.walks[i].mismatch();
             const double reference = seam["flat_len_b"].get<double>() - seam["flat_len_a"].get<double>();
             differences.push_back(std::abs(mismatch - reference));
         }
     }
     ASSERT_GE(differences.size(), 15u);
+    EXPECT_GE(certain, 12);
     std::sort(differences.begin(), differences.end());
     EXPECT_LT(differences[differences.size() / 2], 0.0001) << "a tenth of a millimetre, of mismatches up to 34 mm";
     EXPECT_LT(differences.back(), 0.001);

@@ -15,12 +15,14 @@ namespace {
 constexpr double first_reach = 2, reach = 3;  // mean edges
 constexpr double least_step = 0.05;           // mean edges: a tooth that goes back still comes after the one before
 constexpr double held = 1e6;                  // weight of the ends
-constexpr Eigen::Index lap = 12;              // vertices that a closed chain is laid out beyond its round at either end
+// Vertices that a closed chain is laid out beyond its round at either end: what an end does to the fit fades as
+// exp(-x / (2 r)), to 0.02 over eight r.
+constexpr Eigen::Index lap = 24;
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// 1, sin(k x) / k, (1 - cos(k x)) / k^2 and (k x - sin(k x)) / k^3, true for small k x too: the first three are what the
-/// operator f''' + k^2 f' takes to zero, the fourth it takes to 1.
+/// 1, sin(k x) / k, (1 - cos(k x)) / k^2 and (k x - sin(k x)) / k^3, true for small k x too: the first three are what
+/// the operator f''' + k^2 f' takes to zero, the fourth it takes to 1.
 Eigen::Vector4d basis(double k, double x) {
     const double z = k * x;
     if (std::abs(z) < 0.02) {
@@ -29,6 +31,10 @@ Eigen::Vector4d basis(double k, double x) {
     }
     return {1, std::sin(z) / k, (1 - std::cos(z)) / (k * k), (z - std::sin(z)) / (k * k * k)};
 }
+
+/// The first and the last vertex stay where they are, are where the layout of a longer chain was cut off, or lie beside
+/// each other.
+enum class Ends { held, free, joined };
 
 /// Rows of f''' + k^2 f' from four vertices in a row, each times the root of its share of the length.
 /// `cyclic`: the last step leads back to the first vertex.
@@ -51,14 +57,15 @@ Sparse operator_of(const Eigen::VectorXd& steps, double k, bool cyclic) {
     return matrix;
 }
 
-Points2 fit(const Points2& points, const Eigen::VectorXd& steps, double r, double k, bool cyclic = false) {
+Points2 fit(const Points2& points, const Eigen::VectorXd& steps, double r, double k, Ends ends) {
+    const bool cyclic = ends == Ends::joined;
     const Eigen::Index count = points.rows(), last = count - 1;
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(count);
     for (Eigen::Index i = 0; i < steps.size(); ++i) {
         weights[i] += steps[i] / 2;
         weights[(i + 1) % count] += steps[i] / 2;
     }
-    if (!cyclic) {
+    if (ends == Ends::held) {
         weights[0] *= held;
         weights[last] *= held;
     }
@@ -68,7 +75,7 @@ Points2 fit(const Points2& points, const Eigen::VectorXd& steps, double r, doubl
     const Eigen::SimplicialLDLT<Sparse> solver(system);
     Points2 fair = solver.solve(Eigen::MatrixXd(weights.asDiagonal() * points));
     fair += Points2(solver.solve(Eigen::MatrixXd(weights.asDiagonal() * (points - fair))));
-    if (cyclic) return fair;
+    if (ends != Ends::held) return fair;
     fair.row(0) = points.row(0);
     fair.row(last) = points.row(last);
     return fair;
@@ -89,15 +96,21 @@ Eigen::VectorXd turns_of(const Points2& points) {
     return turns;
 }
 
-/// Of a first fit: how sharply the curve bends on the whole [1/m].
-double bending_of(const Points2& first_fit) {
-    return std::abs(turns_of(first_fit).sum()) / steps_of(first_fit).sum();
+/// How sharply a chain bends on the whole [1/m]. The turns of an open one lie between the middles of its outer edges.
+double bending_of(const ChainLayout& chain) {
+    const Eigen::Index edges = chain.lengths.size();
+    if (chain.closed) return std::abs(chain.turns.sum()) / chain.lengths.sum();
+    const double outer = (chain.lengths[0] + chain.lengths[edges - 1]) / 2;
+    return std::abs(chain.turns.segment(1, edges - 1).sum()) / (chain.lengths.sum() - outer);
 }
 
-double bending_of(const ChainLayout& chain) {
-    const Eigen::Index count = chain.turns.size();
-    const double turning = chain.closed ? chain.turns.sum() : chain.turns.segment(1, count - 2).sum();
-    return std::abs(turning) / chain.lengths.sum();
+/// The same of a first fit: of a closed chain of its one round, without what lies beyond.
+double bending_of(const Points2& first_fit, bool closed) {
+    const Eigen::VectorXd turns = turns_of(first_fit), steps = steps_of(first_fit);
+    if (!closed) return bending_of(ChainLayout{steps, turns, false});
+    const Eigen::Index count = first_fit.rows() - 1 - 2 * lap;
+    const double length = (steps.segment(lap, count).sum() + steps.segment(lap - 1, count).sum()) / 2;
+    return std::abs(turns.segment(lap, count).sum()) / length;
 }
 
 /// The chain in the plane; of a closed one `lap` vertices more before its first and after that again.
@@ -114,6 +127,10 @@ Points2 laid_out(const ChainLayout& chain) {
             points.row(i - first) + chain.lengths[here] * Vec2(std::cos(heading), std::sin(heading)).transpose();
     }
     return points;
+}
+
+Ends ends_of(const ChainLayout& chain) {
+    return chain.closed ? Ends::free : Ends::held;
 }
 
 Vec2 direction(const Points2& points, Eigen::Index i) {
@@ -158,9 +175,10 @@ ChainLayout layout_of(const Points2& chain, bool closed) {
 Points2 fair_points(const Points2& chain, bool closed) {
     const ChainLayout layout = layout_of(chain, closed);
     const double edge = layout.lengths.mean();
-    const Points2 first_fit = fit(chain, layout.lengths, first_reach * edge, bending_of(layout), closed);
+    const Ends ends = closed ? Ends::joined : Ends::held;
+    const Points2 first_fit = fit(chain, layout.lengths, first_reach * edge, bending_of(layout), ends);
     const ChainLayout fitted = layout_of(first_fit, closed);
-    return fit(chain, fitted.lengths.cwiseMax(least_step * edge), reach * edge, bending_of(fitted), closed);
+    return fit(chain, fitted.lengths.cwiseMax(least_step * edge), reach * edge, bending_of(fitted), ends);
 }
 
 FairCurve::FairCurve(const ChainLayout& chain) {
@@ -169,14 +187,15 @@ FairCurve::FairCurve(const ChainLayout& chain) {
     const double edge = chain.lengths.mean();
     first_reach_ = first_reach * edge;
     reach_ = reach * edge;
-    steps_ = steps_of(fit(points, first_, first_reach_, bending_of(chain))).cwiseMax(least_step * edge);
+    steps_ = steps_of(fit(points, first_, first_reach_, bending_of(chain), ends_of(chain))).cwiseMax(least_step * edge);
     line_ = of_image(chain);
 }
 
 FairLine FairCurve::of_image(const ChainLayout& image) const {
     const Points2 points = laid_out(image);
-    const Points2 first_fit = fit(points, first_, first_reach_, bending_of(image));
-    return line_of(image, points, fit(points, steps_, reach_, bending_of(first_fit)));
+    const Points2 first_fit = fit(points, first_, first_reach_, bending_of(image), ends_of(image));
+    const double bending = bending_of(first_fit, image.closed);
+    return line_of(image, points, fit(points, steps_, reach_, bending, ends_of(image)));
 }
 
 }  // namespace ripstop
