@@ -1,6 +1,7 @@
 /// What the program does where allowances meet.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -66,7 +67,13 @@ TEST(Allowances, ExportAndNestTellAPlanWhoseCutLineHasLostItsOpening) {
     ASSERT_EQ(workshop.ripstop("flatten slotted.obj --unit m --allowance-fit -o plan").code, 0);
     EXPECT_EQ(workshop.ripstop("export plan --dialect aama -o sound").code, 0);
     auto json = nlohmann::json::parse(workshop.read("plan/cut/pieces.json"));
-    json["pieces"][0]["cut_line_m"] = {{-0.025, -0.025}, {0.825, -0.025}, {0.825, 0.825}, {-0.025, 0.825}};
+    double low[2] = {10, 10}, high[2] = {-10, -10};  // of the cut line that the union of all allowances would give
+    for (const auto& point : json["pieces"][0]["cut_line_m"])
+        for (std::size_t k = 0; k < 2; ++k) {
+            low[k] = std::min(low[k], point[k].get<double>());
+            high[k] = std::max(high[k], point[k].get<double>());
+        }
+    json["pieces"][0]["cut_line_m"] = {{low[0], low[1]}, {high[0], low[1]}, {high[0], high[1]}, {low[0], high[1]}};
     workshop.write("plan/cut/pieces.json", json.dump());
     const ProgramRun run = workshop.ripstop("export plan --dialect aama -o lost");
     EXPECT_EQ(run.code, 1);

@@ -358,7 +358,8 @@ TEST(CheckDrawing, IsNotSureOfCurvesItCannotRead) {
     drawing.leave_unread("SPLINE without control points", "1", 7);
     const DrawingCheck check = check_drawing(drawing);
     EXPECT_FALSE(check.sound());
-    EXPECT_THAT(check.issues.back().message, HasSubstr("line 7: 1 SPLINE without control points on layer 1 cannot be checked"));
+    EXPECT_THAT(check.issues.back().message,
+                HasSubstr("line 7: 1 SPLINE without control points on layer 1 cannot be checked"));
 }
 
 TEST(CheckDrawing, TellsAnOutlineLeftOpenFromAMarkWhereTheLayersAreNotKnown) {
@@ -395,7 +396,8 @@ TEST(CheckDrawing, CountsEveryClosedLineWhereTheLayersAreNotKnown) {
         check_drawing(drawing_of({closed("Layer 1", square({0, 0}, 300)), open("Layer 1", points({{10, 10}, {50, 10}})),
                                   open("Layer 2", points({{0, 500}, {300, 500}, {300, 700}, {0, 500.4}}))}));
     EXPECT_EQ(check.contours.size(), 1U);
-    EXPECT_EQ(codes(check), (std::vector<std::string>{"open_line", "gap"})) << "a short line may be anything, a near miss is one";
+    EXPECT_EQ(codes(check), (std::vector<std::string>{"open_line", "gap"}))
+        << "a short line may be anything, a near miss is one";
     EXPECT_EQ(codes(check_drawing(drawing_of({}))), (std::vector<std::string>{"no_contour"}));
 }
 

@@ -72,7 +72,8 @@ std::vector<AllowedEdge> open_ring(double angle, double allowance, double radius
 
 std::vector<AllowedEdge> notched_strip(double angle, double allowance) {
     const double half = 0.5 * std::tan(angle / 2);
-    return hemmed(sides_of({{-1, 0}, {1, 0}, {1, 1}, {half, 1}, {0, 0.5}, {-half, 1}, {-1, 1}}), allowance);
+    const double side = 0.5 + std::max(half, 0.5);
+    return hemmed(sides_of({{-side, 0}, {side, 0}, {side, 1}, {half, 1}, {0, 0.5}, {-half, 1}, {-side, 1}}), allowance);
 }
 
 PatternPiece cut_piece(const std::vector<AllowedEdge>& edges) {

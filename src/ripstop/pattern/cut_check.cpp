@@ -119,7 +119,7 @@ class CutChecker {
         if (reach < segment.allowance) {
             if (may_be_narrow(place, reach)) return;
             record(narrow_[segment.edge], at, length, reach);
-        } else if (is_covered(place, end, true) && !is_left_to_a_corner(place)) {
+        } else if (is_covered(place, end, true) && !is_covered(place, end, false)) {
             record(lost_[segment.edge], at, length, reach);
         }
     }
@@ -143,18 +143,6 @@ class CutChecker {
         const Vec2 at = segment.at(place.along);
         return std::min((at - Vec2(line.row(0))).norm(), (at - Vec2(line.row(line.rows() - 1))).norm()) <=
                furthest_corner * widest;
-    }
-
-    /// Where the edge's allowance is known to meet another: what is left of it belongs to a corner that turns inward,
-    /// as at the bottom of a narrow slot.
-    bool is_left_to_a_corner(const SewPlace& place) const {
-        const SewSegment& segment = contour_.segments()[place.segment];
-        double left = std::numeric_limits<double>::infinity();
-        for (const MetAllowances& met : piece_.met)
-            if (met.edge == segment.edge || met.mate_edge == segment.edge)
-                left = std::min(left, std::max(0.0, met.left));
-        return left <= segment.allowance &&
-               is_covered(place, segment.at(place.along) + left * segment.outward, false);
     }
 
     /// Does the allowance of a part that is apart, or of one that is not, cover the point?
@@ -252,7 +240,8 @@ std::string met_text(const PatternPiece& piece, const MetAllowances& met) {
                                   ? "two parts of " + edge_text(piece, met.edge)
                                   : edge_text(piece, met.edge) + " and " + edge_text(piece, met.mate_edge);
     return fmt::format("the allowances of {} overlap over {} mm: {} + {} mm in a gap of {} mm", edges,
-                       short_millimetres(met.length), allowed(met.edge), allowed(met.mate_edge), short_millimetres(met.gap));
+                       short_millimetres(met.length), allowed(met.edge), allowed(met.mate_edge),
+                       short_millimetres(met.gap));
 }
 
 std::vector<std::string> judge_cut_lines(CutPlan& plan, const std::vector<PatternPiece>& pieces, bool allowance_fit,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <polyclipping/clipper.hpp>
 
@@ -21,7 +22,7 @@ constexpr double fit_error = 1e-5;        // of a reach between two of its sampl
 constexpr double finest = 1e-4;           // between samples [m]
 constexpr double coarsest = 5e-3;         // the same, where nothing is allowed [m]
 constexpr double chord_error = 5e-6;      // of the cut line where it is fitted [m]
-constexpr double nothing_missing = 5e-5;  // [m]
+constexpr double nothing_missing = 6e-5;  // [m]: what a slot between allowances that just fit takes, and rounding
 
 IntPoint to_steps(const Vec2& p) {
     return {static_cast<cInt>(std::llround(p.x() * steps_per_metre)),
@@ -123,12 +124,13 @@ class AllowanceMeetings {
 
     /// What two edges take of each other once. What a corner at the end of a longer meeting adds to it is told with it.
     std::vector<MetAllowances> list() const {
-        const std::vector<MetAllowances> all = pairs();
+        const std::vector<Meeting> all = pairs();
         std::vector<MetAllowances> told;
-        for (const MetAllowances& met : all) {
+        for (const auto& [met, lower, upper] : all) {
             const double both = allowance(met.edge) + allowance(met.mate_edge);
-            const auto holds = [&](const MetAllowances& other) {
-                return other.length > met.length && (other.at - met.at).norm() < 2 * both;
+            const auto holds = [&, &met = met](const Meeting& other) {
+                const Vec2 nearest = met.at.cwiseMax(other.lower).cwiseMin(other.upper);
+                return other.met.length > met.length && (nearest - met.at).norm() < 2 * both;
             };
             if (met.length >= both || std::none_of(all.begin(), all.end(), holds)) told.push_back(met);
         }
@@ -136,26 +138,31 @@ class AllowanceMeetings {
     }
 
   private:
+    struct Meeting {
+        MetAllowances met;
+        Vec2 lower = Vec2::Constant(std::numeric_limits<double>::infinity()), upper = -lower;  // its box
+    };
+
     double allowance(int edge) const {
         for (const SewSegment& segment : contour_.segments())
             if (segment.edge == edge) return segment.allowance;
         return 0;
     }
 
-    std::vector<MetAllowances> pairs() const {
-        std::vector<MetAllowances> all;
-        for (const auto& [edges, met] : met_) {
+    std::vector<Meeting> pairs() const {
+        std::vector<Meeting> all;
+        for (const auto& [edges, meeting] : met_) {
             const auto mate = met_.find({edges.second, edges.first});
             if (edges.first == edges.second) {
-                all.push_back(met);
-                all.back().length /= 2;
+                all.push_back(meeting);
+                all.back().met.length /= 2;
             } else if (mate == met_.end()) {
-                all.push_back(met);
+                all.push_back(meeting);
             } else if (edges.first < edges.second) {
-                const MetAllowances& other = mate->second;
-                all.push_back(met);
-                all.back().length = std::max(met.length, other.length);
-                all.back().left = std::min(met.left, other.left);
+                const MetAllowances &met = meeting.met, &other = mate->second.met;
+                all.push_back(meeting);
+                all.back().met.length = std::max(met.length, other.length);
+                all.back().met.left = std::min(met.left, other.left);
             }
         }
         return all;
@@ -164,10 +171,13 @@ class AllowanceMeetings {
     void add(const SewSegment& own, const Sample& sample, double length) {
         const SewSegment& other = contour_.segments()[static_cast<std::size_t>(sample.limit.segment)];
         const auto [found, is_new] = met_.try_emplace({own.edge, other.edge});
-        MetAllowances& met = found->second;
+        MetAllowances& met = found->second.met;
+        const Vec2 at = own.at(sample.along);
+        found->second.lower = found->second.lower.cwiseMin(at);
+        found->second.upper = found->second.upper.cwiseMax(at);
         met.length += length;
         if (is_new || sample.limit.gap < met.gap) {
-            met.at = own.at(sample.along);
+            met.at = at;
             met.gap = sample.limit.gap;
         }
         met.left = is_new ? sample.limit.reach : std::min(met.left, sample.limit.reach);
@@ -176,7 +186,7 @@ class AllowanceMeetings {
     }
 
     const SewContour& contour_;
-    std::map<std::pair<int, int>, MetAllowances> met_;
+    std::map<std::pair<int, int>, Meeting> met_;
 };
 
 /// Adds what lies between the allowances of two segments. Where the sew line bends inward they cross, and the way

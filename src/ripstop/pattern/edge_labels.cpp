@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double air = 0.004;          // between the sew line and the letters [m]
+constexpr double air = 0.004;        // between the sew line and the letters [m]
 constexpr double label_share = 0.8;  // of a mate's length that its name may take
 constexpr std::array heights{0.008, 0.006, 0.0045, 0.003};
 constexpr std::array places{0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8};
@@ -23,13 +23,13 @@ double reach(const Box& box, const Vec2& axis) {
     return box.half.x() * std::abs(along.dot(axis)) + box.half.y() * std::abs(up.dot(axis));
 }
 
-struct LabelPlace {
+struct LabelPoint {
     Vec2 at, way;
 };
 
 /// The point `walked` along a polyline, and the way it goes there.
-LabelPlace along(const Points2& line, double walked) {
-    LabelPlace place{line.row(0), Vec2::UnitX()};
+LabelPoint along(const Points2& line, double walked) {
+    LabelPoint place{line.row(0), Vec2::UnitX()};
     for (Eigen::Index i = 0; i + 1 < line.rows(); ++i) {
         const Vec2 from = line.row(i), way = Vec2(line.row(i + 1)) - from;
         const double length = way.norm();
@@ -55,7 +55,7 @@ std::optional<Label> place_name(const PatternPiece& piece, const Points2& line, 
     for (const double height : heights) {
         if (height * letters(mate.piece) > label_share * mate.length) continue;
         for (const double share : places) {
-            const LabelPlace place = along(line, from + share * mate.length);
+            const LabelPoint place = along(line, from + share * mate.length);
             const Vec2 inward(-place.way.y(), place.way.x());
             const Label label{mate.piece, place.at + (air + height / 2) * inward, height,
                               std::atan2(place.way.y(), place.way.x())};

@@ -7,7 +7,7 @@ namespace ripstop {
 namespace {
 
 /// The part of a segment that lies in one triangle: from and to, as shares of the segment.
-struct Run {
+struct LiftedRun {
     double from = 0, to = 1;
     int triangle = 0;
 };
@@ -27,9 +27,9 @@ class FlatTriangle {
         const Vec2 local = inverse_ * (p - origin_);
         return {1 - local.x() - local.y(), local.x(), local.y()};
     }
-    Run clip(const Vec2& from, const Vec2& to) const {
+    LiftedRun clip(const Vec2& from, const Vec2& to) const {
         const Vec3 start = weights(from), end = weights(to);
-        Run run{0, 1, triangle_};
+        LiftedRun run{0, 1, triangle_};
         for (int k = 0; k < 3; ++k) {
             const double change = end[k] - start[k];
             if (change > 0) run.from = std::max(run.from, -start[k] / change);
@@ -67,13 +67,13 @@ std::vector<Points3> lift_line(const TriangleMesh& mesh, const Points2& flat, co
     for (Eigen::Index s = 0; s + 1 < line.rows(); ++s) {
         const Vec2 from = line.row(s), to = line.row(s + 1);
         if (from == to) continue;
-        std::vector<Run> runs;
+        std::vector<LiftedRun> runs;
         for (const FlatTriangle& triangle : triangles)
-            if (const Run run = triangle.clip(from, to); run.to > run.from + meeting) runs.push_back(run);
-        std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.from < b.from; });
+            if (const LiftedRun run = triangle.clip(from, to); run.to > run.from + meeting) runs.push_back(run);
+        std::sort(runs.begin(), runs.end(), [](const LiftedRun& a, const LiftedRun& b) { return a.from < b.from; });
         double reached = 0;
         if (runs.empty() || runs.front().from > meeting) end_line();
-        for (const Run& run : runs) {
+        for (const LiftedRun& run : runs) {
             if (run.to <= reached + meeting) continue;  // along an edge two triangles have the same run
             if (run.from > reached + meeting) end_line();
             const auto lift = [&](double share) {

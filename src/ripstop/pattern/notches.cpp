@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int curve_samples = 256;          // of a seam's curve, to spread its marks
+constexpr int curve_samples = 256;    // of a seam's curve, to spread its marks
 constexpr double room_for_two = 0.2;  // a shorter seam has one mark [m]
 constexpr double lone_mark = 0.4;     // of the seam's length
 constexpr double depth_of_allowance = 0.4;
