@@ -93,7 +93,8 @@ TEST(OffRefusal, NamesPlaceFaultAndRemedy) {
     EXPECT_THAT(refusal(four + "3 0 1\n"), HasSubstr(":7: a corner is missing"));
     EXPECT_THAT(refusal(four + "3 0 1 4\n"), HasSubstr(":7: a face names vertex 4, expected one of the 4"));
     EXPECT_THAT(refusal(four + "3 0 1 -1\n"), HasSubstr(":7: a face names vertex -1"));
-    EXPECT_THAT(refusal(four + "2 0 1\n"), HasSubstr(":7: a face with 2 corners"));
+    EXPECT_THAT(refusal(four + "2 0 1\n"),
+                HasSubstr("1 face with fewer than three different corners left out, the first in line 7"));
     EXPECT_THAT(refusal(four + "99 0 1\n"), HasSubstr(":7: found \"99\", expected the number of a face's corners"));
 }
 

@@ -33,6 +33,9 @@ TEST(Fan, AvoidsTrianglesWithoutAreaAtACornerOnAStraightSide) {
 
 TEST(Fan, RefusesAPolygonThatEveryFanFoldsOver) {
     EXPECT_EQ(fan_corner(polygon({{0, 0}, {1, 1}, {1, 0}, {0, 1}})), -1) << "bow tie";
+    EXPECT_EQ(fan_corner({{0, 0, 0}, {1, 1, 0.1}, {1, 0, 0}, {0, 1, 0}}), -1) << "bow tie out of its plane";
+    EXPECT_GE(fan_corner({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.6}, {0, 1, 0}}), 0)
+        << "a quad bent by less than a right angle";
     EXPECT_EQ(fan_corner(polygon(
                   {{0, 0}, {9, 0}, {9, 9}, {8, 9}, {8, 1}, {5, 1}, {5, 5}, {4, 5}, {4, 1}, {1, 1}, {1, 9}, {0, 9}})),
               -1)

@@ -7,14 +7,19 @@
 namespace ripstop {
 namespace {
 
-/// The smallest part that a triangle of the fan from `corner` has along `normal`; twice an area.
-double thinnest(const std::vector<Vec3>& polygon, std::size_t corner, const Vec3& normal) {
+/// The smallest part that a triangle of the fan from `corner` has along `normal`; twice an area. Negative infinity where
+/// one faces against the one before it, as in a bow tie whose area vector is what its two wings leave.
+double thinnest(const std::vector<Vec3>& polygon, std::size_t corner, const Vec3& normal, double tiny) {
     const std::size_t count = polygon.size();
     double smallest = std::numeric_limits<double>::infinity();
+    Vec3 before = Vec3::Zero();
     for (std::size_t k = 1; k + 1 < count; ++k) {
         const Vec3 b = polygon[(corner + k) % count] - polygon[corner];
         const Vec3 c = polygon[(corner + k + 1) % count] - polygon[corner];
-        smallest = std::min(smallest, normal.dot(b.cross(c)));
+        const Vec3 area = b.cross(c);
+        if (area.dot(before) < -tiny * tiny) return -std::numeric_limits<double>::infinity();
+        smallest = std::min(smallest, normal.dot(area));
+        if (area.norm() > tiny) before = area;
     }
     return smallest;
 }
@@ -34,11 +39,11 @@ int fan_corner(const std::vector<Vec3>& polygon) {
     if (!(area > 1e-14 * extent)) return -1;
     normal /= area;
     const double tiny = 1e-12 * area;
-    double best = thinnest(polygon, 0, normal);
+    double best = thinnest(polygon, 0, normal, tiny);
     int corner = 0;
     const std::size_t searched = polygon.size() <= 100 ? polygon.size() : 1;
     for (std::size_t c = 1; c < searched && best <= tiny; ++c)
-        if (const double smallest = thinnest(polygon, c, normal); smallest > best) {
+        if (const double smallest = thinnest(polygon, c, normal, tiny); smallest > best) {
             best = smallest;
             corner = static_cast<int>(c);
         }

@@ -7,7 +7,7 @@
 namespace ripstop {
 
 /// The corner c of a polygon (its points in order) from which a fan of triangles (c, i, i + 1) covers it without folding: no
-/// triangle faces against the polygon's area vector, sum p_i x p_(i+1) / 2. It is the first corner whose triangles all have
+/// triangle faces against the polygon's area vector, sum p_i x p_(i+1) / 2, or against the triangle before it. It is the first corner whose triangles all have
 /// area, so 0 for a strictly convex polygon; where there is none (a corner on a straight side can be in the way from
 /// everywhere), the one whose thinnest triangle is largest.
 ///
