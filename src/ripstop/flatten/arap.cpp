@@ -34,9 +34,9 @@ Vec2 nearest_rotation(const Mat22& J) {
 }
 
 /// The global step. Vertex 0 is held while solving, which takes away the shift and nothing else.
-class Balance {
+class ForceBalance {
   public:
-    explicit Balance(const TriangleMesh& mesh) : mesh_(mesh), pattern_(pattern(mesh)), solver_(pattern_) {
+    explicit ForceBalance(const TriangleMesh& mesh) : mesh_(mesh), pattern_(pattern(mesh)), solver_(pattern_) {
         Eigen::VectorXd values = Eigen::VectorXd::Zero(pattern_.entry_count());
         for (int t = 0; t < mesh.triangle_count(); ++t) {
             const Rest& rest = rest_.emplace_back(rest_state(mesh, t));
@@ -101,7 +101,7 @@ Flattening flatten_arap(const Tile& tile, const Points2& start, const ArapOption
         throw InputError("tile " + tile.name + ": the start has " + std::to_string(start.rows()) +
                          " vertices, expected the tile's " + std::to_string(tile.mesh.vertex_count()));
     Flattening flat;
-    const Balance balance(tile.mesh);
+    const ForceBalance balance(tile.mesh);
     flat.positions = start.rowwise() - start.colwise().mean();
     flat.summary.factorizations = 1;
     if (!balance.usable()) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double edge_weight = 1e6;  ///< rho, in mean stiffnesses of the cloth
 constexpr int max_attempts = 16;
-constexpr int max_rest_shifts = 6;            // near rest, before the elements are clamped
+constexpr int max_rest_shifts = 6;       // near rest, before the elements are clamped
 constexpr double least_shift = 1e-7;     // in mean stiffnesses
 constexpr int max_updates = 20;          // a few; more where an edge belongs to a needle as stiff as rho
 constexpr double short_edge = 0.01;      // of the mean boundary edge

@@ -22,7 +22,7 @@ constexpr const char *boundary = "1", *turn_point = "2", *curve_point = "3", *no
 
 constexpr const char* size_name = "ONE";             // patterns of an envelope come in one size
 constexpr double system_height = 0.25 * millimetre;  // data for the reader, not for the eye
-constexpr double sampled_turn = 15 * degree;          // what a finely sampled curve never turns at a point
+constexpr double sampled_turn = 15 * degree;         // what a finely sampled curve never turns at a point
 constexpr std::size_t longest_symbol = 31;           // of Release 12
 
 /// `key` and value as the dialect spells them.

@@ -270,8 +270,8 @@ class Reader {
             refuse(entity.line(), "INSERT of " + shown(entity.text(2)) +
                                       ", expected a block of the file; export the drawing with its blocks");
         if (at.depth == deepest_insert)
-            refuse(entity.line(),
-                   "blocks in blocks more than " + std::to_string(deepest_insert) + " deep, or one in itself; explode them");
+            refuse(entity.line(), "blocks in blocks more than " + std::to_string(deepest_insert) +
+                                      " deep, or one in itself; explode them");
         Block& block = found->second;
         block.is_used = true;
         InsertPlace place = plane_of(entity, at);

@@ -17,10 +17,10 @@ namespace ripstop {
 namespace {
 
 constexpr double unit = 0.025 * millimetre;
-constexpr long largest_unit = (1L << 23) - 1;      // of HP-GL/2
-constexpr long largest_in_frame = 32767;      // of HP-GL
-constexpr std::size_t points_a_command = 16;  // plotters' buffers are small
-constexpr double shortest_frame = 0.1;        // [m]
+constexpr long largest_unit = (1L << 23) - 1;  // of HP-GL/2
+constexpr long largest_in_frame = 32767;       // of HP-GL
+constexpr std::size_t points_a_command = 16;   // plotters' buffers are small
+constexpr double shortest_frame = 0.1;         // [m]
 
 enum class Pen { draw = 1, cut = 2, notch = 3 };
 
@@ -89,7 +89,9 @@ class Plotter {
         out_ << ";\nPU;\n";
         at_ = places.back();
     }
-    static std::string text(const PlotterPlace& place) { return std::to_string(place.x) + "," + std::to_string(place.y); }
+    static std::string text(const PlotterPlace& place) {
+        return std::to_string(place.x) + "," + std::to_string(place.y);
+    }
 
     std::ostream& out_;
     Frame frame_;

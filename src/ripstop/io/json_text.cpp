@@ -13,7 +13,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int deepest_value = 64;  // what we read is 5 deep; a value's text, its copy and its end cost stack for each level
+constexpr int deepest_value =
+    64;  // what we read is 5 deep; a value's text, its copy and its end cost stack for each level
 
 /// Notes the first key that an object has twice: the parser itself would silently take the last.
 class DuplicateKeys {

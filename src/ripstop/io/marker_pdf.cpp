@@ -30,7 +30,7 @@ double round_scale(double least) {
 }
 
 /// A stretch of the roll on a page.
-struct Strip {
+struct PageStrip {
     double start, end;  ///< on the roll [m]
     Vec2 lower;         ///< of the stretch, on the page [m]
     double scale;       ///< metres of cloth to a metre of paper
@@ -49,7 +49,7 @@ Points2 closed(const Points2& outline) {
 }
 
 /// The outline and, where most room is, the grain and the name below it.
-void draw_piece(PdfCanvas& canvas, const Strip& strip, const PatternPiece& piece) {
+void draw_piece(PdfCanvas& canvas, const PageStrip& strip, const PatternPiece& piece) {
     canvas.line(strip.at(closed(piece.outline())), cut_ink);
     const Circle room = largest_circle_inside(piece.outline(), 0.01);
     const Vec2 middle = strip.at(room.centre);
@@ -63,7 +63,8 @@ void draw_piece(PdfCanvas& canvas, const Strip& strip, const PatternPiece& piece
     for (const double side : {0.4, -0.4}) canvas.line(head, head - 0.5 * height * (along + side * across), grain_ink);
 }
 
-void draw_strip(PdfCanvas& canvas, const Strip& strip, const Marker& marker, const std::vector<PatternPiece>& pieces) {
+void draw_strip(PdfCanvas& canvas, const PageStrip& strip, const Marker& marker,
+                const std::vector<PatternPiece>& pieces) {
     const Vec2 upper = strip.at(Vec2(strip.end, marker.roll_width));
     canvas.rectangle(strip.lower, upper, roll_ink);
     canvas.begin_clip(strip.lower - Vec2::Constant(0.0002), upper + Vec2::Constant(0.0002));
@@ -101,8 +102,8 @@ void write_marker_pdf(std::ostream& out, const Marker& marker, const std::vector
             canvas.text({text, head, 0.003}, black, Align::left, page_size.x() - 2 * margin);
         }
         const double top = page_size.y() - margin - title_height - place * pitch;
-        const Strip strip{i * reach, std::min(marker.length, (i + 1) * reach),
-                          Vec2(margin, top - marker.roll_width / scale), scale};
+        const PageStrip strip{i * reach, std::min(marker.length, (i + 1) * reach),
+                              Vec2(margin, top - marker.roll_width / scale), scale};
         draw_strip(canvas, strip, marker, pieces);
     }
     const std::string bytes = canvas.finish();

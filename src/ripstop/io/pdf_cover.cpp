@@ -13,7 +13,7 @@ namespace {
 constexpr double cover_margin = 0.018;
 constexpr double line_height = 0.0055;
 constexpr double letters = 0.0024;
-constexpr double head_height = 0.068;                                       // what stands above the list on the first page
+constexpr double head_height = 0.068;                                // what stands above the list on the first page
 constexpr double joining = 0.026;                                    // and the lines on how to join pages
 constexpr double headings = 0.016;                                   // on the others
 constexpr std::array<double, 4> columns = {0, 0.022, 0.075, 0.118};  // of the list, from the cover_margin
@@ -48,7 +48,8 @@ void write(PdfCanvas& canvas, const PrintRun& run, double y, const std::string& 
 void draw_row(PdfCanvas& canvas, const PrintRun& run, double y, const std::array<std::string, 4>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const double end = i + 1 < cells.size() ? columns[i + 1] : run.cover_size.x() - 2 * cover_margin;
-        canvas.text({cells[i], Vec2(cover_margin + columns[i], y), letters, 0}, black, Align::left, end - columns[i] - 0.002);
+        canvas.text({cells[i], Vec2(cover_margin + columns[i], y), letters, 0}, black, Align::left,
+                    end - columns[i] - 0.002);
     }
 }
 

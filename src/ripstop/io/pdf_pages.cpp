@@ -136,8 +136,9 @@ void draw_header(PdfCanvas& canvas, const PrintRun& run, const PrintedPiece& pri
                  int page) {
     const double width = printed.grid.page.x() - 2 * page_margin, y = printed.grid.page.y() - page_margin + 0.0035;
     const std::string title = run.title.empty() ? "" : run.title + ": ";
-    canvas.text({title + printed.piece->name + ", " + count_text(*printed.piece), Vec2(page_margin, y), small_letters, 0},
-                black, Align::left, 0.52 * width);
+    canvas.text(
+        {title + printed.piece->name + ", " + count_text(*printed.piece), Vec2(page_margin, y), small_letters, 0},
+        black, Align::left, 0.52 * width);
     canvas.text({sheet_text(printed, window) + "page " + std::to_string(page) + " of " + std::to_string(run.pages),
                  Vec2(page_margin + width, y), small_letters, 0},
                 black, Align::right, 0.46 * width);

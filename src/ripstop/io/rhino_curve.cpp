@@ -17,7 +17,7 @@ constexpr RhinoId line_class = rhino_id("4ED7D4DB-E947-11d3-BFE5-0010830122F0"),
                   arc_class = rhino_id("CF33BE2A-09B4-11d4-BFFB-0010830122F0"),
                   joined_class = rhino_id("4ED7D4E0-E947-11d3-BFE5-0010830122F0");
 
-constexpr int deepest_curve = 16;             // of joined curves in joined curves
+constexpr int deepest_curve = 16;       // of joined curves in joined curves
 constexpr double chord_error = 0.5e-3;  // of the curve's size: half of what is promised, for it is seen at middles only
 constexpr int most_pieces = 256;        // of a span of a NURBS curve
 constexpr std::size_t most_points = 20000;

@@ -144,8 +144,8 @@ class Placer {
     void follow(const RhinoPlaced& instance, const Reference& reference, const std::vector<const RhinoObject*>& parts) {
         if (std::find(open_.begin(), open_.end(), reference.definition) != open_.end() || open_.size() >= deepest_block)
             throw InputError(archive_.name + ": " + rhino_called(*instance.object) +
-                             ": the block holds itself, or blocks are in blocks more than " + std::to_string(deepest_block) +
-                             " deep; explode it in Rhino");
+                             ": the block holds itself, or blocks are in blocks more than " +
+                             std::to_string(deepest_block) + " deep; explode it in Rhino");
         open_.push_back(reference.definition);
         RhinoPlaced part{nullptr, instance.place * reference.place, instance.instances, instance.path, instance.around};
         part.instances.push_back(instance.object);

@@ -144,7 +144,8 @@ class Reader {
     }
 
     /// What is drawn of an element beside its line, and openings it is seen through.
-    void look_at_effects(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, ElementPlace& place) {
+    void look_at_effects(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style,
+                         ElementPlace& place) {
         if (!is_none(style["filter"])) leave(node, place, kind, "is read without its filter", false, true);
         if (!is_none(style["mask"])) leave(node, place, kind, "is read without its mask", false, true);
         for (const char* marker : {"marker", "marker-start", "marker-mid", "marker-end"})
@@ -278,7 +279,8 @@ class Reader {
     }
 
     Vec2 checked(const pugi::xml_node& node, const Vec2& at) const {
-        if (!(at.cwiseAbs().maxCoeff() <= farthest_point)) document_.refuse(node, "a point beyond 1e9; scale the drawing");
+        if (!(at.cwiseAbs().maxCoeff() <= farthest_point))
+            document_.refuse(node, "a point beyond 1e9; scale the drawing");
         return at;
     }
 

@@ -28,7 +28,8 @@ bool is_only_in_css(std::string_view property) {
            property == "zoom" || property == "offset-path";
 }
 bool is_read(std::string_view property) {
-    return is_placing(property) || std::find(other_properties.begin(), other_properties.end(), property) != other_properties.end();
+    return is_placing(property) ||
+           std::find(other_properties.begin(), other_properties.end(), property) != other_properties.end();
 }
 
 constexpr long long of_style_attribute = 1LL << 60, of_important = 1LL << 61;

@@ -11,9 +11,9 @@
 namespace ripstop {
 namespace {
 
-constexpr double agreement = 0.3;  ///< 1: all one way; below, no direction stands for the whole
-constexpr double longer = 0.05;    ///< of the moments' sum: below, neither axis of a tile is the long one
-constexpr double rounding_of_unit = 1e-6;   ///< of a unit vector: what is left along the triangle is rounding
+constexpr double agreement = 0.3;          ///< 1: all one way; below, no direction stands for the whole
+constexpr double longer = 0.05;            ///< of the moments' sum: below, neither axis of a tile is the long one
+constexpr double rounding_of_unit = 1e-6;  ///< of a unit vector: what is left along the triangle is rounding
 
 /// The axes of `lay_flat` in space: columns along corner 0 to 1, and across.
 Mat32 axes_of(const TriangleMesh& mesh, int t) {

@@ -9,7 +9,7 @@ namespace ripstop {
 namespace {
 
 constexpr double steps_per_metre = 1e7;
-constexpr double left_out = 1e-4;  // [m]
+constexpr double left_out = 1e-4;          // [m]
 constexpr double clipper_rounding = 1e-6;  // more than Clipper's steps can take away [m]
 
 Points2 closed(const Points2& outline) {

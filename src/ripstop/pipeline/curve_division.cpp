@@ -8,7 +8,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double count_rounding = 1e-2;    // of a count: equal curves are divided equally wherever they lie, rounded or not
+constexpr double count_rounding =
+    1e-2;                            // of a count: equal curves are divided equally wherever they lie, rounded or not
 constexpr double longest = 4.0 / 3;  // edge lengths, as the remeshing has it
 constexpr double sparse_enough = 0.45, shortest = 0.3, densest = 0.35;
 constexpr double turn_wanted = 4 * degree;
@@ -111,8 +112,8 @@ std::vector<double> divided(const MeasuredCurve& measured, double edge_length) {
             turn += turn_between(*measured.curve, measured.breaks[k], measured.breaks[k + 1]);
         const double start = measured.stations[from], length = measured.stations[to] - start;
         const double by_turn = std::min(turn / turn_wanted, length / (densest * edge_length));
-        const int count = static_cast<int>(
-            std::max({1.0, std::ceil(length / edge_length - 0.25 - count_rounding), std::ceil(by_turn - count_rounding)}));
+        const int count = static_cast<int>(std::max(
+            {1.0, std::ceil(length / edge_length - 0.25 - count_rounding), std::ceil(by_turn - count_rounding)}));
         for (int k = 1; k < count; ++k) places.push_back(measured.place_of(start + length * k / count));
         places.push_back(measured.breaks[to]);
     }

@@ -14,7 +14,7 @@ namespace ripstop {
 namespace {
 
 constexpr double same_symmetric_place = 1e-6;  // [m]
-constexpr double same_cloth = 1e-9;  // of edges squared [m2]
+constexpr double same_cloth = 1e-9;            // of edges squared [m2]
 
 /// Where the vertical axis of a turn meets the plane z = 0; nothing unless it is a turn about one.
 std::optional<Vec3> axis_of(const Eigen::Isometry3d& motion) {

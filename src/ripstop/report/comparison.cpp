@@ -158,7 +158,8 @@ std::string comparison_sheet(const std::vector<CutPlan>& plans) {
     return svg +
            colour_bar({cell_margin + 6, foot + 30}, "cloth: |edge length error|, mean of a triangle",
                       tolerances.strain / percent, "%") +
-           colour_bar({cell_margin + 346, foot + 30}, "seams: |length error| of a chain", tolerances.length / percent, "%") +
+           colour_bar({cell_margin + 346, foot + 30}, "seams: |length error| of a chain", tolerances.length / percent,
+                      "%") +
            "</svg>\n";
 }
 

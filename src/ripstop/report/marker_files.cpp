@@ -57,8 +57,8 @@ Json json_of(const PieceSet& set, const Marker& marker, const std::string& stem,
 
 std::string title_of(const PieceSet& set, const Marker& marker) {
     return fmt::format("{}, revision {}: {}{}{}, roll {:.0f} mm, {:.2f} m, {:.1f} %", set.input, set.revision,
-                       marker.fabric, marker.colour.empty() ? "" : " ", marker.colour,
-                       marker.roll_width / millimetre, marker.length, marker.utilisation() / percent);
+                       marker.fabric, marker.colour.empty() ? "" : " ", marker.colour, marker.roll_width / millimetre,
+                       marker.length, marker.utilisation() / percent);
 }
 
 }  // namespace
@@ -120,11 +120,10 @@ std::string marker_table(const Markers& markers) {
         {"fabric", "colour", "roll mm", "pieces", "running m", "cloth m2", "pieces m2", "used %", "parts", ""}};
     for (const Marker& marker : markers.markers)
         rows.push_back({shortened(marker.fabric), marker.colour.empty() ? "-" : shortened(marker.colour),
-                        fmt::format("{:.0f}", marker.roll_width / millimetre),
-                        std::to_string(marker.placements.size()), fmt::format("{:.2f}", marker.length),
-                        fmt::format("{:.2f}", marker.gross_area()), fmt::format("{:.2f}", marker.net_area),
-                        fmt::format("{:.1f}", marker.utilisation() / percent), std::to_string(marker.parts.size()),
-                        ""});
+                        fmt::format("{:.0f}", marker.roll_width / millimetre), std::to_string(marker.placements.size()),
+                        fmt::format("{:.2f}", marker.length), fmt::format("{:.2f}", marker.gross_area()),
+                        fmt::format("{:.2f}", marker.net_area), fmt::format("{:.1f}", marker.utilisation() / percent),
+                        std::to_string(marker.parts.size()), ""});
     std::string text = markers.markers.empty() ? "" : aligned_table(rows, 2);
     std::size_t laid = 0, refused = 0;
     for (const Marker& marker : markers.markers) laid += marker.placements.size();

@@ -19,8 +19,8 @@ namespace {
 constexpr double page_width = 960;
 constexpr double head_height = 112;
 constexpr double foot_height = 116;
-constexpr double side_margin = 96;    ///< left and right of the drawing, for the figures beside the chains
-constexpr double border = 44;  ///< above and below it
+constexpr double side_margin = 96;  ///< left and right of the drawing, for the figures beside the chains
+constexpr double border = 44;       ///< above and below it
 constexpr double inner_width = page_width - 2 * side_margin;
 constexpr double tallest = 620;
 
@@ -173,9 +173,9 @@ std::string head(const FlatTile& tile) {
                                 signed_percent(a.perimeter_error, 3) + " %   ·   worst chain " +
                                 signed_percent(worst_chain_error(a), 3) + " %";
     const std::string strains = "strain of the cloth: warp " + signed_percent(a.warp_strain_min, 2) + " … " +
-                                signed_percent(a.warp_strain_max, 2) + " %,  weft " + signed_percent(a.weft_strain_min, 2) +
-                                " … " + signed_percent(a.weft_strain_max, 2) + " %,  shear up to " +
-                                shown(a.shear_max / degree, 2) + "°";
+                                signed_percent(a.warp_strain_max, 2) + " %,  weft " +
+                                signed_percent(a.weft_strain_min, 2) + " … " + signed_percent(a.weft_strain_max, 2) +
+                                " %,  shear up to " + shown(a.shear_max / degree, 2) + "°";
     const char* colour = good ? "#18794e" : tile.verdict.judged ? "#b3121f" : "#7b8794";
     const Eigen::VectorXd& tension = tile.flattening.seam_tension;
     const std::string ease =

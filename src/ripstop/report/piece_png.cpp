@@ -33,7 +33,8 @@ std::string head(double width, const std::string& name, const std::string& word,
     const double verdict = text_width(word, 16, true);
     return "<rect width=\"" + svg_number(width) + "\" height=\"6\" fill=\"" + (is_good ? page_good : page_bad) +
            "\"/>\n" + verdict_mark({card_margin + 16, 42}, is_good) +
-           text_within({card_margin + 22, 42}, name, width - 2 * card_margin - verdict - 40, {title_size, "start", page_ink, true}) +
+           text_within({card_margin + 22, 42}, name, width - 2 * card_margin - verdict - 40,
+                       {title_size, "start", page_ink, true}) +
            svg_text({width - card_margin, 42}, word, {16, "end", is_good ? page_good : page_bad, true});
 }
 
@@ -56,11 +57,12 @@ std::vector<std::string> figures(const PieceSource& source, std::size_t i) {
     const std::string limit = short_figure(limits.strain / percent) + "\u00a0%";
     return {fmt::format("Piece {} × {}\u00a0mm, {}  ·  area {}\u00a0m² ({} on the cloth)  ·  outline {} ({})",
                         page_figure(size.x(), 0), page_figure(size.y(), 0), pattern_words(source.plan, i),
-                        page_figure(a.area, a.area < 1 ? 4 : 2), percent_text(a.area_error, 3), millimetres(a.perimeter),
-                        percent_text(a.perimeter_error, 3)),
+                        page_figure(a.area, a.area < 1 ? 4 : 2), percent_text(a.area_error, 3),
+                        millimetres(a.perimeter), percent_text(a.perimeter_error, 3)),
             fmt::format("Strain along the warp {} to {}, the weft {} to {} (limit ±{})  ·  shear up to {} (limit {})",
-                        percent_text(a.warp_strain_min), percent_text(a.warp_strain_max), percent_text(a.weft_strain_min),
-                        percent_text(a.weft_strain_max), limit, degrees_text(a.shear_max, 2), degrees_text(limits.shear, 1)),
+                        percent_text(a.warp_strain_min), percent_text(a.warp_strain_max),
+                        percent_text(a.weft_strain_min), percent_text(a.weft_strain_max), limit,
+                        degrees_text(a.shear_max, 2), degrees_text(limits.shear, 1)),
             fmt::format("{}; grain: {}; {} triangles{}; {}", source.plan.fabric_of(tile.tile).name,
                         tile.tile.grain.source, page_figure(tile.tile.mesh.triangle_count(), 0),
                         tile.tile.remeshed ? " (meshed anew)" : "", tile.method)};
@@ -192,8 +194,10 @@ std::string tile_png(const PieceSource& source, std::size_t i, const std::vector
     const std::vector<std::string> sewn = sewn_edges(source.plan, i);
     const double column = room / 2;
     const auto half = static_cast<std::ptrdiff_t>(std::min(rows, (sewn.size() + 1) / 2));
-    svg += text_lines({card_margin, y}, {sewn.begin(), sewn.begin() + half}, rows, column - 10, {12, "start", page_ink});
-    svg += text_lines({card_margin + column, y}, {sewn.begin() + half, sewn.end()}, rows, column, {12, "start", page_ink});
+    svg +=
+        text_lines({card_margin, y}, {sewn.begin(), sewn.begin() + half}, rows, column - 10, {12, "start", page_ink});
+    svg +=
+        text_lines({card_margin + column, y}, {sewn.begin() + half, sewn.end()}, rows, column, {12, "start", page_ink});
     y += 12 * line_step * static_cast<double>(half);
     const Eigen::Vector2i size(static_cast<int>(width), static_cast<int>(y + 4));
     return png_picture(page_svg(size, svg), view.pixels);
