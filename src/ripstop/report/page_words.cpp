@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "ripstop/base/number_text.h"
@@ -198,8 +199,17 @@ PageWords page_words(const CutPlan& plan) {
     if (plan.manufacturable()) return words;
     for (const Kind& kind : kinds_of(plan)) words.why.push_back(reason(kind));
     if (seams > 0) words.why.push_back(seams_reason(plan, seams));
-    for (const Finding& finding : plan.findings)
-        if (finding.code != "seam") words.why.push_back({{finding.message}});
+    std::map<std::string, std::size_t> more;  // of one code the first speaks for all
+    for (const Finding& finding : plan.findings) ++more[finding.code];
+    more.erase("seam");
+    for (const Finding& finding : plan.findings) {
+        const auto count = more.find(finding.code);
+        if (count == more.end()) continue;
+        words.why.push_back(
+            {{finding.message +
+              (count->second > 1 ? "; and " + std::to_string(count->second - 1) + " more like this" : std::string())}});
+        more.erase(count);
+    }
     return words;
 }
 
