@@ -73,8 +73,8 @@ void propose(CutPlan& plan, const std::string& method, const FlattenArguments& g
         plan.merges = propose_merges(plan, method_named(method), given.jobs, progress_bar(given.quiet));
 }
 
-/// What is wrong with the envelope itself, as `ripstop check` says; of some tiles alone only what was wrong in the file.
-/// Returns what of it may be meant.
+/// What is wrong with the envelope itself, as `ripstop check` says; of some tiles alone only what was wrong in the
+/// file. Returns what of it may be meant.
 std::vector<std::string> take_faults(CutPlan& plan, const EnvelopeInput& input, double seam_tolerance, bool is_whole) {
     EnvelopeCheck check;
     check.seam_tolerance = seam_tolerance;
@@ -139,8 +139,8 @@ std::pair<std::ptrdiff_t, std::ptrdiff_t> failing(const CutPlan& plan) {
             std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return !walk.ok; })};
 }
 
-/// Remeshing may make no tile worse than its own mesh does: where tiles fail on other meshes than the input's, the input's
-/// are flattened too, and taken where less fails on them.
+/// Remeshing may make no tile worse than its own mesh does: where tiles fail on other meshes than the input's, the
+/// input's are flattened too, and taken where less fails on them.
 void prefer_own_meshes(CutPlan& plan, EnvelopeInput& read_in, const FlattenArguments& given, Input input,
                        const FlattenOptions& options) {
     if (input.read.remesh.mode != RemeshMode::automatic) return;

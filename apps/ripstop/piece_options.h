@@ -20,8 +20,8 @@ void add_piece_options(CLI::App& command, PieceArguments& given);
 /// Throws InputError for lengths that are none or out of reason.
 PieceOptions piece_options(const PieceArguments& given);
 
-/// Warns of what is wrong with the cut lines of pieces that were read again, which a plan of another version may have, or one
-/// that was changed. `not_manufacturable` where there is anything.
+/// Warns of what is wrong with the cut lines of pieces that were read again, which a plan of another version may
+/// have, or one that was changed. `not_manufacturable` where there is anything.
 ExitCode warn_of_cut_lines(const PieceSet& set, int threads = 0);
 
 }  // namespace ripstop::cli
