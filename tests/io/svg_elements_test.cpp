@@ -168,6 +168,62 @@ TEST(SvgElements, FollowStyleSheetsOfManyLines) {
     EXPECT_TRUE(found.unread.empty());
 }
 
+TEST(SvgElements, TakeWordsOfCssInAnyCaseOfLetters) {
+    EXPECT_TRUE(read_body("<path d='M0 0h9' style='DISPLAY: None'/><path d='M0 0h9' display='NONE'/>").paths.empty());
+    EXPECT_TRUE(read_body("<path d='M0 0h9' style='visibility:HIDDEN'/>").paths.empty());
+    EXPECT_DOUBLE_EQ(read_body("<text style='font-size:X-Large'>a</text>").texts.at(0).height, 24);
+}
+
+TEST(SvgElements, LeaveOutDeclarationsThatABrowserDoesNotUnderstand) {
+    expect_box(read_body("<style>rect { width: 9; height: -2px; x: 0 }</style><rect x='5' width='3' height='4'/>"),
+               {0, 0, 3, 4});
+    expect_box(read_body("<rect style='transform: translate(5 10)' transform='scale(2)' width='3' height='4'/>"),
+               {0, 0, 6, 8});
+    expect_box(read_body("<rect style='transform: rotate(90)' width='3' height='4'/>"), {0, 0, 3, 4});
+    expect_box(read_body("<rect style='transform: translate(5px, 0) scale(2, 1)' width='3' height='4'/>"),
+               {5, 0, 11, 4});
+    EXPECT_EQ(read_body("<path d='M0 0h9' visibility='never'/>").paths.size(), 1U);
+    EXPECT_EQ(read_body("<g visibility='hidden'><path d='M0 0h9' visibility='initial'/></g>").paths.size(), 1U);
+    EXPECT_TRUE(read_body("<g visibility='hidden'><path d='M0 0h9' style='visibility:unset'/></g>").paths.empty());
+}
+
+TEST(SvgElements, WithoutTheirGroupStandWhereItDoesNotMoveThem) {
+    expect_box(read_body("<g display='contents' transform='scale(2)'><rect width='3' height='4'/></g>"), {0, 0, 3, 4});
+    EXPECT_TRUE(read_body("<rect display='contents' width='3' height='4'/>").paths.empty());
+    EXPECT_THAT(unread_of(read_body("<svg display='contents'><rect width='3' height='4'/></svg>")),
+                HasSubstr("svg is its contents alone, which is not followed; ungroup it"));
+}
+
+TEST(SvgElements, TurnAboutTheirOrigin) {
+    const std::string turned = "<rect x='10' width='40' height='20' style='transform:rotate(90deg);transform-origin:";
+    expect_box(read_body(turned + "10px 0'/>"), {-10, 0, 10, 40});
+    expect_box(read_body(turned + "50% 25%'/>"), {105, -65, 125, -25});
+    expect_box(read_body(turned + "top left'/>"), {-20, 10, 0, 50});
+    expect_box(read_body(turned + "center;transform-box:fill-box'/>"), {20, -10, 40, 30});
+    expect_box(read_body(turned + "right;transform-box:fill-box'/>"), {40, -30, 60, 10});
+    EXPECT_THAT(unread_of(read_body(turned + "2ex'/>")), HasSubstr("is turned about an origin that is not known here"));
+}
+
+TEST(SvgElements, WithoutAreaOfTheirViewBoxAreNotDrawn) {
+    const std::string line = "<path d='M0 0h4'/>";
+    EXPECT_TRUE(read_body("<svg viewBox='0 0 0 9'>" + line + "</svg>").paths.empty());
+    EXPECT_EQ(read_body("<svg viewBox='0 0 9'>" + line + "</svg>").paths.size(), 1U) << "that is none";
+    EXPECT_TRUE(read_body("<polygon points='1,2'/><polyline points='3'/>").paths.empty());
+}
+
+TEST(SvgElements, OfASymbolStandAtItsPlace) {
+    const std::string symbol = "<symbol id='s' x='3' y='4' width='1' overflow='visible'><path d='M0 0h5v5'/></symbol>";
+    expect_box(read_body(symbol + "<use href='#s' x='10'/>"), {13, 4, 18, 9});
+}
+
+TEST(SvgElements, WithStylesThatAreNotFollowedAreNamed) {
+    EXPECT_THAT(unread_of(read_body("<path d='M0 0h9' style='display:var(--k)'/>")),
+                HasSubstr("path has display=\"var(--k)\", which is not known here"));
+    EXPECT_THAT(unread_of(read_body("<style>g { &amp; path { display: none } }</style>")),
+                HasSubstr("style rule (& path) is not understood"));
+    EXPECT_THAT(unread_of(read_body("<a><a><path d='M0 0h9'/></a></a>")), HasSubstr("a stands in another a, where"));
+}
+
 TEST(SvgElements, OfASwitchAreThoseThatABrowserTakes) {
     const PatternDrawing found = read_body(
         "<switch><foreignObject requiredExtensions='&ns_ai;'/><circle systemLanguage='fr' r='1'/><rect width='3' "

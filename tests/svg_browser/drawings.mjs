@@ -39,7 +39,11 @@ class Maker {
     number(value) {
         const { random } = this;
         const text = value.toFixed(random.whole(1, 4));
-        if (random.is(0.1)) return Number(value.toPrecision(5)).toExponential();
+        if (random.is(0.1)) {
+            const exponential = Number(value.toPrecision(5)).toExponential();
+            return random.is(0.5) ? exponential : exponential.replace('e', 'E');
+        }
+        if (random.is(0.05) && value > 0) return '+' + text;
         return random.is(0.3) ? text.replace(/^(-?)0\./, '$1.') : text;
     }
 
@@ -126,6 +130,12 @@ class Maker {
             'polygon',
         ]);
         const is = this.look();
+        if (random.is(0.05))
+            this.rules.push(
+                `#e${this.ids} { ` +
+                    `transform-origin: ${random.one(['9px 5mm', 'center', '20% bottom', 'right', 'TOP LEFT'])}; ` +
+                    `transform-box: ${random.one(['view-box', 'fill-box'])} }`,
+            );
         if (kind === 'path') return `<path${is} d="${this.pathData()}"/>`;
         if (kind === 'rect') {
             const rounded = random.one([
@@ -148,7 +158,8 @@ class Maker {
         if (kind === 'ellipse')
             return (
                 `<ellipse${is} cx="${this.length(at(), w)}" cy="${this.length(at(), h)}" ` +
-                `rx="${this.length(extent() / 2, w)}"${random.is(0.2) ? '' : attributes({ ry: this.length(extent() / 2, h) })}/>`
+                `rx="${this.length(extent() / 2, w)}"` +
+                `${random.is(0.2) ? '' : attributes({ ry: this.length(extent() / 2, h) })}/>`
             );
         if (kind === 'line')
             return (
@@ -196,7 +207,11 @@ class Maker {
         ]);
         const [w, h] = this.viewport;
         const place = attributes({ x: `${this.length(at(), w)} ${this.length(at(), w)}`, y: this.length(at(), h) });
-        return `<text${this.transform(0.4)}${place} ${size}>P${++this.ids}</text>`;
+        const span = random.is(0.3)
+            ? `<tspan x="${this.length(at(), w)}" dy="1.2em" ` +
+              `font-size="${random.one(['70%', '2em', 'smaller'])}">s</tspan>`
+            : '';
+        return `<text${this.transform(0.4)}${place} ${size}>P${++this.ids}${span}</text>`;
     }
 
     use() {
@@ -221,7 +236,7 @@ class Maker {
             else if (kind < 0.65) text += this.text();
             else if (kind < 0.75) text += this.use();
             else if (kind < 0.85) text += `<g${this.look()}>${this.content(depth + 1, random.whole(1, 3))}</g>`;
-            else if (kind < 0.88) text += `<a${this.transform()}>${this.content(depth + 1, 2)}</a>`;
+            else if (kind < 0.88) text += `<a${this.transform()}><g>${this.content(depth + 1, 2)}</g></a>`;
             else if (kind < 0.91) text += this.choice(depth);
             else text += this.nested(depth);
             text += '\n';
@@ -285,7 +300,10 @@ class Maker {
         const around = this.viewport;
         this.viewport = [80, 60];
         const view = 'overflow="visible" viewBox="0 0 80 60"' + this.ratio();
-        this.defs.push(`<symbol id="s1" ${view}>${this.shape()}<circle cx="50%" cy="10" r="10%"/></symbol>`);
+        this.defs.push(
+            `<symbol id="s1" x="${random.whole(0, 9)}" ${view}>${this.shape()}` +
+                '<circle cx="50%" cy="10" r="10%"/></symbol>',
+        );
         this.viewport = around;
         const use = `<use href="#p1" x="${this.number(random.between(0, 20))}"/>`;
         this.defs.push(`<g id="g2">${use}<use xlink:href="#g1" transform="scale(.7)"/></g>`);
@@ -299,8 +317,12 @@ class Maker {
         this.define();
         const body = this.content(0, random.whole(5, 10));
         this.rules.push(
-            '.fold { stroke: blue }',
+            '.fold { stroke: blue; rx: 2px; ry: 5 }',
+            'rect.sew { RX: .5em; width: -5px; x: 3% !important }',
+            'circle.cut { r: 2mm; cx: 9; Visibility: VISIBLE }',
+            'a > .cut { visibility: hidden }',
             'g > .sew { stroke-width: 2 }',
+            'svg.page { width: 150mm; height: 100mm }',
             '@media print { path { display: none } }',
         );
         const sheet = `<style><![CDATA[/* <path> */ ${this.rules.join('\n')}]]></style>`;
@@ -335,6 +357,9 @@ function pageOf(random) {
         () => ({ text: 'width="400mm" height="300mm" viewBox="0 0 300 300"', size: 280, viewport: [300, 300] }),
         () => ({ text: 'width="500" height="400"', size: 380, viewport: [500, 400] }),
         () => ({ text: 'width="90pt" height="12pc" viewBox="0 0 45 72"', size: 60, viewport: [45, 72] }),
+        () => ({ text: 'class="page" viewBox="0 0 300 200" width="3"', size: 190, viewport: [300, 200] }),
+        () => ({ text: 'width="40em" height="30em" viewBox="5 5 400 300"', size: 280, viewport: [400, 300] }),
+        () => ({ text: 'width="80%" height="100%" viewBox="5 5 400 300"', size: 280, viewport: [400, 300] }),
     ])();
 }
 

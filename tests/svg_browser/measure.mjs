@@ -16,8 +16,8 @@ export function measure(count) {
         const target = root.querySelector(href);
         const before = boxOf(use);
         const group = document.createElementNS(space, 'g');
-        for (const name of ['id', 'transform', 'class', 'style'])
-            if (use.hasAttribute(name)) group.setAttribute(name, use.getAttribute(name));
+        for (const { name, value } of use.attributes)
+            if (!/^(xlink:)?href$|^(x|y|width|height)$/.test(name)) group.setAttribute(name, value);
         const moved = document.createElementNS(space, 'g');
         moved.setAttribute('transform', `translate(${use.x.baseVal.value} ${use.y.baseVal.value})`);
         let copy = target.cloneNode(true);
@@ -28,6 +28,9 @@ export function measure(count) {
             copy.setAttribute('width', use.getAttribute('width') ?? '100%');
             copy.setAttribute('height', use.getAttribute('height') ?? '100%');
         }
+        if (target.localName === 'svg')
+            for (const side of ['width', 'height'])
+                if (use.hasAttribute(side)) copy.setAttribute(side, use.getAttribute(side));
         moved.append(copy);
         group.append(moved);
         use.replaceWith(group);
@@ -38,16 +41,30 @@ export function measure(count) {
             wrong.push(`${use.id}: a use of ${href} has the box ${before}, its group ${after}`);
     }
 
-    // How many lines a path is: from M to M, and after Z without M.
+    // How many lines a path is: from M to M with anything between, and after Z without M.
     const linesOf = (element) => {
-        const commands = element.getAttribute('d')?.match(/[a-df-z]/gi) ?? ['M'];
-        return commands.filter((c, i) => /m/i.test(c) || (i > 0 && /z/i.test(commands[i - 1]))).length;
+        const style = getComputedStyle(element).d;
+        const data = style?.startsWith('path') ? style : element.getAttribute('d');
+        const runs = data?.match(/m[^mz]*z?|(?<=z[\s,]*)[a-ln-y][^mz]*z?/gi) ?? [''];
+        return runs.filter((run) => !/^m[^a-df-z]*$/i.test(run) || run.match(/[\d.]+/g)?.length > 2).length;
+    };
+    // An svg without width, height or area of its viewBox draws nothing.
+    const isFlat = (element) => {
+        if (element.localName !== 'svg' || element === root) return false;
+        const box = element.viewBox.baseVal;
+        const isWithoutArea =
+            element
+                .getAttribute('viewBox')
+                ?.trim()
+                .split(/[\s,]+/).length === 4 && box?.width * box?.height === 0;
+        return isWithoutArea || element.width.baseVal.value * element.height.baseVal.value === 0;
     };
     // checkVisibility alone says yes of what stands in a group that is not displayed.
     const isDrawn = (element) => {
         if (!element.checkVisibility({ visibilityProperty: true })) return false;
+        if (getComputedStyle(element).display === 'contents') return false;
         for (let around = element; around instanceof Element; around = around.parentNode)
-            if (getComputedStyle(around).display === 'none') return false;
+            if (getComputedStyle(around).display === 'none' || isFlat(around)) return false;
         return true;
     };
     const page = root.getScreenCTM();
@@ -58,21 +75,35 @@ export function measure(count) {
         const at = new DOMPoint(point.x, point.y).matrixTransform(matrix);
         return [at.x - origin.x, at.y - origin.y];
     };
+    // From one place that is given to the next.
+    const linesOfText = (element, matrix) => {
+        const found = [];
+        const walker = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
+        for (let at = 0; walker.nextNode();) {
+            const { parentNode: own, data } = walker.currentNode;
+            if (found.length === 0 || own.hasAttribute('x') || own.hasAttribute('y'))
+                found.push({
+                    text: '',
+                    at: onPage(element.getStartPositionOfChar(at), matrix),
+                    height: parseFloat(getComputedStyle(own).fontSize) * Math.hypot(matrix.c, matrix.d),
+                });
+            found.at(-1).text += data;
+            at += data.length;
+        }
+        return found;
+    };
     for (const element of root.querySelectorAll('path,rect,circle,ellipse,line,polyline,polygon,text')) {
         if (element.closest(undrawn) || !isDrawn(element)) continue;
         const matrix = element.getScreenCTM();
         const box = element.getBBox();
         if (element.localName === 'text') {
-            if (element.getNumberOfChars() === 0) continue;
-            texts.push({
-                text: element.textContent,
-                at: onPage(element.getStartPositionOfChar(0), matrix),
-                height: parseFloat(getComputedStyle(element).fontSize) * Math.hypot(matrix.c, matrix.d),
-            });
+            texts.push(...linesOfText(element, matrix));
             continue;
         }
         const total = element.getTotalLength();
         if (total === 0 && box.width === 0 && box.height === 0) continue;
+        // Without a side or radius it is not drawn.
+        if (/rect|circle|ellipse/.test(element.localName) && box.width * box.height === 0) continue;
         const points = Array.from({ length: count + 1 }, (_, i) =>
             onPage(element.getPointAtLength((i / count) * total), matrix),
         );

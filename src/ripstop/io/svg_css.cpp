@@ -242,7 +242,7 @@ class SheetReader {
             if (head.starts_with('@'))
                 read_at(head, block, doubt, depth);
             else if (!block.empty())
-                add(head, block, doubt);
+                add(head, block, doubt, depth);
         }
     }
 
@@ -269,7 +269,9 @@ class SheetReader {
         }
     }
 
-    void add(std::string_view head, std::string_view block, const std::string& doubt) {
+    void add(std::string_view head, std::string_view block, const std::string& doubt, int depth) {
+        if (block.find('{') != std::string_view::npos && depth < deepest_rules)
+            read(block, readable_name(head) + " with rules in it", depth + 1);
         CssRule rule{{}, css_declarations(block), doubt};
         for (const std::string_view part : parts(head, ',')) {
             SelectorReader reader(part);

@@ -45,8 +45,8 @@ struct CssRule {
 
 /// The rules of a style sheet in their order. Understood are types, `*`, classes, ids, attributes, the places above,
 /// lists and every combinator; `:hover` and its like never match. Rules for the screen and all media count, those for
-/// other media (print) do not. Whatever else there is stands in `doubt`: other pseudo-classes, conditions, `@import`
-/// (without declarations).
+/// other media (print) do not. Whatever else there is stands in `doubt`: other pseudo-classes, conditions, rules in
+/// rules, `@import` (without declarations).
 std::vector<CssRule> css_rules(std::string_view sheet);
 
 }  // namespace ripstop

@@ -81,10 +81,14 @@ class Reader {
     }
 
     void inherit(const SvgStyle& style, ElementPlace& place) const {
-        const auto is_given = [&style](const char* key) { return !style[key].empty() && style[key] != "inherit"; };
-        if (is_given("visibility")) place.is_visible = style["visibility"] == "visible";
+        const auto is_given = [&style](const char* key) {
+            static const std::set<std::string_view> as_around{"", "inherit", "unset", "revert", "revert-layer"};
+            return !as_around.contains(style[key]);
+        };
+        if (is_given("visibility"))
+            place.is_visible = style["visibility"] == "visible" || style["visibility"] == "initial";
         if (is_given("fill")) place.is_filled = style["fill"] != "none" && style["fill"] != "transparent";
-        if (is_given("stroke")) place.is_stroked = style["stroke"] != "none" && style["stroke"] != "transparent";
+        if (is_given("stroke")) place.is_stroked = !is_none(style["stroke"]) && style["stroke"] != "transparent";
         if (is_given("stroke-dasharray"))
             place.is_dashed = style["stroke-dasharray"].find_first_of("123456789") != std::string_view::npos;
         place.basis = svg_basis_within(place.basis, style);
@@ -100,12 +104,24 @@ class Reader {
         if ((undrawn.contains(kind) && !(is_used && kind == "symbol")) || !is_offered_by_svg(node)) return;
         const SvgStyle style = styles_.of(node);
         if (style["display"] == "none") return;
+        for (const char* key : {"display", "visibility", "transform", "d"})
+            if (style[key].find("var(") != std::string_view::npos)
+                return leave(node, place, kind,
+                             "has " + std::string(key) + "=" + shown(style[key]) + ", which is not known here", true);
         if (++place.depth > deepest_element)
             document_.refuse(node, "elements more than 256 deep, expected fewer; ungroup them");
         if (!using_.empty() && ++used_ > most_used)
             document_.refuse(node, "its uses draw more than 200000 elements; unlink the clones");
+        if (kind == "a" && svg_local_name(node.parent()) == "a")
+            return leave(node, place, kind, "stands in another a, where browsers do not draw it; ungroup it", true);
         inherit(style, place);
         if (scale_.is_pixel && drawing_.units.empty()) state_pixels(node);
+        if (style["display"] == "contents") {
+            if (kind == "g" || kind == "a") return draw_group(node, kind, place);
+            if (kind == "svg" || kind == "symbol" || kind == "use" || kind == "switch")
+                leave(node, place, kind, "is its contents alone, which is not followed; ungroup it", true);
+            return;
+        }
         if (!move(node, kind, style, place)) return;
         look_at_effects(node, kind, style, place);
         if (kind == "g" || kind == "a" || kind == "switch")
@@ -128,19 +144,31 @@ class Reader {
             }
         if (is_none(style["transform"])) return true;
         const Eigen::Affine2d motion = svg_transform(style["transform"], place.basis, document_.place_of(node));
-        const std::string_view box = style["transform-box"];
-        std::optional<double> x = 0, y = 0;
-        if (std::string_view rest = style["transform-origin"]; !rest.empty()) {
-            x = svg_length(svg_next_word(rest), SvgAxis::x, place.basis);
-            y = svg_length(svg_next_word(rest), SvgAxis::y, place.basis);
-        }
-        if (!x || !y || !(box.empty() || box == "view-box")) {
+        const std::optional<Vec2> origin = origin_of(node, style, place);
+        if (!origin) {
             leave(node, place, kind, "is turned about an origin that is not known here; apply its transform", true);
             return false;
         }
-        const Vec2 origin(*x, *y);
-        place.motion = place.motion * Eigen::Translation2d(origin) * motion * Eigen::Translation2d(-origin);
+        place.motion = place.motion * Eigen::Translation2d(*origin) * motion * Eigen::Translation2d(-*origin);
         return true;
+    }
+
+    /// In the viewport, or in the box of a shape where `transform-box` says so.
+    std::optional<Vec2> origin_of(const pugi::xml_node& node, const SvgStyle& style, const ElementPlace& place) const {
+        const std::string_view text = style["transform-origin"], box = style["transform-box"];
+        if (box.empty() || box == "view-box") return svg_transform_origin(text, place.basis);
+        if (box != "fill-box" && box != "content-box") return std::nullopt;
+        const auto shape = svg_shape(node, style, place.basis, document_.place_of(node));
+        Eigen::AlignedBox2d extent;
+        if (shape)
+            for (const SvgRun& run : shape->runs)
+                for (const Vec2& point : sampled(run, Eigen::Affine2d::Identity(), {1e9, 1e-5})) extent.extend(point);
+        if (extent.isEmpty()) return std::nullopt;
+        SvgBasis within = place.basis;
+        within.viewport = extent.sizes();
+        std::optional<Vec2> origin = svg_transform_origin(text, within);
+        if (origin) *origin += extent.min();
+        return origin;
     }
 
     /// What is drawn of an element beside its line, and openings it is seen through.
@@ -197,15 +225,17 @@ class Reader {
         const auto length = [&](const char* key, SvgAxis axis, double otherwise) {
             return svg_length_of(node, style, key, axis, place.basis, unclear, otherwise);
         };
-        const Vec2 corner = kind == "svg" ? Vec2(length("x", SvgAxis::x, 0), length("y", SvgAxis::y, 0)) : Vec2(0, 0);
-        Vec2 size(length("width", SvgAxis::x, around.x()), length("height", SvgAxis::y, around.y()));
+        const Vec2 corner(length("x", SvgAxis::x, 0), length("y", SvgAxis::y, 0));
+        const bool is_svg = kind == "svg";  // a symbol's own size is not asked
+        Vec2 size(is_svg ? length("width", SvgAxis::x, around.x()) : around.x(),
+                  is_svg ? length("height", SvgAxis::y, around.y()) : around.y());
         if (using_size_.x() >= 0) size.x() = using_size_.x();
         if (using_size_.y() >= 0) size.y() = using_size_.y();
         using_size_.setConstant(-1);
         const std::optional<SvgViewBox> box = svg_view_box(node.attribute("viewBox").value());
         if (!unclear.empty() || (box && !size.allFinite()))
             return leave(node, place, kind, "has a place or size that is not known here; ungroup it", true);
-        if (size.minCoeff() <= 0) return;  // nothing of it is seen
+        if (size.minCoeff() <= 0 || (box && box->size.minCoeff() <= 0)) return;  // nothing of it is seen
         place.motion = place.motion * Eigen::Translation2d(corner);
         const std::string_view overflow = style["overflow"];
         if (size.allFinite() && overflow != "visible" && overflow != "auto")

@@ -48,7 +48,9 @@ class ScaleReader {
           root_(document.root()),
           style_(style),
           box_(svg_view_box(root_.attribute("viewBox").value())),
-          fit_(root_.attribute("preserveAspectRatio").value()) {}
+          fit_(root_.attribute("preserveAspectRatio").value()) {
+        if (box_ && box_->size.minCoeff() <= 0) box_.reset();
+    }
 
     SvgScale read() {
         const double width = side("width"), height = side("height");
@@ -114,7 +116,7 @@ class ScaleReader {
     const SvgDocument& document_;
     const pugi::xml_node root_;
     const SvgStyle& style_;
-    const std::optional<SvgViewBox> box_;
+    std::optional<SvgViewBox> box_;
     const SvgFit fit_;
     SvgScale scale_;
 };

@@ -75,7 +75,7 @@ std::optional<SvgShape> svg_shape(const pugi::xml_node& element, const SvgStyle&
         shape.runs = {{length.point("x1", "y1"), {svg_line(length.point("x2", "y2"))}, false}};
     } else if (kind == "polyline" || kind == "polygon") {
         const std::vector<double> numbers = svg_numbers(element.attribute("points").value(), place);
-        if (numbers.size() > 1) shape.runs = {run_through(numbers, kind == "polygon")};
+        if (numbers.size() > 3) shape.runs = {run_through(numbers, kind == "polygon")};
     } else if (kind == "rect") {
         const Vec2 size = length.point("width", "height");
         const Vec2 corner = length.point("x", "y"), radii = length.radii();

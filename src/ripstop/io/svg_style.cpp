@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "ripstop/base/number_text.h"
 #include "ripstop/io/svg_path.h"
+#include "ripstop/io/svg_view.h"
 #include "ripstop/io/text.h"
 
 namespace ripstop {
@@ -32,11 +34,56 @@ bool is_read(std::string_view property) {
            std::find(other_properties.begin(), other_properties.end(), property) != other_properties.end();
 }
 
+/// Whose values are words, in any case of letters.
+constexpr std::array<std::string_view, 8> worded{"display",       "fill",   "font-size",        "overflow",
+                                                 "transform-box", "stroke", "transform-origin", "visibility"};
+
+std::string worded_value(std::string_view property, std::string value) {
+    if (std::find(worded.begin(), worded.end(), property) == worded.end()) return value;
+    for (char& c : value)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return value;
+}
+
+bool is_wide_word(std::string_view value) {
+    return value == "inherit" || value == "initial" || value == "unset" || value == "revert" || value == "revert-layer";
+}
+
+/// Of a property whose numbers need a unit, unless they are 0.
+bool has_css_unit(std::string_view value) {
+    const std::size_t end = svg_number_end(value);
+    const std::optional<double> number = parse_double(value.substr(0, end));
+    return !number || end < value.size() || *number == 0;
+}
+
+/// Does a browser keep it? A declaration that it does not understand leaves the one before in force. Chromium takes
+/// `cx: 5` in style sheets, and `width: 5` in the `style` of an element of SVG, which it reads with the quirks of old
+/// pages.
+bool is_kept(std::string_view property, std::string_view value, bool is_style_attribute) {
+    static constexpr std::array<std::string_view, 3> lengths{"font-size", "height", "width"};
+    static constexpr std::array<std::string_view, 6> sizes{"font-size", "height", "r", "rx", "ry", "width"};
+    if (std::find(sizes.begin(), sizes.end(), property) != sizes.end() &&
+        parse_double(value.substr(0, svg_number_end(value))).value_or(0) < 0)
+        return false;
+    if (std::find(lengths.begin(), lengths.end(), property) != lengths.end())
+        return is_style_attribute || has_css_unit(value);
+    if (property == "visibility")
+        return value == "visible" || value == "hidden" || value == "collapse" || is_wide_word(value) ||
+               value.find('(') != std::string_view::npos;
+    if (property == "transform") return is_css_transform(value);
+    if (property != "transform-origin") return true;
+    for (std::string_view word = svg_next_word(value); !word.empty(); word = svg_next_word(value))
+        if (!has_css_unit(word)) return false;
+    return true;
+}
+
 constexpr long long of_style_attribute = 1LL << 60, of_important = 1LL << 61;
 
 void set_all(SvgStyle& style, const std::vector<CssDeclaration>& declarations, long long priority) {
     for (const CssDeclaration& declaration : declarations)
-        if (is_read(declaration.property))
+        if (is_read(declaration.property) &&
+            is_kept(declaration.property, worded_value(declaration.property, declaration.value),
+                    priority == of_style_attribute))
             style.set(declaration.property, declaration.value,
                       priority + (declaration.is_important ? of_important : 0));
 }
@@ -60,8 +107,9 @@ std::string_view SvgStyle::operator[](std::string_view property) const {
 }
 
 void SvgStyle::set(const std::string& property, const std::string& value, long long priority) {
-    const auto [found, is_new] = values_.try_emplace(property, Value{value, priority});
-    if (!is_new && priority >= found->second.priority) found->second = {value, priority};
+    const Value given{worded_value(property, value), priority};
+    const auto [found, is_new] = values_.try_emplace(property, given);
+    if (!is_new && priority >= found->second.priority) found->second = given;
 }
 
 SvgStyles::SvgStyles(const SvgDocument& document) {
@@ -94,8 +142,10 @@ SvgStyles::SvgStyles(const SvgDocument& document) {
 SvgStyle SvgStyles::of(const pugi::xml_node& element) const {
     SvgStyle style;
     for (const pugi::xml_attribute& attribute : element.attributes())
-        if (is_read(attribute.name()) && !is_only_in_css(attribute.name()))
-            style.set(attribute.name(), attribute.value(), 0);
+        if (is_read(attribute.name()) && !is_only_in_css(attribute.name())) {
+            const std::string property = attribute.name(), value = worded_value(property, attribute.value());
+            if (property != "visibility" || is_kept(property, value, false)) style.set(property, value, 0);
+        }
     for (std::size_t i = 0; i < rules_.size(); ++i) {
         int specificity = -1;
         for (const CssSelector& selector : rules_[i].selectors)

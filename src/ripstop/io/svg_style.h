@@ -39,7 +39,8 @@ class SvgStyles {
     explicit SvgStyles(const SvgDocument& document);
 
     /// By the cascade of CSS: attributes of the element, rules by their specificity and order, its `style`, what is
-    /// `!important`.
+    /// `!important`. Declarations that browsers do not understand are left out: `r: -5px`, `transform: rotate(5)`,
+    /// `visibility: never`.
     SvgStyle of(const pugi::xml_node& element) const;
     const std::vector<SvgStyleDoubt>& doubts() const { return doubts_; }
 

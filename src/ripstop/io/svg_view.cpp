@@ -1,9 +1,12 @@
 #include "ripstop/io/svg_view.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/number_text.h"
 #include "ripstop/io/svg_path.h"
 #include "ripstop/io/text.h"
 
@@ -116,7 +119,75 @@ class TransformReader {
     std::vector<std::string_view> arguments_;
 };
 
+/// Without letters behind it, or with those of a unit; none where it is no number.
+struct CssNumber {
+    std::optional<double> value;
+    std::string_view unit;
+
+    explicit CssNumber(std::string_view text) {
+        text = svg_trimmed(text);
+        const std::size_t end = svg_number_end(text);
+        unit = text.substr(end);
+        const bool is_unit = unit == "%" || std::all_of(unit.begin(), unit.end(),
+                                                        [](char c) { return (c | 32) >= 'a' && (c | 32) <= 'z'; });
+        if (is_unit) value = parse_double(text.substr(0, end));
+    }
+    bool is_length_or_angle() const { return value && (!unit.empty() || *value == 0); }
+    bool is_factor() const { return value && (unit.empty() || unit == "%"); }
+};
+
+std::vector<CssNumber> css_arguments(std::string_view text) {
+    std::vector<CssNumber> found;
+    while (true) {
+        const std::size_t comma = text.find(',');
+        found.emplace_back(text.substr(0, comma));
+        if (comma == std::string_view::npos) return found;
+        text.remove_prefix(comma + 1);
+    }
+}
+
 }  // namespace
+
+bool is_css_transform(std::string_view rest) {
+    rest = svg_trimmed(rest);
+    if (rest.find('(') == std::string_view::npos) return rest.find_first_of("0123456789") == std::string_view::npos;
+    if (rest.find("calc(") != std::string_view::npos || rest.find("var(") != std::string_view::npos) return true;
+    for (; !rest.empty(); rest = svg_trimmed(rest)) {
+        const std::size_t open = rest.find('('), close = rest.find(')');
+        if (open == std::string_view::npos || close == std::string_view::npos || close < open) return false;
+        const std::string_view kind = rest.substr(0, open);
+        const std::vector<CssNumber> arguments = css_arguments(rest.substr(open + 1, close - open - 1));
+        const bool is_shift = kind == "translate" || kind == "translateX" || kind == "translateY";
+        const bool is_turn = kind == "rotate" || kind == "skew" || kind == "skewX" || kind == "skewY";
+        const bool is_factor = kind == "scale" || kind == "scaleX" || kind == "scaleY" || kind == "matrix";
+        for (const CssNumber& argument : arguments)
+            if (((is_shift || is_turn) && !argument.is_length_or_angle()) || (is_factor && !argument.is_factor()))
+                return false;
+        const std::size_t most = kind == "matrix"                                           ? 6
+                                 : kind == "translate" || kind == "scale" || kind == "skew" ? 2
+                                                                                            : 1;
+        if ((is_shift || is_turn || is_factor) && (arguments.size() > most || (most == 6 && arguments.size() != most)))
+            return false;
+        rest.remove_prefix(close + 1);
+    }
+    return true;
+}
+
+std::optional<Vec2> svg_transform_origin(std::string_view text, const SvgBasis& basis) {
+    std::string_view x = svg_next_word(text), y = svg_next_word(text);
+    if (x.empty() || x == "initial") return Vec2(0, 0);
+    if (y.empty()) y = "center";
+    if (x == "top" || x == "bottom" || y == "left" || y == "right") std::swap(x, y);
+    const auto share = [](std::string_view word) {
+        return word == "left" || word == "top"       ? "0%"
+               : word == "center"                    ? "50%"
+               : word == "right" || word == "bottom" ? "100%"
+                                                     : word;
+    };
+    const auto along = svg_length(share(x), SvgAxis::x, basis), across = svg_length(share(y), SvgAxis::y, basis);
+    if (!along || !across || !std::isfinite(*along) || !std::isfinite(*across)) return std::nullopt;
+    return Vec2(*along, *across);
+}
 
 Eigen::Affine2d svg_transform(std::string_view text, const SvgBasis& basis, const std::string& place) {
     return TransformReader(basis, place).read(text);
@@ -124,7 +195,6 @@ Eigen::Affine2d svg_transform(std::string_view text, const SvgBasis& basis, cons
 
 SvgFit::SvgFit(std::string_view preserve_aspect_ratio) {
     std::string_view word = svg_next_word(preserve_aspect_ratio);
-    if (word == "defer") word = svg_next_word(preserve_aspect_ratio);
     is_stretched = word == "none";
     is_slice = svg_next_word(preserve_aspect_ratio) == "slice";
     const auto place = [](std::string_view name) { return name == "Min" ? 0.0 : name == "Max" ? 1.0 : 0.5; };
@@ -139,7 +209,7 @@ std::optional<SvgViewBox> svg_view_box(std::string_view text) {
     } catch (const InputError&) {
         return std::nullopt;
     }
-    if (numbers.size() != 4 || !(numbers[2] > 0) || !(numbers[3] > 0)) return std::nullopt;
+    if (numbers.size() != 4 || !(numbers[2] >= 0) || !(numbers[3] >= 0)) return std::nullopt;
     return SvgViewBox{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
 }
 

@@ -14,6 +14,14 @@ namespace ripstop {
 /// InputError that begins with `place` for what is no such list.
 Eigen::Affine2d svg_transform(std::string_view text, const SvgBasis& basis, const std::string& place);
 
+/// Does CSS take it? There a shift has units and a turn too, and commas part the numbers; a list that breaks this has
+/// no effect at all. True for functions that are not known here.
+bool is_css_transform(std::string_view text);
+
+/// `transform-origin` from the corner of a box of the size `basis.viewport`: one or two lengths, shares or words
+/// (`left`, `center`, `bottom`); the corner for nothing. Nothing where it is not known.
+std::optional<Vec2> svg_transform_origin(std::string_view text, const SvgBasis& basis);
+
 /// How a viewBox lies in its viewport, by `preserveAspectRatio` (`xMidYMid meet` where it says nothing that is known).
 struct SvgFit {
     bool is_stretched = false;  ///< `none`: each side by its own scale
@@ -27,7 +35,8 @@ struct SvgViewBox {
     Vec2 corner, size;
 };
 
-/// Nothing where there is none, or it cannot be used: other than four numbers, a size of 0 or less.
+/// Nothing where there is none, or it cannot be used: other than four numbers, a size below 0. What has a side of 0
+/// shows nothing.
 std::optional<SvgViewBox> svg_view_box(std::string_view text);
 
 /// From the viewBox to a viewport of `size` with its corner at the origin.
