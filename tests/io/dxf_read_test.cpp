@@ -163,9 +163,9 @@ TEST(ReadDxf, RefusesWithTheLineWhatItCannotUse) {
     EXPECT_THAT(refusal(drawing("0 INSERT 8 A 2 NONE 10 0 20 0")), HasSubstr("expected a block of the file"));
     EXPECT_THAT(refusal(drawing("0 INSERT 8 A 2 B", "0 SECTION 2 BLOCKS 0 BLOCK 2 B 0 INSERT 2 B 0 ENDBLK 0 ENDSEC")),
                 HasSubstr("one in itself"));
-    EXPECT_THAT(
-        refusal(drawing("0 INSERT 8 A 2 B 70 30000 71 30000", "0 SECTION 2 BLOCKS 0 BLOCK 2 B 0 ENDBLK 0 ENDSEC")),
-        HasSubstr("points; explode them"));
+    EXPECT_THAT(refusal(drawing("0 INSERT 8 A 2 B 70 30000 71 30000 44 1 45 1",
+                                "0 SECTION 2 BLOCKS 0 BLOCK 2 B 0 ENDBLK 0 ENDSEC")),
+                HasSubstr("points; explode them"));
 }
 
 TEST(ReadDxf, AlwaysNamesTheFileAtWhateverByteItIsCut) {

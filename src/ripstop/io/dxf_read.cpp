@@ -36,14 +36,6 @@ struct InsertPlace {
     std::string layer = "0";
 };
 
-/// Names of blocks and layers have no case.
-std::string key_of(std::string_view symbol) {
-    std::string key = readable_name(symbol);
-    for (char& c : key)
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    return key;
-}
-
 /// In the file's units, whatever these are: 0.05 mm in a drawing in inches.
 constexpr double chord_error = 0.002;
 
@@ -114,10 +106,11 @@ class Reader {
             const DxfEntity layer = first_entity(tags.subspan(i), name_);
             if (layer.text(2).empty()) continue;
             drawing_.declared_layers.push_back(readable_name(layer.text(2)));
-            spellings_.try_emplace(key_of(layer.text(2)), drawing_.declared_layers.back());
+            spellings_.try_emplace(dxf_key(layer.text(2)), drawing_.declared_layers.back());
             constexpr int frozen = 1;
             // A layer that is off has its colour below zero.
-            if (layer.number(62, 7) < 0 || (layer.flags() & frozen) != 0) hidden_layers_.insert(key_of(layer.text(2)));
+            if (layer.number(62, 7) < 0) off_layers_.insert(dxf_key(layer.text(2)));
+            if ((layer.flags() & frozen) != 0) frozen_layers_.insert(dxf_key(layer.text(2)));
         }
     }
 
@@ -133,7 +126,7 @@ class Reader {
             Block block{readable_name(head.text(2)), tags.subspan(begin, i - begin), head.place(10),
                         layer_named(head.layer()), head.line()};
             block.is_space = block.name.starts_with("*") || block.name.starts_with("$");
-            blocks_.insert_or_assign(key_of(head.text(2)), std::move(block));
+            blocks_.insert_or_assign(dxf_key(head.text(2)), std::move(block));
         }
     }
 
@@ -180,7 +173,7 @@ class Reader {
 
     /// As the file first spells it.
     std::string layer_named(const std::string& layer) {
-        return spellings_.try_emplace(key_of(layer), layer).first->second;
+        return spellings_.try_emplace(dxf_key(layer), layer).first->second;
     }
 
     std::string layer_of(const DxfEntity& entity, const InsertPlace& place) {
@@ -194,7 +187,10 @@ class Reader {
 
     /// What a CAD does not show is not cut; it is named.
     bool is_hidden(const DxfEntity& entity, const InsertPlace& place) {
-        const bool is_off = hidden_layers_.contains(key_of(layer_of(entity, place)));
+        const std::string layer = dxf_key(layer_of(entity, place));
+        // A block on a layer that is off shows what it has on others.
+        const bool is_off =
+            frozen_layers_.contains(layer) || (off_layers_.contains(layer) && entity.type() != "INSERT");
         if (entity.number(60) != 1 && !is_off) return false;
         const std::string type = readable_name(entity.type().substr(0, 40));
         leave_unread(is_off ? type + " on a hidden layer" : "invisible " + type, entity, place);
@@ -255,17 +251,29 @@ class Reader {
 
     void add_text(const DxfEntity& entity, const InsertPlace& at) {
         const InsertPlace place = plane_of(entity, at);
-        const bool is_aligned = entity.type() != "MTEXT" && (entity.number(72) != 0 || entity.number(73) != 0);
+        const bool is_paragraph = entity.type() == "MTEXT";
+        const double kind = entity.number(72);  // 3 and 5 stand between two points, and begin at the first
+        const bool is_aligned = !is_paragraph && kind != 3 && kind != 5 && (kind != 0 || entity.number(73) != 0);
         std::string text;
-        for (const DxfTag& tag : entity.tags().subspan(1))
-            if (tag.code == 1 || (tag.code == 3 && entity.type() == "MTEXT")) text += tag.value;
-        drawing_.texts.push_back({layer_of(entity, at), place.group, readable_name(text),
-                                  moved(entity, place, entity.place(is_aligned ? 11 : 10)).head<2>(), entity.number(40),
-                                  entity.number(50)});
+        for (const DxfTag& tag : entity.tags().subspan(1)) {
+            if (tag.code == 1 || (tag.code == 3 && is_paragraph)) text += tag.value;
+            if (tag.code == 101) break;
+        }
+        const Vec3 given = is_paragraph ? entity.place(11) : Vec3(0, 0, 0);
+        const double turn = given.norm() > 0 ? std::atan2(given.y(), given.x()) / degree : entity.number(50);
+        DrawnText drawn{layer_of(entity, at), place.group,
+                        readable_name(text),  moved(entity, place, entity.place(is_aligned ? 11 : 10)).head<2>(),
+                        entity.number(40),    turn};
+        if (const Eigen::Matrix3d motion = place.motion.linear(); !motion.isIdentity(0)) {
+            const Eigen::Matrix3d turned = motion * Eigen::AngleAxisd(turn * degree, Vec3::UnitZ());
+            drawn.turn = std::atan2(turned(1, 0), turned(0, 0)) / degree;
+            drawn.height *= turned.col(1).head<2>().norm();
+        }
+        drawing_.texts.push_back(std::move(drawn));
     }
 
     void insert(const DxfEntity& entity, const InsertPlace& at) {
-        const auto found = blocks_.find(key_of(entity.text(2)));
+        const auto found = blocks_.find(dxf_key(entity.text(2)));
         if (found == blocks_.end())
             refuse(entity.line(), "INSERT of " + shown(entity.text(2)) +
                                       ", expected a block of the file; export the drawing with its blocks");
@@ -277,7 +285,9 @@ class Reader {
         InsertPlace place = plane_of(entity, at);
         ++place.depth;
         place.layer = layer_of(entity, at);
-        const int columns = std::max(1, entity.flags(70)), rows = std::max(1, entity.flags(71));
+        // Without a distance all would lie on each other.
+        const int columns = entity.number(44) == 0 ? 1 : std::max(1, entity.flags(70));
+        const int rows = entity.number(45) == 0 ? 1 : std::max(1, entity.flags(71));
         for (int row = 0; row < rows; ++row)
             for (int column = 0; column < columns; ++column) {
                 count(1, entity);
@@ -299,9 +309,9 @@ class Reader {
     std::vector<DxfTag> tags_;
     DxfTagSpan entities_;
     bool has_entities_ = false;
-    std::map<std::string, Block> blocks_;  // by `key_of`, as the next two
+    std::map<std::string, Block> blocks_;  // by `dxf_key`, as the next two
     std::map<std::string, std::string> spellings_;
-    std::set<std::string> hidden_layers_;
+    std::set<std::string> off_layers_, frozen_layers_;
     PatternDrawing drawing_;
     std::size_t drawn_ = 0, most_ = 0;
 };
@@ -311,7 +321,7 @@ class Reader {
 PatternDrawing read_dxf(std::istream& in, const std::string& name) {
     std::string bytes = read_bytes(in, name);
     require_ascii_dxf(bytes, name);
-    const std::string text = text_of(std::move(bytes), name);
+    const std::string text = dxf_text(std::move(bytes), name);
     return Reader(text, name).read();
 }
 

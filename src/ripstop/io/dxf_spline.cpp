@@ -22,7 +22,7 @@ struct Spline {
         const std::size_t n = controls.size(), p = static_cast<std::size_t>(degree);
         return degree >= 1 && degree <= highest_degree && n > p && knots.size() == n + p + 1 &&
                std::is_sorted(knots.begin(), knots.end()) && knots[p] < knots[n] &&
-               std::all_of(controls.begin(), controls.end(), [](const Vec4& c) { return c.w() > 0; });
+               std::all_of(controls.begin(), controls.end(), [](const Vec4& c) { return c.w() > 0 && c.allFinite(); });
     }
 
     /// By the algorithm of de Boor, within knots[span] and knots[span + 1].
@@ -59,6 +59,64 @@ Spline spline_of(const DxfEntity& entity) {
     return spline;
 }
 
+void set_uniform_knots(Spline& spline) {
+    const int p = spline.degree, n = static_cast<int>(spline.controls.size());
+    for (int i = 0; i < n + p + 1; ++i) spline.knots.push_back(std::clamp(i - p, 0, n - p));
+}
+
+/// The cubic with continuous curvature through points, as one Bézier curve between each two: the tridiagonal equations
+/// of its derivatives by the length of the chords (de Boor, A Practical Guide to Splines, chapter IV).
+Spline spline_through(const std::vector<Vec3>& points, const Vec3& first_tangent, const Vec3& last_tangent) {
+    const std::size_t n = points.size() - 1;
+    std::vector<double> h(n), upper(n + 1, 0);
+    for (std::size_t i = 0; i < n; ++i) h[i] = (points[i + 1] - points[i]).norm();
+    std::vector<Vec3> slope(n + 1);
+    slope[0] = first_tangent;
+    slope[n] = last_tangent;
+    for (std::size_t i = 1; i < n; ++i) {
+        const Vec3 right =
+            3 * ((points[i] - points[i - 1]) / (h[i - 1] * h[i - 1]) + (points[i + 1] - points[i]) / (h[i] * h[i]));
+        const double pivot = 2 / h[i - 1] + 2 / h[i] - upper[i - 1] / h[i - 1];
+        upper[i] = 1 / h[i] / pivot;
+        slope[i] = (right - slope[i - 1] / h[i - 1]) / pivot;
+    }
+    for (std::size_t i = n; i-- > 1;) slope[i] -= upper[i] * slope[i + 1];
+    Spline spline;
+    const auto add = [&spline](const Vec3& at) { spline.controls.emplace_back(at.x(), at.y(), at.z(), 1); };
+    spline.knots.assign(4, 0);
+    add(points[0]);
+    double length = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        add(points[i] + h[i] / 3 * slope[i]);
+        add(points[i + 1] - h[i] / 3 * slope[i + 1]);
+        add(points[i + 1]);
+        spline.knots.insert(spline.knots.end(), 3, length += h[i]);
+    }
+    spline.knots.push_back(length);
+    return spline;
+}
+
+/// Without control points where none can be made.
+Spline spline_of_fit_points(const DxfEntity& entity) {
+    std::vector<Vec3> points;
+    for (const DxfTag& tag : entity.tags().subspan(1)) {
+        if (tag.code == 11) points.emplace_back(entity.number(tag), 0, 0);
+        if (tag.code == 21 && !points.empty()) points.back().y() = entity.number(tag);
+        if (tag.code == 31 && !points.empty()) points.back().z() = entity.number(tag);
+    }
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.size() < 2) return {};
+    const std::size_t last = points.size() - 1;
+    const auto tangent = [&entity](int code, const Vec3& nearest, const Vec3& next) {
+        Vec3 found = entity.place(code);
+        if (found.norm() == 0) found = 3 * nearest - next;
+        return Vec3(found.norm() > 0 ? found.normalized() : nearest.normalized());
+    };
+    const Vec3 first = points[1] - points[0], end = points[last] - points[last - 1];
+    return spline_through(points, tangent(12, first, last > 1 ? points[2] - points[1] : first),
+                          tangent(13, end, last > 1 ? points[last - 1] - points[last - 2] : end));
+}
+
 double distance_to_chord(const Vec3& point, const Vec3& from, const Vec3& to) {
     const Vec3 chord = to - from;
     const double length = chord.squaredNorm();
@@ -85,7 +143,12 @@ void divide(const Spline& spline, std::size_t span, double t0, const Vec3& from,
 }  // namespace
 
 DxfShape dxf_spline(const DxfEntity& entity, double chord_error) {
-    const Spline spline = spline_of(entity);
+    Spline spline = spline_of(entity);
+    const bool is_closed = spline.is_closed;
+    if (spline.controls.empty())
+        spline = spline_of_fit_points(entity);
+    else if (spline.knots.empty() && spline.degree >= 1 && spline.degree < static_cast<int>(spline.controls.size()))
+        set_uniform_knots(spline);
     if (!spline.is_whole()) return {};
     const auto first = static_cast<std::size_t>(spline.degree);
     DxfShape shape;
@@ -102,7 +165,7 @@ DxfShape dxf_spline(const DxfEntity& entity, double chord_error) {
         }
     }
     const double gap = (shape.points.front() - shape.points.back()).norm();
-    shape.is_closed = shape.points.size() > 3 && (spline.is_closed || gap == 0) && gap <= chord_error;
+    shape.is_closed = shape.points.size() > 2 && (is_closed || gap == 0) && gap <= chord_error;
     if (shape.is_closed) shape.points.pop_back();
     return shape;
 }

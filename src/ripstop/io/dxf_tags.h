@@ -22,11 +22,18 @@ using DxfTagSpan = std::span<const DxfTag>;
 /// Throws InputError for the bytes of a binary DXF or a DWG, before anything looks for zero bytes in a text.
 void require_ascii_dxf(std::string_view bytes, const std::string& name);
 
-/// All groups of an ASCII DXF, the last being EOF. Throws InputError with `name`, the line, what was found and what to do for
-/// a code that is no whole number and a file that ends before EOF. O(size).
+/// The text of an ASCII DXF as UTF-8: what is none is in the code page that $DWGCODEPAGE names (Latin-1 where that is
+/// not known), and `\U+00E4` is one letter. Line for line as the file. Throws InputError for what is no text.
+std::string dxf_text(std::string bytes, const std::string& name);
+
+/// The name of a block or layer in capitals, by which it is found: names have no case, in Latin, Greek and Cyrillic.
+std::string dxf_key(std::string_view symbol);
+
+/// All groups of an ASCII DXF, the last being EOF; comments only before the first section. Throws InputError with `name`,
+/// the line, what was found and what to do for a code that is no whole number and a file that ends before EOF. O(size).
 std::vector<DxfTag> read_dxf_tags(std::string_view text, const std::string& name);
 
-/// One entity, from its code 0 to the next.
+/// One entity, from its code 0 to the next. What an object within it has (code 101) is not its own.
 class DxfEntity {
   public:
     DxfEntity(DxfTagSpan tags, const std::string& name) : tags_(tags), name_(name) {}
