@@ -10,8 +10,16 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 
 namespace ripstop::cad {
+
+void end_with(pid_t parent) {
+#ifdef __linux__
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+    if (::getppid() != parent) ::_exit(EXIT_FAILURE);
+}
 
 Attempt::Attempt() {
     std::array<int, 2> ends{-1, -1};
@@ -20,13 +28,7 @@ Attempt::Attempt() {
     child_ = ::fork();
     told_ = ends[child_ > 0 ? 0 : 1];
     ::close(ends[child_ > 0 ? 1 : 0]);
-    if (child_ != 0) return;
-#ifdef __linux__
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) ::_exit(0);
-#else
-    static_cast<void>(parent);
-#endif
+    if (child_ == 0) end_with(parent);
 }
 
 Attempt::~Attempt() {

@@ -6,6 +6,9 @@
 
 namespace ripstop::cad {
 
+/// In a process split off by `fork`: it is killed when its parent ends before it, and ends where that has happened.
+void end_with(pid_t parent);
+
 /// Work done in a process split off from this one, because it may break down while it reads: this one then goes on.
 ///
 /// Both return from the constructor, as from `fork`. Where no process can be split off, this one is the attempt itself.

@@ -2,7 +2,9 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <Bnd_Box.hxx>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include "meshing.h"
 #include "ripstop/base/error.h"
@@ -86,14 +88,25 @@ struct Measured {
     std::vector<FaceFigures> figures;
 };
 
+/// Tells whoever started this program on which face it is, a few times a second: `progress 12 160 face`.
+Told tell_progress(std::size_t faces) {
+    using Clock = std::chrono::steady_clock;
+    return [faces, last = Clock::time_point()](std::size_t face) mutable {
+        const auto now = Clock::now();
+        if (now - last < std::chrono::milliseconds(200)) return;
+        last = now;
+        std::fprintf(stderr, "progress %zu %zu face\n", face + 1, faces);
+    };
+}
+
 /// Meshes the faces, and anew and finer those that `drawn` lies further off than asked for: how far is known only then.
 Measured meshed_and_measured(const std::vector<TopoDS_Face>& faces, const std::vector<TopoDS_Face>& drawn,
-                             EdgeSizes sizes) {
+                             EdgeSizes sizes, double triangles) {
     std::optional<double> asked;
     if (std::isfinite(sizes.chord_error)) asked = sizes.chord_error;
-    sizes.finer.assign(faces.size(), 1);
+    const Told told = tell_progress(faces.size());
     for (int round = 1;; ++round) {
-        Measured result{meshed(faces, sizes), std::vector<FaceFigures>(faces.size())};
+        Measured result{meshed(faces, sizes, triangles, told), std::vector<FaceFigures>(faces.size())};
         bool holds = true;
         for (std::size_t i = 0; i < faces.size(); ++i) {
             if (result.meshes.faces[i].rows() == 0) continue;
@@ -101,7 +114,9 @@ Measured meshed_and_measured(const std::vector<TopoDS_Face>& faces, const std::v
             const double ratio = sizes.chord_error / result.figures[i].chord_error;
             if (!(ratio < 1)) continue;
             holds = false;
-            sizes.finer[i] *= std::max(0.95 * std::sqrt(ratio), coarsest_step);
+            const double step = std::max(0.95 * std::sqrt(ratio), coarsest_step);
+            sizes.finer[i] *= step;
+            triangles += static_cast<double>(result.meshes.faces[i].rows()) * (1 / (step * step) - 1);
         }
         if (holds || round == most_rounds) return result;
     }
@@ -125,13 +140,27 @@ void add_remark(ConvertedModel& model, const EdgeSizes& sizes, const std::vector
                                 "edges lie apart; repair them in the CAD");
     if (plain)
         model.remarks.push_back(
-            "the surfaces were meshed by Open CASCADE, with poor triangles, because gmsh failed on one; repair the "
-            "surfaces "
-            "in the CAD");
+            "the surfaces were meshed by Open CASCADE, with poor triangles, because no other mesher can fill one; "
+            "repair the surfaces in the CAD");
 }
 
-/// What the lengths asked for are in the kernel's millimetres, `scale` of which are one of the world's: they differ where the
-/// file says no unit, or is said to have another.
+void add_bound(ConvertedModel& model, const Bounded& bounded) {
+    const std::string finer = "ask for finer ones with --chord or --edge";
+    if (bounded.border > 1)
+        model.remarks.push_back("the faces have so many edges that these have pieces " +
+                                format_fixed(bounded.border, 1) +
+                                " times as long as their bend asks for (a turn of 2.8 degrees); " + finer);
+    if (bounded.faces == 0) return;
+    const std::string faces = bounded.faces == 1 ? "1 face has" : std::to_string(bounded.faces) + " faces have";
+    model.remarks.push_back(
+        faces + " triangles up to " + format_fixed(bounded.longer, 1) +
+        " times as long within as their bend asks for (a turn of 2.8 degrees), which would be more than " +
+        format_fixed(most_of_face, 0) + " of a face or " + format_fixed(most_of_all, 0) + " of all; " +
+        (bounded.border > 1 ? "" : "their edges are as fine as ever; ") + finer);
+}
+
+/// What the lengths asked for are in the kernel's millimetres, `scale` of which are one of the world's: they differ
+/// where the file says no unit, or is said to have another.
 MeshingOptions in_kernel(MeshingOptions options, double scale) {
     options.sewing_tolerance /= scale;
     if (options.chord_error) *options.chord_error /= scale;
@@ -153,8 +182,9 @@ ConvertedModel convert(Drawing drawing, const MeshingOptions& asked) {
     const double tolerance = std::min(options.sewing_tolerance / millimetre, finest_sewing * diagonal_of(faces));
     const std::vector<TopoDS_Face> drawn = faces;
     if (tolerance > 0) faces = sewn(faces, tolerance);
-    const EdgeSizes sizes = edge_sizes(faces, options);
-    Measured measured = meshed_and_measured(faces, drawn, sizes);
+    EdgeSizes sizes = edge_sizes(faces, options);
+    const Bounded bounded = bound(faces, options, sizes);
+    Measured measured = meshed_and_measured(faces, drawn, sizes, bounded.triangles);
     Meshes& meshes = measured.meshes;
     figures = std::move(measured.figures);
     for (std::size_t i = 0; i < faces.size(); ++i)
@@ -185,6 +215,7 @@ ConvertedModel convert(Drawing drawing, const MeshingOptions& asked) {
     const bool known = asked.metres_per_unit || model.unit;
     if (meshed_faces > 0)
         add_remark(model, sizes, figures, meshes.plain, known ? Said{scale} : Said{1 / drawing.millimetres, ""});
+    add_bound(model, bounded);
     if (turned_faces > 0)
         model.remarks.push_back(
             std::string(turned_faces == 1 ? "1 face was" : std::to_string(turned_faces) + " faces were") +

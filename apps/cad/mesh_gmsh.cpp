@@ -1,18 +1,26 @@
+#include <fcntl.h>
 #include <gmsh.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <unordered_map>
 
+#include "contained.h"
 #include "meshing.h"
-#include "ripstop/base/error.h"
 
 namespace ripstop::cad {
 namespace {
 
-constexpr double most_triangles = 1e7;
 constexpr int samples_across = 16;
+constexpr rlim_t most_seconds = 12;
 
 /// How long edges are to be here and there on a curve or surface of the model.
 struct Sample {
@@ -45,8 +53,8 @@ Samples samples_of(int dimension, int tag, const EdgeSizes& sizes, double finer)
     gmsh::model::getCurvature(dimension, tag, parameters, curvatures);
     Samples samples;
     for (std::size_t i = 0; i < curvatures.size(); ++i)
-        samples.push_back(
-            {Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]), finer * sizes.at(std::abs(curvatures[i]))});
+        samples.push_back({Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]),
+                           std::min(sizes.longest, finer * sizes.at(std::abs(curvatures[i])))});
     const auto [least, most] = std::minmax_element(samples.begin(), samples.end(),
                                                    [](const Sample& a, const Sample& b) { return a.size < b.size; });
     if (dimension == 2 && !samples.empty() && most->size - least->size < 1e-9 * most->size) samples.resize(1);
@@ -70,13 +78,6 @@ class SizeField {
         return found == known.end() ? sizes_.longest : size_at(found->second, p, sizes_.longest);
     }
 
-    double finest_area(int tag) const {
-        double sum = 0;
-        for (const Sample& sample : faces_.at(tag)) sum += 1 / (sample.size * sample.size);
-        return faces_.at(tag).empty() ? sizes_.longest * sizes_.longest
-                                      : static_cast<double>(faces_.at(tag).size()) / sum;
-    }
-
   private:
     /// A curve is divided for its own bend and for that of the faces it bounds.
     void add_curve(int tag) {
@@ -92,18 +93,6 @@ class SizeField {
     const EdgeSizes& sizes_;
     std::map<int, Samples> faces_, curves_;
 };
-
-void require_bearable(const SizeField& field, const std::vector<int>& tags) {
-    double triangles = 0;
-    for (const int tag : tags) {
-        double area = 0;
-        if (tag > 0) gmsh::model::occ::getMass(2, tag, area);
-        if (tag > 0) triangles += area / (0.433 * field.finest_area(tag));  // an equilateral triangle
-    }
-    if (triangles > most_triangles)
-        throw InputError("so fine a mesh would have " + std::to_string(std::lround(triangles / 1e6)) +
-                         " million triangles, at most 10 million are made; ask for less with --chord or --edge");
-}
 
 Meshes taken(const std::vector<int>& tags) {
     Meshes result;
@@ -152,22 +141,45 @@ void set_options(const EdgeSizes& sizes) {
     set("Mesh.Algorithm", 6);  // frontal: the best shaped triangles
     set("Mesh.MeshSizeFromPoints", 0);
     set("Mesh.MeshSizeExtendFromBoundary", 0);
-    set("Mesh.MeshSizeMin", sizes.shortest * finest(sizes));
+    set("Mesh.MeshSizeMin", sizes.shortest * std::min(1.0, finest(sizes)));
     set("Mesh.MeshSizeMax", sizes.longest);
     set("General.NumThreads", 1);
     set("Mesh.RandomFactor", 1e-9);
 }
 
-}  // namespace
+/// Ends this process where gmsh asks for more sizes than a mesh of `triangles` takes.
+class Watch {
+  public:
+    Watch(const std::vector<int>& tags, double triangles, const Told& told)
+        : left_(asks_a_triangle * triangles + free_asks), told_(told) {
+        for (std::size_t i = 0; i < tags.size(); ++i) number_[tags[i]] = i;
+    }
+    void ask(int dimension, int tag) {
+        if (--left_ < 0) ::_exit(EXIT_FAILURE);
+        const auto found = number_.find(tag);
+        if (dimension != 2 || tag == last_ || found == number_.end()) return;
+        last_ = tag;
+        told_(found->second);
+    }
 
-std::optional<Meshes> meshed_by_gmsh(const std::vector<TopoDS_Face>& faces, const EdgeSizes& sizes) {
+  private:
+    static constexpr double asks_a_triangle = 60, free_asks = 1e5;
+    double left_;
+    const Told& told_;
+    std::map<int, std::size_t> number_;
+    int last_ = -1;
+};
+
+std::optional<Meshes> meshed_here(const std::vector<TopoDS_Face>& faces, const EdgeSizes& sizes, double triangles,
+                                  const Told& told) {
     const Session session;
     try {
         set_options(sizes);
         const std::vector<int> tags = imported(faces);
         const SizeField field(sizes, tags);
-        require_bearable(field, tags);
-        gmsh::model::mesh::setSizeCallback([&field](int dimension, int tag, double x, double y, double z) {
+        Watch watch(tags, triangles, told);
+        gmsh::model::mesh::setSizeCallback([&](int dimension, int tag, double x, double y, double z) {
+            watch.ask(dimension, tag);
             return field.at(dimension, tag, {x, y, z});
         });
         gmsh::model::mesh::generate(2);
@@ -175,13 +187,74 @@ std::optional<Meshes> meshed_by_gmsh(const std::vector<TopoDS_Face>& faces, cons
         for (std::size_t i = 0; i < faces.size(); ++i)
             if (!faces[i].IsNull() && meshes.faces[i].rows() == 0) return {};
         return meshes;
-    } catch (const InputError&) {
-        throw;
     } catch (const std::string&) {  // how gmsh fails
         return {};
     } catch (const std::exception&) {
         return {};
     }
+}
+
+/// As its bytes: the rows of the positions, those of each face, and what is in them.
+void write(const Meshes& meshes, int descriptor) {
+    std::FILE* out = ::fdopen(descriptor, "wb");
+    if (out == nullptr) ::_exit(EXIT_FAILURE);
+    const auto put = [out](const auto& array) {
+        const Eigen::Index rows = array.rows();
+        std::fwrite(&rows, sizeof rows, 1, out);
+        std::fwrite(array.data(), sizeof(*array.data()), static_cast<std::size_t>(array.size()), out);
+    };
+    put(meshes.positions);
+    for (const Triangles& triangles : meshes.faces) put(triangles);
+    if (std::fclose(out) != 0) ::_exit(EXIT_FAILURE);
+}
+
+std::optional<Meshes> read(std::FILE* in, std::size_t faces) {
+    bool whole = true;
+    const auto take = [&](auto& array) {
+        Eigen::Index rows = 0;
+        whole = whole && std::fread(&rows, sizeof rows, 1, in) == 1;
+        if (!whole) return;
+        array.resize(rows, 3);
+        const std::size_t size = static_cast<std::size_t>(array.size());
+        whole = std::fread(array.data(), sizeof(*array.data()), size, in) == size;
+    };
+    Meshes meshes;
+    meshes.faces.resize(faces);
+    take(meshes.positions);
+    for (Triangles& triangles : meshes.faces) take(triangles);
+    if (!whole) return {};
+    return meshes;
+}
+
+}  // namespace
+
+std::optional<Meshes> meshed_by_gmsh(const std::vector<TopoDS_Face>& faces, const EdgeSizes& sizes, double triangles,
+                                     const Told& told) {
+    std::array<int, 2> ends{-1, -1};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return {};
+    const pid_t parent = ::getpid(), child = ::fork();
+    if (child == 0) {
+        end_with(parent);
+        const rlimit seconds{most_seconds, most_seconds};
+        ::setrlimit(RLIMIT_CPU, &seconds);  // beyond what is counted
+        ::close(ends[0]);
+        const std::optional<Meshes> meshes = meshed_here(faces, sizes, triangles, told);
+        if (!meshes) ::_exit(EXIT_FAILURE);
+        write(*meshes, ends[1]);
+        ::_exit(EXIT_SUCCESS);
+    }
+    ::close(ends[1]);
+    std::FILE* in = child > 0 ? ::fdopen(ends[0], "rb") : nullptr;
+    std::optional<Meshes> meshes;
+    if (in != nullptr) {
+        meshes = read(in, faces.size());
+        std::fclose(in);
+    } else {
+        ::close(ends[0]);
+    }
+    int status = 0;
+    while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+    return meshes;
 }
 
 }  // namespace ripstop::cad

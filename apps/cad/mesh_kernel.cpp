@@ -1,4 +1,5 @@
 #include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <IMeshTools_Parameters.hxx>
@@ -15,7 +16,7 @@
 #include <cmath>
 #include <map>
 
-#include "meshing.h"
+#include "face_sizes.h"
 
 namespace ripstop::cad {
 namespace {
@@ -39,6 +40,10 @@ class Numbering {
     std::vector<Vec3> points_;
 };
 
+/// Its time for each triangle grows with their number.
+constexpr double most_for_gmsh = 50000;
+constexpr double coarsest = 8;  // of what the kernel's mesher tries
+
 Triangles triangles_of(const TopoDS_Face& face, Numbering& numbering) {
     TopLoc_Location place;
     const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, place);
@@ -58,6 +63,37 @@ Triangles triangles_of(const TopoDS_Face& face, Numbering& numbering) {
     return triangles;
 }
 
+/// Whether gmsh may refine a face without end.
+bool is_hard(const TopoDS_Face& face) {
+    return !face.IsNull() && comes_together(face);
+}
+
+IMeshTools_Parameters parameters_of(const EdgeSizes& sizes, double coarser) {
+    IMeshTools_Parameters parameters;
+    const double finer = finest(sizes) * coarser;
+    parameters.Angle = std::min(sizes.turn * coarser, 0.5);
+    parameters.Deflection = std::min(sizes.chord_error, sizes.longest / 8) * finer * finer;
+    parameters.MinSize = sizes.shortest * finer;
+    return parameters;
+}
+
+double triangles_in(const TopoDS_Shape& shape) {
+    double sum = 0;
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+        TopLoc_Location place;
+        const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(TopoDS::Face(faces.Current()), place);
+        if (!mesh.IsNull()) sum += mesh->NbTriangles();
+    }
+    return sum;
+}
+
+/// Whether no face has more triangles than it may.
+bool is_within(const Meshes& meshes, const EdgeSizes& sizes) {
+    for (const Triangles& triangles : meshes.faces)
+        if (!sizes.most.empty() && static_cast<double>(triangles.rows()) > most_of_face) return false;
+    return true;
+}
+
 }  // namespace
 
 Meshes meshed_by_kernel(const std::vector<TopoDS_Face>& faces, const EdgeSizes& sizes) {
@@ -66,12 +102,11 @@ Meshes meshed_by_kernel(const std::vector<TopoDS_Face>& faces, const EdgeSizes& 
     builder.MakeCompound(all);
     for (const TopoDS_Face& face : faces)
         if (!face.IsNull()) builder.Add(all, face);
-    IMeshTools_Parameters parameters;
-    const double finer = finest(sizes);
-    parameters.Angle = std::min(sizes.turn, 0.5);
-    parameters.Deflection = std::min(sizes.chord_error, sizes.longest / 8) * finer * finer;
-    parameters.MinSize = sizes.shortest * finer;
-    BRepMesh_IncrementalMesh(all, parameters);
+    for (double coarser = 1; coarser <= coarsest; coarser *= 2) {
+        BRepTools::Clean(all);
+        BRepMesh_IncrementalMesh(all, parameters_of(sizes, coarser));
+        if (sizes.most.empty() || triangles_in(all) <= most_of_all) break;
+    }
     Meshes result;
     result.plain = true;
     Numbering numbering;
@@ -81,8 +116,15 @@ Meshes meshed_by_kernel(const std::vector<TopoDS_Face>& faces, const EdgeSizes& 
     return result;
 }
 
-Meshes meshed(const std::vector<TopoDS_Face>& faces, const EdgeSizes& sizes) {
-    if (std::optional<Meshes> meshes = meshed_by_gmsh(faces, sizes)) return *meshes;
+Meshes meshed(const std::vector<TopoDS_Face>& faces, const EdgeSizes& sizes, double triangles, const Told& told) {
+    const bool easy = triangles < most_for_gmsh && std::none_of(faces.begin(), faces.end(), is_hard);
+    if (easy)
+        if (std::optional<Meshes> meshes = meshed_by_gmsh(faces, sizes, triangles, told);
+            meshes && is_within(*meshes, sizes))
+            return *meshes;
+    if (std::optional<Meshes> meshes = meshed_in_parameters(faces, sizes, told)) return *meshes;
+    if (!easy)
+        if (std::optional<Meshes> meshes = meshed_by_gmsh(faces, sizes, triangles, told)) return *meshes;
     return meshed_by_kernel(faces, sizes);
 }
 

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 
-#include "meshing.h"
+#include "borders.h"
+#include "ripstop/base/error.h"
 
 namespace ripstop::cad {
 namespace {
 
 constexpr double edges_across_a_face = 12;
+constexpr double most_triangles = 1e7;
 constexpr double least_ratio = 1.0 / 40;  // of the longest: the tip of a cone is bent without end
 
 /// The size of faces that half of the area lies in smaller ones than: fillets and screws do not count for much.
@@ -53,6 +56,71 @@ EdgeSizes edge_sizes(const std::vector<TopoDS_Face>& faces, const MeshingOptions
     sizes.turn = asked.chord_error ? infinite : turn_of_accuracy;
     sizes.shortest = std::min(sizes.longest * least_ratio, asked.chord_error ? sizes.chord_error : infinite);
     return sizes;
+}
+
+namespace {
+
+/// A face has as many triangles as its border has pieces at least; half of all are left to what lies within.
+constexpr double most_pieces = most_of_all / 4;
+constexpr int halvings = 40;
+constexpr double crowded = 1.25;  // as many triangles come out as equilateral ones of the sizes,
+constexpr double beside = 5;      // and as many beside each piece of a border
+
+/// The most triangles a face may have so that all together have no more than they may. `least`: of each face.
+double share_of_face(const std::vector<double>& counts, const std::vector<double>& least) {
+    const auto all = [&](double share) {
+        double sum = 0;
+        for (std::size_t f = 0; f < counts.size(); ++f) sum += std::max(least[f], std::min(counts[f], share));
+        return sum;
+    };
+    if (all(most_of_face) <= most_of_all) return most_of_face;
+    double low = 0, high = most_of_face;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = (low + high) / 2;
+        (all(middle) <= most_of_all ? low : high) = middle;
+    }
+    return low;
+}
+
+}  // namespace
+
+Bounded bound(const std::vector<TopoDS_Face>& faces, const MeshingOptions& asked, EdgeSizes& sizes) {
+    sizes.finer.assign(faces.size(), 1);
+    std::vector<double> counts;
+    std::vector<std::optional<FaceSizes>> face_sizes;
+    for (const TopoDS_Face& face : faces) {
+        if (face.IsNull())
+            face_sizes.emplace_back();
+        else
+            face_sizes.emplace_back(FaceSizes(face, sizes, 1));
+        counts.push_back(face.IsNull() ? 0 : face_sizes.back()->triangles());
+    }
+    Bounded result;
+    if (asked.chord_error || asked.edge_length) {
+        result.triangles = std::accumulate(counts.begin(), counts.end(), 0.0);
+        if (result.triangles > most_triangles)
+            throw InputError("so fine a mesh would have " + std::to_string(std::lround(result.triangles / 1e6)) +
+                             " million triangles, at most 10 million are made; ask for less with --chord or --edge");
+        return result;
+    }
+    const double pieces = Borders(faces, face_sizes, sizes).pieces();
+    if (pieces > most_pieces) sizes.border = result.border = pieces / most_pieces;
+    const Borders borders(faces, face_sizes, sizes);
+    std::vector<double> least;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        least.push_back(faces[f].IsNull() ? 0 : borders.pieces(faces[f]));
+        counts[f] = crowded * counts[f] + beside * least[f];
+    }
+    const double share = share_of_face(counts, least);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        sizes.most.push_back(std::max(least[f], std::min(counts[f], share)));
+        result.triangles += sizes.most.back();
+        if (counts[f] <= share) continue;
+        sizes.finer[f] = std::sqrt(counts[f] / share);
+        result.longer = std::max(result.longer, sizes.finer[f]);
+        ++result.faces;
+    }
+    return result;
 }
 
 }  // namespace ripstop::cad

@@ -8,10 +8,15 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -21,6 +26,7 @@
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <IGESCAFControl_Writer.hxx>
 #include <IGESControl_Controller.hxx>
@@ -77,7 +83,8 @@ class Document {
         if (!layer.empty()) XCAFDoc_DocumentTool::LayerTool(document_->Main())->SetLayer(label, layer.c_str());
         return label;
     }
-    void write(const std::string& file, const std::string& unit) const {
+    /// `parts`: each in a file of its own.
+    void write(const std::string& file, const std::string& unit, bool parts = false) const {
         const Quiet quiet;
         if (file.ends_with(".iges")) {
             IGESControl_Controller::Init();
@@ -94,7 +101,7 @@ class Document {
             STEPCAFControl_Writer writer;
             writer.SetNameMode(true);
             writer.SetLayerMode(true);
-            writer.Transfer(document_);
+            writer.Transfer(document_, STEPControl_AsIs, parts ? "" : nullptr);
             writer.Write(file.c_str());
         }
     }
@@ -196,7 +203,9 @@ void write_gores(const std::string& file, int count) {
     document.write(file, "MM");
 }
 
-void write_assembly(const std::string& file) {
+namespace {
+
+void write_panels(const std::string& file, bool parts) {
     Document document;
     const TDF_Label part = document.add(plate(0, 0, 2000, 1000), "panel");
     const TDF_Label assembly = document.shapes()->NewShape();
@@ -207,6 +216,47 @@ void write_assembly(const std::string& file) {
     move.SetTranslation(gp_Vec(0, 5000, 0));
     document.shapes()->AddComponent(assembly, part, TopLoc_Location(move * turn));
     document.shapes()->UpdateAssemblies();
+    document.write(file, "MM", parts);
+}
+
+TopoDS_Shape needle() {
+    TColgp_Array1OfPnt points(1, 2);
+    points.SetValue(1, gp_Pnt(0, 0, 3000));
+    points.SetValue(2, gp_Pnt(60, 0, 0));
+    const Handle(Geom_Curve) meridian = new Geom_BezierCurve(points);
+    return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(meridian).Edge(), gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)))
+        .Shape();
+}
+
+TopoDS_Shape tori() {
+    TopoDS_Compound all;
+    BRep_Builder builder;
+    builder.MakeCompound(all);
+    for (int i = 0; i < 12; ++i)
+        builder.Add(all, BRepPrimAPI_MakeTorus(gp_Ax2(gp_Pnt(1500 * i, 0, 0), gp_Dir(0, 0, 1)), 500, 150).Shape());
+    return all;
+}
+
+}  // namespace
+
+void write_assembly(const std::string& file) {
+    write_panels(file, false);
+}
+
+void write_assembly_of_files(const std::string& file) {
+    write_panels(file, true);
+}
+
+void write_solid(const std::string& file, Solid solid) {
+    TopoDS_Shape shape;
+    if (solid == Solid::cone) shape = BRepPrimAPI_MakeCone(500, 0, 900).Shape();
+    if (solid == Solid::sphere) shape = BRepPrimAPI_MakeSphere(500).Shape();
+    if (solid == Solid::torus) shape = BRepPrimAPI_MakeTorus(500, 150).Shape();
+    if (solid == Solid::wire) shape = BRepPrimAPI_MakeCylinder(2, 3000).Shape();
+    if (solid == Solid::tori) shape = tori();
+    if (solid == Solid::needle) shape = needle();
+    Document document;
+    document.add(BRepBuilderAPI_NurbsConvert(shape, true).Shape(), "solid");
     document.write(file, "MM");
 }
 
