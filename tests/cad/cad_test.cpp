@@ -160,6 +160,45 @@ TEST(Cad, PartsOfAnAssemblyStandInTheirPlacesWithNamesOfTheirOwn) {
     EXPECT_LT((centroid(model.surfaces[1].mesh) - Vec3(1, 5, 0.5)).norm(), 1e-9);
 }
 
+TEST(Cad, PartsInOtherFilesAreReadBesideItOrNamed) {
+    const ScratchDirectory scratch;
+    testing::write_assembly_of_files(scratch.path("assembly.step"));
+    ASSERT_TRUE(std::filesystem::exists(scratch.path("panel.stp")));
+    CadModel model = in_metres(read(scratch.path("assembly.step")), 0.001);
+    ASSERT_EQ(model.surfaces.size(), 2U);
+    EXPECT_LT((centroid(model.surfaces[0].mesh) - Vec3(1, 0.5, 0)).norm(), 1e-9);
+    EXPECT_LT((centroid(model.surfaces[1].mesh) - Vec3(1, 5, 0.5)).norm(), 1e-9);
+    EXPECT_TRUE(model.unread.empty());
+
+    testing::write_text(scratch.path("panel.stp"), "ISO-10303-21; garbage");
+    ASSERT_EQ(read(scratch.path("assembly.step")).unread.size(), 1U);
+    EXPECT_THAT(read(scratch.path("assembly.step")).unread[0].reason, HasSubstr("panel.stp, which could not be read"));
+    std::filesystem::remove(scratch.path("panel.stp"));
+    model = read(scratch.path("assembly.step"));
+    EXPECT_TRUE(model.surfaces.empty());
+    ASSERT_EQ(model.unread.size(), 1U);
+    EXPECT_EQ(model.unread[0].name, "panel");
+    EXPECT_THAT(model.unread[0].reason, HasSubstr("it lies in the file panel.stp, which is not beside this one"));
+}
+
+TEST(Cad, WhatTheKernelDoesNotKnowBesideAShapeIsLeftOutAndNamesStay) {
+    const ScratchDirectory scratch;
+    const std::string file = scratch.path("cube.step");
+    testing::write_cube(file, "MM");
+    std::string text = testing::content(file);
+    const std::string items = "ADVANCED_BREP_SHAPE_REPRESENTATION('',(";
+    ASSERT_NE(text.find(items), std::string::npos);
+    text.insert(text.find(items) + items.size(), "#900000,");
+    text.insert(text.rfind("ENDSEC;"), "#900000 = SOME_NEW_ITEM('');\n");
+    testing::write_text(file, text);
+    const CadModel model = read(file);
+    ASSERT_EQ(model.surfaces.size(), 6U);
+    EXPECT_EQ(model.surfaces[0].name, "cube_01");
+    EXPECT_NEAR(area(in_metres(model, 0.001)), 6, 1e-9);
+    EXPECT_THAT(model.remarks, ::testing::Contains(HasSubstr("1 item beside the shapes left out")));
+    EXPECT_THAT(model.remarks, ::testing::Contains(HasSubstr("1 SOME_NEW_ITEM")));
+}
+
 TEST(Cad, NeighboursThatFaceOppositeWaysAreMadeToAgreeAndItIsSaid) {
     const ScratchDirectory scratch;
     testing::write_opposed(scratch.path("opposed.brep"));
