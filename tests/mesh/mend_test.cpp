@@ -201,6 +201,55 @@ TEST(Mend, WeldsTheTipOfAGore) {
     }
 }
 
+/// A gore of the unit sphere that ends in edges, `tip` wide in all, instead of points.
+TriangleMesh blunt_gore(int columns, double tip) {
+    const double angle = 2 * pi / 24, most = pi / 2 - tip / angle;
+    return testing::grid(columns, 12, [=](double u, double v) {
+        const double latitude = most * (2 * v - 1), longitude = angle * (u - 0.5);
+        return Vec3(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+                    std::sin(latitude));
+    });
+}
+
+TEST(CloseTips, TakesATipNarrowerThanAskedAsThePointInItsMiddle) {
+    for (const int columns : {1, 2, 4})
+        for (const double tip : {1e-9, 1e-6, 1e-5, 4e-4}) {
+            const TriangleMesh mesh = blunt_gore(columns, tip);
+            const MendedMesh mended = mend_mesh(mesh, {false, 5e-4});
+            EXPECT_EQ(mended.closed, 2) << columns << " " << tip;
+            EXPECT_EQ(mended.flat, 0) << "the triangles of a tip are no fault of their own";
+            EXPECT_EQ(mended.mesh.vertex_count(), mesh.vertex_count() - 2 * columns);
+            EXPECT_TRUE(is_disk(mended.mesh));
+            const Vec3 ends = mesh.positions.row(0) + mesh.positions.row(columns);
+            EXPECT_LT((Vec3(mended.mesh.positions.row(0)) - ends / 2).norm(), 1e-15);
+            EXPECT_NEAR(surface_area(mended.mesh), surface_area(mesh), tip);
+            EXPECT_EQ(mended.triangle.size(), static_cast<std::size_t>(mended.mesh.triangle_count()));
+        }
+}
+
+TEST(CloseTips, ClosesThemHoweverTheFileRoundsThem) {
+    TriangleMesh mesh = blunt_gore(4, 1e-5);
+    mesh.positions = (mesh.positions * 1e6).array().round() / 1e6;
+    EXPECT_EQ(mend_mesh(mesh, {false, 5e-4}).closed, 2);
+}
+
+TEST(CloseTips, KeepsWiderTipsNarrowSlotsAndShortEdgesOfAStraightSide) {
+    EXPECT_FALSE(mend_mesh(blunt_gore(4, 6e-4), {false, 5e-4}).any());
+    const TriangleMesh slotted = mesh_of({{0, 0, 0},
+                                          {2, 0, 0},
+                                          {2, 1, 0},
+                                          {1.0001, 1, 0},
+                                          {1.0001, 0.3, 0},
+                                          {0.9999, 0.3, 0},
+                                          {0.9999, 1, 0},
+                                          {0, 1, 0}},
+                                         {{0, 1, 5}, {1, 4, 5}, {1, 2, 4}, {2, 3, 4}, {0, 5, 7}, {5, 6, 7}});
+    EXPECT_FALSE(mend_mesh(slotted, {false, 5e-4}).any());
+    const TriangleMesh straight =
+        mesh_of({{0, 0, 0}, {1, 0, 0}, {1.0001, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}});
+    EXPECT_FALSE(mend_mesh(straight, {false, 5e-4}).any());
+}
+
 TEST(Mend, KeepsDarts) {
     // closed darts: of several edges; of one edge from a straight side; of one edge that takes away an angle
     TriangleMesh mesh = testing::rectangle(2, 1, 8, 8);

@@ -31,7 +31,7 @@ CadModel square_with_a_pole(double apart) {
 
 TEST(MendSurfaces, TakesWarpsAndDrawnPositionsAlong) {
     CadModel model = square_with_a_pole(0);
-    EXPECT_THAT(mend_surfaces(model),
+    EXPECT_THAT(mend_surfaces(model, 0.0005),
                 ElementsAre("1 vertex joined with another in the same place: in S, near (0.0000, 1.0000, 0.0000)",
                             "1 triangle without area taken out: in S, near (0.0000, 1.0000, 0.0000)"));
     const NamedMesh& mended = model.surfaces[0];
@@ -40,12 +40,12 @@ TEST(MendSurfaces, TakesWarpsAndDrawnPositionsAlong) {
     EXPECT_EQ(*mended.drawn, mended.mesh.positions.leftCols(2));
     ASSERT_EQ(mended.warp.rows(), 2);
     EXPECT_EQ(mended.warp.row(1), Eigen::RowVector3d(1, 1, 0)) << "that of the triangle it is of";
-    EXPECT_THAT(mend_surfaces(model), IsEmpty());
+    EXPECT_THAT(mend_surfaces(model, 0.0005), IsEmpty());
 }
 
 TEST(MendSurfaces, DropsDrawnPositionsThatDoNotAgree) {
     CadModel model = square_with_a_pole(0.1);
-    mend_surfaces(model);
+    mend_surfaces(model, 0.0005);
     EXPECT_FALSE(model.surfaces[0].drawn);
 }
 
@@ -65,7 +65,7 @@ TEST(MendSurfaces, KeepsATipThatIsDrawnApart) {
     };
     // two triangles that hang together at a point alone are no tile, with their common edge they are one
     CadModel halves = gore(0);
-    EXPECT_THAT(mend_surfaces(halves),
+    EXPECT_THAT(mend_surfaces(halves, 0.0005),
                 ElementsAre("1 vertex joined with another in the same place: in G, near (0.0000, 8.0000, 0.0000)"));
     // with cloth below it the copies are a tip
     const auto with_body = [&](double apart) {
@@ -81,11 +81,11 @@ TEST(MendSurfaces, KeepsATipThatIsDrawnApart) {
         return model;
     };
     CadModel tip = with_body(0);
-    EXPECT_THAT(mend_surfaces(tip),
+    EXPECT_THAT(mend_surfaces(tip, 0.0005),
                 ElementsAre("1 vertex that each triangle of a tip had for itself welded: in G, near (0.0000, 8.0000, "
                             "0.0000)"));
     CadModel drawn_apart = with_body(0.1);
-    EXPECT_THAT(mend_surfaces(drawn_apart), IsEmpty());
+    EXPECT_THAT(mend_surfaces(drawn_apart, 0.0005), IsEmpty());
     EXPECT_EQ(drawn_apart.surfaces[0].mesh.vertex_count(), 6);
 }
 

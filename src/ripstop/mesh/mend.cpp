@@ -24,6 +24,7 @@ constexpr double inside = 1e-3;     // of the longest edge: as far from its ends
 constexpr int most_rounds = 50;     // of needles that become needles again
 constexpr double tip_angle = 150 * degree;
 constexpr double tip_defect = 10 * degree;
+constexpr double narrower = 0.999;  // of a width: tips of just that width are all kept, however they are rounded
 
 bool is_disk(const TriangleMesh& mesh) {
     try {
@@ -225,9 +226,33 @@ MendedMesh mended_of(const TriangleMesh& mesh, bool all_places) {
     return mended;
 }
 
+/// The sum of the triangles' angles at each vertex.
+std::vector<double> angle_sums(const TriangleMesh& mesh) {
+    std::vector<double> angle(static_cast<std::size_t>(mesh.vertex_count()), 0);
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k)
+            angle[static_cast<std::size_t>(mesh.triangles(t, k))] +=
+                angle_at(mesh.corner(t, k), mesh.corner(t, (k + 1) % 3), mesh.corner(t, (k + 2) % 3));
+    return angle;
+}
+
+/// Does to a disk that was mended what `tips` says of its tips.
+void take_tips(MendedMesh& mended, MendedMesh&& tips) {
+    if (!tips.any()) return;
+    if (!mended.any()) mended.place = tips.place;
+    mended.welded += tips.welded;
+    mended.closed += tips.closed;
+    for (int& v : tips.vertex) v = mended.vertex[static_cast<std::size_t>(v)];
+    for (int& t : tips.triangle) t = mended.triangle[static_cast<std::size_t>(t)];
+    for (int& v : mended.becomes) v = v < 0 ? v : tips.becomes[static_cast<std::size_t>(v)];
+    mended.vertex = std::move(tips.vertex);
+    mended.triangle = std::move(tips.triangle);
+    mended.mesh = std::move(tips.mesh);
+}
+
 }  // namespace
 
-MendedMesh mend_mesh(const TriangleMesh& mesh, bool keep_tips) {
+MendedMesh mend_mesh(const TriangleMesh& mesh, const MendOptions& options) {
     const bool sound = is_disk(mesh);
     MendedMesh mended = sound && !has_needle(mesh) ? as_given(mesh) : mended_of(mesh, false);
     if (!is_disk(mended.mesh)) {
@@ -236,26 +261,16 @@ MendedMesh mend_mesh(const TriangleMesh& mesh, bool keep_tips) {
         if (!is_disk(joined.mesh)) return mended;
         mended = std::move(joined);
     }
-    if (keep_tips) return mended;
-    MendedMesh tips = weld_tips(mended.mesh);
-    if (tips.welded == 0) return mended;
-    if (!mended.any()) mended.place = tips.place;
-    mended.welded = tips.welded;
-    for (int& v : tips.vertex) v = mended.vertex[static_cast<std::size_t>(v)];
-    for (int& v : mended.becomes) v = v < 0 ? v : tips.becomes[static_cast<std::size_t>(v)];
-    mended.vertex = std::move(tips.vertex);
-    mended.mesh = std::move(tips.mesh);
+    if (options.keep_tips) return mended;
+    take_tips(mended, weld_tips(mended.mesh));
+    if (options.tip_width > 0) take_tips(mended, close_tips(mended.mesh, options.tip_width));
     return mended;
 }
 
 MendedMesh weld_tips(const TriangleMesh& mesh) {
     const Adjacency adjacency(mesh.triangles, mesh.vertex_count());
     const std::vector<std::vector<int>> loops = boundary_loops(adjacency);
-    std::vector<double> angle(static_cast<std::size_t>(mesh.vertex_count()), 0);
-    for (int t = 0; t < mesh.triangle_count(); ++t)
-        for (int k = 0; k < 3; ++k)
-            angle[static_cast<std::size_t>(mesh.triangles(t, k))] +=
-                angle_at(mesh.corner(t, k), mesh.corner(t, (k + 1) % 3), mesh.corner(t, (k + 2) % 3));
+    const std::vector<double> angle = angle_sums(mesh);
     const std::vector<int>& loop = loops.front();
     const std::size_t count = loop.size();
     const auto at = [&](std::size_t i) -> Vec3 { return mesh.positions.row(loop[i % count]); };
@@ -282,6 +297,40 @@ MendedMesh weld_tips(const TriangleMesh& mesh) {
     if (mended.welded == 0) return mended;
     join(mended, joined);
     drop_unused_vertices(mended);
+    return is_disk(mended.mesh) ? mended : as_given(mesh);
+}
+
+MendedMesh close_tips(const TriangleMesh& mesh, double width) {
+    const std::vector<int> loop = boundary_loops(Adjacency(mesh.triangles, mesh.vertex_count())).front();
+    const std::vector<double> angle = angle_sums(mesh);
+    const std::size_t count = loop.size();
+    const auto vertex = [&](std::size_t i) { return static_cast<std::size_t>(loop[i % count]); };
+    const auto edge = [&](std::size_t i) -> Vec3 {
+        return mesh.positions.row(loop[(i + 1) % count]) - mesh.positions.row(loop[i % count]);
+    };
+    MendedMesh mended = as_given(mesh);
+    Joined joined(mesh.vertex_count());
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 before = edge(i + count - 1);
+        std::size_t end = i;
+        double length = 0, angles = angle[vertex(i)];
+        const double most = std::min(narrower * width, before.norm() / 10);
+        for (; end < i + count - 3 && length + edge(end).norm() <= most; ++end) {
+            length += edge(end).norm();
+            angles += angle[vertex(end + 1)];
+        }
+        if (end == i || 10 * length > edge(end).norm()) continue;
+        const bool turns_left = angles < static_cast<double>(end - i + 1) * std::numbers::pi;
+        if (!turns_left || before.dot(edge(end)) >= 0) continue;
+        for (std::size_t k = i + 1; k <= end; ++k) joined.join(loop[k % count], loop[i % count]);
+        note(mended, mended.closed, mesh.positions.row(loop[i % count]));
+        mended.mesh.positions.row(joined(loop[i % count])) =
+            (mesh.positions.row(loop[i % count]) + mesh.positions.row(loop[end % count])) / 2;
+    }
+    if (mended.closed == 0) return mended;
+    join(mended, joined);
+    drop_unused_vertices(mended);
+    mended.flat = 0;  // its triangles went with the tip
     return is_disk(mended.mesh) ? mended : as_given(mesh);
 }
 

@@ -17,9 +17,15 @@ struct MendedMesh {
     int doubled = 0;                ///< triangles that were there twice, either way up
     int unused = 0;                 ///< vertices of no triangle
     int welded = 0;                 ///< vertices of a tip that each triangle there had for itself
+    int closed = 0;                 ///< tips that were narrower than they can be sewn
     Vec3 place = Vec3::Zero();      ///< where the first of this was
 
-    bool any() const { return joined + flat + doubled + unused + welded > 0; }
+    bool any() const { return joined + flat + doubled + unused + welded + closed > 0; }
+};
+
+struct MendOptions {
+    bool keep_tips = false;  ///< neither weld nor close them
+    double tip_width = 0;    ///< narrower tips are closed, in the mesh's unit
 };
 
 /// Mends what a mesh exporter leaves behind and no designer means, as every CAD does on import. A disk (`require_disk`)
@@ -32,11 +38,12 @@ struct MendedMesh {
 /// - Triangles given twice, either way up, and vertices of no triangle go.
 /// - Where that gives no disk, all vertices in one place are joined, if that does: a mesh in which each triangle, or each
 ///   patch of texture, has vertices of its own.
-/// - A tip that each of its triangles has for itself is welded (`weld_tips`), unless `keep_tips`.
+/// - A tip that each of its triangles has for itself is welded (`weld_tips`), one narrower than `tip_width` is closed
+///   (`close_tips`).
 ///
 /// A mesh that is no disk even so comes back as far as it could be mended; the caller's `require_disk` says what is left.
 /// O(#F log #F).
-MendedMesh mend_mesh(const TriangleMesh& mesh, bool keep_tips = false);
+MendedMesh mend_mesh(const TriangleMesh& mesh, const MendOptions& options = {});
 
 /// Joins the copies of a tip: vertices in one place (within 1e-6 of the edges there) that follow each other along the boundary
 /// with one vertex between, where the triangles' angles at the place add up to less than 150 degrees, so that the boundary turns
@@ -44,5 +51,11 @@ MendedMesh mend_mesh(const TriangleMesh& mesh, bool keep_tips = false);
 /// that is closed in space is not: it is longer than an edge, begins at a straight edge or takes away an angle. Requires a
 /// disk; what comes back is one.
 MendedMesh weld_tips(const TriangleMesh& mesh);
+
+/// Takes each tip narrower than `width` as a point, in the middle of its ends: a run of boundary edges shorter than that, a tenth
+/// of the edges before and after it at most, at which the boundary turns left by more than 90 degrees. Edges of a hundredth of a
+/// millimetre at a gore's end cannot be sewn, and their directions are the rounding of the file. Requires a disk; what comes back
+/// is one.
+MendedMesh close_tips(const TriangleMesh& mesh, double width);
 
 }  // namespace ripstop

@@ -32,9 +32,9 @@ bool drawn_alike(const NamedMesh& surface, const MendedMesh& mended) {
     return true;
 }
 
-MendedMesh mended_of(const NamedMesh& surface) {
-    MendedMesh mended = mend_mesh(surface.mesh);
-    if (mended.welded > 0 && !drawn_alike(surface, mended)) mended = mend_mesh(surface.mesh, true);
+MendedMesh mended_of(const NamedMesh& surface, double tip_width) {
+    MendedMesh mended = mend_mesh(surface.mesh, {false, tip_width});
+    if (mended.welded + mended.closed > 0 && !drawn_alike(surface, mended)) mended = mend_mesh(surface.mesh, {true});
     return mended;
 }
 
@@ -59,6 +59,7 @@ constexpr MendedKind kinds[] = {
     {&MendedMesh::doubled, "triangle", "triangles", "that lay on another taken out"},
     {&MendedMesh::unused, "vertex of no triangle", "vertices of no triangle", "taken out"},
     {&MendedMesh::welded, "vertex", "vertices", "that each triangle of a tip had for itself welded"},
+    {&MendedMesh::closed, "tip", "tips", "narrower than the seam tolerance taken as points"},
 };
 
 std::string place_text(const Vec3& at) {
@@ -83,11 +84,11 @@ std::string sentence(const CadModel& model, const std::vector<MendedMesh>& mende
 
 }  // namespace
 
-std::vector<std::string> mend_surfaces(CadModel& model, int threads) {
+std::vector<std::string> mend_surfaces(CadModel& model, double tip_width, int threads) {
     std::vector<MendedMesh> mended(model.surfaces.size());
     parallel_for(static_cast<int>(mended.size()), threads, [&](int s) {
         const NamedMesh& surface = model.surfaces[static_cast<std::size_t>(s)];
-        if (surface.fault.empty()) mended[static_cast<std::size_t>(s)] = mended_of(surface);
+        if (surface.fault.empty()) mended[static_cast<std::size_t>(s)] = mended_of(surface, tip_width);
     });
     std::vector<std::string> sentences;
     for (const MendedKind& kind : kinds)

@@ -166,6 +166,14 @@ void doubt_size(const CadModel& model, const ReadOptions& options, EnvelopeInput
     if (input.doubt && options.doubts) options.doubts(*input.doubt);
 }
 
+/// What the final meshes decide: the lines on them, and the types of seams and chains, which remeshed tiles have anew.
+void finish_meshes(const CadModel& model, const std::optional<Project>& project,
+                   const std::vector<std::string>& grain_layers, Envelope& envelope,
+                   std::vector<std::string>& remarks) {
+    for (std::string& remark : lay_lines(model, envelope, grain_layers)) remarks.push_back(std::move(remark));
+    if (project) give_seam_types(envelope, *project);
+}
+
 }  // namespace
 
 Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& options) {
@@ -191,7 +199,8 @@ EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& o
     in_this_unit.unit = input.unit.unit;
     std::optional<Project>& project = in_this_unit.project;
     const std::vector<std::string> grain_layers = project ? project->grain_layers : std::vector<std::string>();
-    for (std::string& remark : mend_surfaces(model)) input.remarks.push_back(std::move(remark));
+    for (std::string& remark : mend_surfaces(model, options.seam_tolerance / metres))
+        input.remarks.push_back(std::move(remark));
     if (project) name_tiles(model, *project);
     keep_layers(model, options.layers, grain_layers);
     require_surfaces(model, input.remarks, file.string());
@@ -209,10 +218,13 @@ EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& o
             input.remarks.push_back(std::move(remark));
     RemeshOptions remesh = options.remesh;
     remesh.seam_tolerance = options.seam_tolerance;
+    if (remesh.mode != RemeshMode::never) input.drawn = AsDrawn{input.envelope, input.remarks};
     for (std::string& remark : remesh_envelope(input.envelope, remesh)) input.remarks.push_back(std::move(remark));
-    for (std::string& remark : lay_lines(model, input.envelope, grain_layers))
-        input.remarks.push_back(std::move(remark));
-    if (project) give_seam_types(input.envelope, *project);  // remeshed tiles have seams and chains anew
+    const std::vector<Tile>& tiles = input.envelope.tiles;
+    if (std::none_of(tiles.begin(), tiles.end(), [](const Tile& tile) { return tile.remeshed.has_value(); }))
+        input.drawn.reset();
+    finish_meshes(model, project, grain_layers, input.envelope, input.remarks);
+    if (input.drawn) finish_meshes(model, project, grain_layers, input.drawn->envelope, input.drawn->remarks);
     return input;
 }
 

@@ -33,9 +33,16 @@ struct ReadOptions {
     std::function<void(const UnitDoubt&)> doubts = {};
 };
 
+/// An envelope with the meshes of its file.
+struct AsDrawn {
+    Envelope envelope;
+    std::vector<std::string> remarks;  ///< those of the input without what is said of remeshing
+};
+
 /// An envelope with what its file said of it.
 struct EnvelopeInput {
     Envelope envelope;
+    std::optional<AsDrawn> drawn = {};      ///< before tiles were remeshed; nothing where none was
     UnitRead unit;                          ///< of the file's numbers
     bool unit_assumed = false;              ///< neither given nor said by the file
     std::vector<std::string> remarks = {};  ///< what was left out or taken otherwise than it stands, one sentence each
