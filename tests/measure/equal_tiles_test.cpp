@@ -52,6 +52,20 @@ double largest_distance(const Tile& one, const Tile& other, const Likeness& like
     return largest;
 }
 
+TEST(EqualTiles, AreMatchedVertexByVertexWhereATileIsItsOwnImageByHalfATurn) {
+    // A gore whose diagonals all run one way lies on itself turned end for end too, with other triangles.
+    TriangleMesh gore = testing::lune(22.5 * degree, 4, 24);
+    for (const double rounding : {0.0, 1e-9})
+        for (unsigned order = 1; order <= 8; ++order) {
+            TriangleMesh other = testing::shuffled(moved(gore), order);
+            if (rounding > 0) other.positions = (other.positions / rounding).array().round() * rounding;
+            const std::vector<Tile> tiles{tile(gore, Vec3::UnitZ()), tile(other, moved_warp(Vec3::UnitZ()))};
+            const Likeness found = find_equal_tiles(tiles)[1];
+            ASSERT_EQ(found.to, 0) << order;
+            EXPECT_FALSE(found.grain_reversed) << order << ": the two lie on each other as they were made";
+        }
+}
+
 TEST(EqualTiles, AreFoundInAnyPoseAndNumbering) {
     std::vector<int> order;
     const TriangleMesh shuffled = testing::shuffled(moved(odd_patch()), 7, &order);

@@ -240,7 +240,10 @@ bool lies_on(const Eigen::Matrix3Xd& points, const TriangleMesh& mesh, double to
     return true;
 }
 
-Likeness likeness_at(const Tile& one, const Tile& other, const Pose& pose, double tolerance, bool& alike) {
+/// How two tiles are alike where one lies on the other, the better the later.
+enum class Alike { no, in_surface, in_vertices, exactly };
+
+std::pair<Alike, Likeness> likeness_at(const Tile& one, const Tile& other, const Pose& pose, double tolerance) {
     Likeness found;
     found.motion = pose.motion;
     const Vec3 warp = pose.motion.linear() * one.grain.direction;
@@ -248,8 +251,7 @@ Likeness likeness_at(const Tile& one, const Tile& other, const Pose& pose, doubl
     const double skew = (warp - (found.grain_reversed ? -1 : 1) * other.grain.direction).norm();
     // Warps given triangle by triangle are not compared: such tiles are each of their own kind.
     const bool plain = one.grain.field.rows() == 0 && other.grain.field.rows() == 0;
-    alike = plain && skew * bounding_diagonal(one.mesh) <= tolerance;
-    if (!alike) return found;
+    if (!plain || skew * bounding_diagonal(one.mesh) > tolerance) return {Alike::no, found};
     const Eigen::Matrix3Xd moved = pose.motion * one.mesh.positions.transpose();
     const Eigen::Matrix3Xd there = other.mesh.positions.transpose();
     const int start = one.chains.front().vertices.front();
@@ -263,26 +265,29 @@ Likeness likeness_at(const Tile& one, const Tile& other, const Pose& pose, doubl
         apart = std::max(apart, (moved.col(found.vertex[v]) - there.col(static_cast<Eigen::Index>(v))).norm());
     const bool exact =
         !found.vertex.empty() && apart <= same_place && skew <= same_place && edges_agree(one, other, found.vertex);
-    alike = strains_agree(one, other, found.vertex);
-    if (!alike) return found;
+    if (!strains_agree(one, other, found.vertex)) return {Alike::no, found};
+    if (exact) return {Alike::exactly, found};
     const bool vertices_agree = !found.vertex.empty() && apart <= tolerance;
-    if (!exact) found.vertex.clear();
-    alike = exact || vertices_agree ||
-            (lies_on(moved, other.mesh, tolerance) && lies_on(pose.motion.inverse() * there, one.mesh, tolerance));
-    return found;
+    found.vertex.clear();
+    if (vertices_agree) return {Alike::in_vertices, found};
+    const bool lie_on_each_other =
+        lies_on(moved, other.mesh, tolerance) && lies_on(pose.motion.inverse() * there, one.mesh, tolerance);
+    return {lie_on_each_other ? Alike::in_surface : Alike::no, found};
 }
 
-/// How `other` is `one`, if it is.
+/// How `other` is `one`, if it is. A tile that is its own image by half a turn lies on the other in two ways: the one in which
+/// the vertices do too is taken, for there the pieces are the same.
 std::optional<Likeness> compare(const Tile& one, const Tile& other, double tolerance) {
     if (one.fabric != other.fabric || one.compensation.warp != other.compensation.warp ||
         one.compensation.weft != other.compensation.weft)
         return std::nullopt;
+    std::pair<Alike, Likeness> best{Alike::no, {}};
     for (const Pose& pose : poses(one, signature_of(one), other, signature_of(other), tolerance)) {
-        bool alike = false;
-        Likeness found = likeness_at(one, other, pose, tolerance, alike);
-        if (alike) return found;
+        std::pair<Alike, Likeness> found = likeness_at(one, other, pose, tolerance);
+        if (found.first > best.first) best = std::move(found);
+        if (best.first == Alike::exactly) break;
     }
-    return std::nullopt;
+    return best.first == Alike::no ? std::nullopt : std::optional(std::move(best.second));
 }
 
 bool may_be_equal(const Signature& a, const Signature& b, double tolerance) {
