@@ -105,6 +105,7 @@ function tilePanel(shape, tile, context) {
                 millimetres(said.perimeter_mm),
                 html('small', {}, `${percent(said.perimeter_error_pct)} on the cloth`),
             ),
+            said.remeshed && drawnMesh(said),
             pair(
                 'Warp strain',
                 `${percent(strain.warp_min_pct)} to ${percent(strain.warp_max_pct)}`,
@@ -156,6 +157,20 @@ function tilePanel(shape, tile, context) {
             `${said.fabric}; grain: ${said.grain.source}; ${figure(said.triangles, 0)} triangles${said.remeshed ? ' (meshed anew)' : ''}; ${said.method}`,
         ),
     ];
+}
+
+// What the input's own triangles measure, where the tile was flattened on others.
+function drawnMesh(said) {
+    const { area_before_m2, flat_area_change_pct, perimeter_before_mm, distance_max_mm } = said.remeshed;
+    return pair(
+        'Mesh as drawn',
+        `${squareMetres(area_before_m2, area_before_m2 < 1 ? 4 : 2)}, outline ${millimetres(perimeter_before_mm)}`,
+        html(
+            'small',
+            {},
+            `the piece has ${percent(flat_area_change_pct)} against it; meshed anew up to ${figure(distance_max_mm, 2)}\u00a0mm from it`,
+        ),
+    );
 }
 
 // How far the sides are apart on the way along the seam, and what is allowed.

@@ -15,6 +15,7 @@
 #include "ripstop/model/seam_sheets.h"
 #include "ripstop/pipeline/copied_mesh.h"
 #include "ripstop/pipeline/new_boundaries.h"
+#include "ripstop/remesh/facet_row.h"
 #include "ripstop/remesh/mesh_state.h"
 #include "ripstop/remesh/remesh_tile.h"
 
@@ -31,7 +32,8 @@ struct Job {
     double edge_length = 0;  ///< 0: it stays
     std::optional<MeshFault> fault;
     double turn_max = 0;
-    double area = 0;  ///< of the input's triangles [m2]
+    double area = 0;       ///< of the input's triangles [m2]
+    double perimeter = 0;  ///< of the input's boundary edges [m]
     std::string failure;
     NewBoundary boundary;
     std::optional<Tile> made;
@@ -43,19 +45,29 @@ double fewest_of(std::size_t tiles) {
     return std::clamp(100000 / static_cast<double>(tiles), 250.0, 1000.0);
 }
 
+/// The facets lie in a row from one crease to the next and the boundary is fine enough: such a polyhedron unrolls as it is,
+/// however long and narrow its triangles, and its edges from boundary to boundary are straight on the cloth too.
+bool unrolls_as_drawn(const Tile& tile, const MeshState& state, const MeshFault& fault, double length_tolerance) {
+    return fault.kind != MeshFault::too_fine && !state.has_coarse_boundary(length_tolerance) &&
+           FacetRow::find(tile, Adjacency(tile.mesh.triangles, tile.mesh.vertex_count()), {}).has_value();
+}
+
 std::vector<Job> find_jobs(const std::vector<Tile>& tiles, const RemeshOptions& options) {
     std::vector<Job> jobs(tiles.size());
     const double fewest = fewest_of(tiles.size());
     parallel_for(static_cast<int>(tiles.size()), options.threads, [&](int t) {
-        const MeshState state = measure_mesh(tiles[static_cast<std::size_t>(t)]);
+        const Tile& tile = tiles[static_cast<std::size_t>(t)];
+        const MeshState state = measure_mesh(tile);
         Job& job = jobs[static_cast<std::size_t>(t)];
         job.turn_max = state.turn_max;
         job.area = state.area;
+        job.perimeter = edge_lengths(tile.mesh.positions, closed(tile.boundary)).sum();
         if (options.mode == RemeshMode::by_length) {
             job.edge_length = std::min(options.edge_length, edge_of(state.area, fewest_triangles));
             return;
         }
         job.fault = find_fault(state, options.length_tolerance, fewest);
+        if (job.fault && unrolls_as_drawn(tile, state, *job.fault, options.length_tolerance)) job.fault.reset();
         if (!job.fault) return;
         if (job.fault->kind != MeshFault::too_fine && state.is_jagged())
             job.failure = "the boundary was cut along the edges of a mesh, with a corner at every few vertices";
@@ -356,8 +368,13 @@ std::vector<std::string> remesh_envelope(Envelope& envelope, const RemeshOptions
     remesh(envelope, found, likeness, jobs, options);
     for (std::size_t t = 0; t < jobs.size(); ++t)
         if (jobs[t].made)
-            envelope.tiles[t].remeshed = {jobs[t].fault ? jobs[t].fault->text() : "asked for", before[t],
-                                          jobs[t].edge_length, jobs[t].turn_max};
+            envelope.tiles[t].remeshed = {jobs[t].fault ? jobs[t].fault->text() : "asked for",
+                                          before[t],
+                                          jobs[t].edge_length,
+                                          jobs[t].turn_max,
+                                          jobs[t].area,
+                                          jobs[t].perimeter,
+                                          jobs[t].distance_max};
     return remarks_of(envelope.tiles, jobs);
 }
 

@@ -112,6 +112,10 @@ bool MeshState::is_jagged() const {
     return chains > most_corners && boundary_edges < least_edges_a_chain * chains;
 }
 
+bool MeshState::has_coarse_boundary(double length_tolerance) const {
+    return boundary_turn * boundary_turn / 24 > length_tolerance / 2;
+}
+
 std::vector<std::array<int, 2>> find_creases(const TriangleMesh& mesh, const Adjacency& adjacency) {
     std::vector<std::array<int, 2>> edges;
     for (const int h : adjacency.edges())
@@ -159,8 +163,7 @@ std::optional<MeshFault> find_fault(const MeshState& state, double length_tolera
     if (state.triangles > too_many_corners && state.mean_edge < far_below * needed)
         return MeshFault{MeshFault::too_fine, static_cast<double>(state.triangles)};
     if (state.is_flat()) return {};
-    const double boundary_short = state.boundary_turn * state.boundary_turn / 24;
-    const bool coarse_boundary = state.triangles < most && boundary_short > length_tolerance / 2;
+    const bool coarse_boundary = state.triangles < most && state.has_coarse_boundary(length_tolerance);
     const bool coarse_interior = state.mean_edge > coarse_share * needed && state.interior_turn > interior_limit;
     if (coarse_boundary || coarse_interior) return MeshFault{MeshFault::turns, state.turn_max};
     if (state.sliver_share > many_slivers) return MeshFault{MeshFault::slivers, state.sliver_share};

@@ -27,6 +27,8 @@ struct MeshState {
     /// It was cut along the edges of a mesh: more than six corners, and less than three and a half edges from one to the next.
     /// Such a boundary is no curve that could be divided anew.
     bool is_jagged() const;
+    /// Its chains are short by more than half of this ratio: a polyline that turns by t an edge by t^2 / 24.
+    bool has_coarse_boundary(double length_tolerance) const;
 };
 
 MeshState measure_mesh(const Tile& tile);

@@ -228,6 +228,9 @@ Json envelope_json(const CutPlan& plan, const std::vector<std::string>& warnings
     Json failed = Json::array(), failed_seams = Json::array();
     for (const FlatTile& tile : plan.tiles)
         if (!tile.verdict.manufacturable()) failed.push_back(tile.tile.name);
+    for (const Finding& finding : plan.findings)
+        for (const std::string& name : finding.code == "no_tile" ? finding.tiles : std::vector<std::string>())
+            failed.push_back(name);
     for (std::size_t i = 0; i < plan.walks.size(); ++i)
         if (!plan.walks[i].ok) failed_seams.push_back(plan.seams[i].id);
     return {{"tiles", plan.tiles.size()},
@@ -258,11 +261,18 @@ void add_accuracy(Json& json, const Accuracy& accuracy) {
     json["overlaps"] = accuracy.overlaps;
 }
 
-Json remeshed_json(const Remeshed& remeshed) {
+/// The new mesh beside the input's: what was drawn, and how the piece differs from that.
+Json remeshed_json(const Remeshed& remeshed, const Accuracy& accuracy) {
     return {{"reason", remeshed.reason},
             {"triangles_before", remeshed.triangles_before},
             {"edge_length_mm", in_millimetres(remeshed.edge_length)},
-            {"turn_max_deg", in_degrees(remeshed.turn_max)}};
+            {"turn_max_deg", in_degrees(remeshed.turn_max)},
+            {"distance_max_mm", in_millimetres(remeshed.distance_max)},
+            {"area_before_m2", figure(remeshed.area_before)},
+            {"area_change_pct", in_percent(accuracy.area / remeshed.area_before - 1)},
+            {"flat_area_change_pct", in_percent(accuracy.flat_area / remeshed.area_before - 1)},
+            {"perimeter_before_mm", in_millimetres(remeshed.perimeter_before)},
+            {"perimeter_change_pct", in_percent(accuracy.perimeter / remeshed.perimeter_before - 1)}};
 }
 
 /// What a piece is cut longer for beside the flight: shrinkage of the cloth, take-up of the seams.
@@ -286,7 +296,7 @@ Json tile_json(const FlatTile& tile, const std::string& stem, const Json& chains
     const Compensation& longer = tile.tile.compensation;
     if (longer.warp != 0 || longer.weft != 0 || !longer.chains.empty())
         json["compensation"] = compensation_json(longer);
-    if (tile.tile.remeshed) json["remeshed"] = remeshed_json(*tile.tile.remeshed);
+    if (tile.tile.remeshed) json["remeshed"] = remeshed_json(*tile.tile.remeshed, tile.accuracy);
     if (!reproducible) json["seconds"] = figure(tile.seconds);
     json["iterations"] = summary.iterations;
     json["factorizations"] = summary.factorizations;

@@ -141,19 +141,25 @@ struct Worst {
     }
 };
 
-/// `12 of 360 tiles remeshed, 2400 triangles before`; empty where none was.
+/// `12 of 360 tiles remeshed: 2400 triangles to 24000; against the mesh as drawn area +0.040 % (G01), up to 1.2 mm off`;
+/// empty where none was.
 std::string remeshed_summary(const CutPlan& plan) {
     long long count = 0, before = 0, now = 0;
+    Worst change;
+    double distance = 0;
     for (const FlatTile& tile : plan.tiles) {
         if (!tile.tile.remeshed) continue;
         ++count;
+        change.consider(tile.accuracy.area / tile.tile.remeshed->area_before - 1, tile);
+        distance = std::max(distance, tile.tile.remeshed->distance_max);
         before += tile.tile.remeshed->triangles_before;
         now += tile.tile.mesh.triangle_count();
     }
     if (count == 0) return {};
     return std::to_string(count) + " of " + std::to_string(plan.tiles.size()) +
            (plan.tiles.size() == 1 ? " tile" : " tiles") + " remeshed: " + std::to_string(before) + " triangles to " +
-           std::to_string(now) + "\n";
+           std::to_string(now) + "; against the mesh as drawn " + change.text("area", percent, 3, " %", true) +
+           ", up to " + shown(distance / millimetre, 1, false) + " mm off\n";
 }
 
 }  // namespace
