@@ -52,7 +52,9 @@ TEST_P(LobedShapeUnderGas, KeepsItsShapeAndTheForceInItsTapes) {
     const EnvelopeDesign design = design_of(bulge * degree);
     const CutPlan plan = cut_full_balloon(design, 0.03, Rigging{}.load_tape.stiffness);
     const Inflated found = in_flight(plan, RestState::as_cut, 1);
-    EXPECT_LT(std::abs(found.off.max), limit);  // of 18.5 m: 2.2 per mille, with facets of 0.4 m
+    // Of 18.5 m: 2.2 per mille, with facets of 0.4 m. At 30 degrees 36 mm were measured while the two uppermost panels
+    // were cut at a saddle (5.0 J); at their minimum (0.35 J) it is 39.8 mm.
+    EXPECT_LT(std::abs(found.off.max), limit);
     EXPECT_LT(found.off.moved_max, 1.5 * limit);
     EXPECT_LT(found.off.moved_rms, 0.02);
     const std::vector<double> forces = tape_forces_by_design(design);
