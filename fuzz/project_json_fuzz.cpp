@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -5,6 +6,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/io/project_json.h"
+#include "ripstop/model/envelope_check.h"
 
 using namespace ripstop;
 
@@ -37,6 +39,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(!tile.at || (tile.at->allFinite() && !tile.source));
         for (const Vec3& corner : options.corners) require(corner.allFinite());
     }
+    for (const std::string& code : project.accept)
+        require(std::find(acceptable_issues.begin(), acceptable_issues.end(), code) != acceptable_issues.end());
     require(unused_names(project, {"G01P01"}).empty() || !project.tiles.empty());
     for (const SeamType& type : project.seam_types) require(is_sound(type));
     for (const SeamRule& rule : project.seams) {

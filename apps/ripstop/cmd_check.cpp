@@ -26,12 +26,11 @@ ExitCode run(const CheckArguments& given) {
     const EnvelopeInput whole = read(given.input, input, given.quiet);
     EnvelopeCheck check = [&] {
         const Waiting waiting("Checking " + given.input.file.filename().string(), given.quiet);
-        EnvelopeCheck found = check_envelope(whole.envelope, {input.read.seam_tolerance}, whole.unit);
+        EnvelopeCheck found = judge_envelope(given.input, input, whole);
         add_seam_doubts(found, whole.envelope, remesh);
         return found;
     }();
     check.fabrics = count_fabrics(whole.envelope, input.fabric);
-    check.issues.insert(check.issues.begin(), whole.issues.begin(), whole.issues.end());
     check.notes.insert(check.notes.end(), whole.unused.begin(), whole.unused.end());
     const std::string& unit = whole.unit.unit.name;
     const std::string file = given.input.file.filename().string();
@@ -49,6 +48,7 @@ void add_check(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "check", "Say what was understood of an envelope and what is wrong with it; solves and writes nothing");
     add_input_options(*command, given->input);
+    add_accept_option(*command, given->input);
     add_remesh_option(*command, given->input);
     command->add_flag("--json", given->json, "Print one JSON object on stdout instead of the text");
     command->add_flag("--quiet", given->quiet, "Print nothing; the exit code tells");
@@ -56,6 +56,7 @@ void add_check(CLI::App& app) {
         "Examples:\n"
         "  ripstop check envelope.obj --unit m\n"
         "  ripstop check envelope.obj --unit m --seam-tolerance 1mm     edges drawn less exactly\n"
+        "  ripstop check envelope.obj --unit m --accept missing_tile        its door is meant\n"
         "  ripstop check envelope.obj --unit m --json                   for a script\n\n"
         "Exit codes: 0 sound, 1 something is wrong, 2 usage, 3 unusable input.");
     command->callback([given] {

@@ -13,7 +13,6 @@
 #include "options.h"
 #include "piece_options.h"
 #include "progress_bar.h"
-#include "ripstop/assembly/check_envelope.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/sha256.h"
 #include "ripstop/io/mesh_file.h"
@@ -22,6 +21,7 @@
 #include "ripstop/pipeline/compensate.h"
 #include "ripstop/pipeline/envelope_faults.h"
 #include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/pipeline/own_meshes.h"
 #include "ripstop/pipeline/propose_redesign.h"
 #include "ripstop/pipeline/strain_maps.h"
 #include "ripstop/report/cut_files.h"
@@ -73,25 +73,22 @@ void propose(CutPlan& plan, const std::string& method, const FlattenArguments& g
         plan.merges = propose_merges(plan, method_named(method), given.jobs, progress_bar(given.quiet));
 }
 
-/// What is wrong with the envelope itself, as `ripstop check` says; of some tiles alone only what was wrong in the
-/// file. Returns what of it may be meant.
-std::vector<std::string> take_faults(CutPlan& plan, const EnvelopeInput& input, double seam_tolerance, bool is_whole) {
-    EnvelopeCheck check;
-    check.seam_tolerance = seam_tolerance;
-    if (is_whole) check = check_envelope(input.envelope, {seam_tolerance}, input.unit);
-    if (!is_whole && input.doubt && input.doubt->is_wrong) check.issues.push_back(unit_issue(*input.doubt));
-    check.issues.insert(check.issues.begin(), input.issues.begin(), input.issues.end());
+/// What is wrong with the envelope itself, as `ripstop check` says. What of it is meant is told.
+void take_faults(CutPlan& plan, const EnvelopeCheck& check, bool quiet) {
+    const std::size_t told = plan.remarks.size();
     add_faults(plan, check);
-    std::vector<std::string> warnings;
-    for (const EnvelopeIssue& issue : check.issues)
-        if (issue.code == "missing_tile") warnings.push_back(issue.message);
-    return warnings;
+    for (std::size_t i = told; i < plan.remarks.size() && !quiet; ++i) tell(fmt::format("Note: {}\n", plan.remarks[i]));
 }
 
-/// Paper of a size beyond all printing is left out, and said to be: the other files are there.
-std::vector<std::string> leave_out_unprintable(DirectoryOptions& writing, const PieceSet& pieces) {
+/// Paper of a size beyond all printing is left out, and said to be: the other files are there. Where the unit is wrong nobody
+/// prints it either, and thousands of pages take a minute.
+std::vector<std::string> leave_out_unprintable(DirectoryOptions& writing, const PieceSet& pieces, bool unit_is_wrong) {
     const auto pdf = std::find(writing.formats.begin(), writing.formats.end(), "pdf");
     if (pdf == writing.formats.end()) return {};
+    if (unit_is_wrong) {
+        writing.formats.erase(pdf);
+        return {"no PDF is written: the unit is wrong"};
+    }
     try {
         require_printable(pieces.pieces, writing.files.paper);
     } catch (const InputError& error) {
@@ -132,34 +129,6 @@ CutPlan compensated(const Envelope& envelope, FlattenOptions flattening, const F
     return plan;
 }
 
-/// Tiles and seams that fail.
-std::pair<std::ptrdiff_t, std::ptrdiff_t> failing(const CutPlan& plan) {
-    return {std::count_if(plan.tiles.begin(), plan.tiles.end(),
-                          [](const FlatTile& tile) { return !tile.verdict.manufacturable(); }),
-            std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return !walk.ok; })};
-}
-
-/// Remeshing may make no tile worse than its own mesh does: where tiles fail on other meshes than the input's, the
-/// input's are flattened too, and taken where less fails on them.
-void prefer_own_meshes(CutPlan& plan, EnvelopeInput& read_in, const FlattenArguments& given, Input input,
-                       const FlattenOptions& options) {
-    if (input.read.remesh.mode != RemeshMode::automatic) return;
-    const bool in_question = std::any_of(plan.tiles.begin(), plan.tiles.end(), [](const FlatTile& tile) {
-        return tile.tile.remeshed && !tile.verdict.manufacturable();
-    });
-    if (!in_question) return;
-    input.read.remesh.mode = RemeshMode::never;
-    EnvelopeInput own = read(given.input, input, true);
-    CutPlan on_own = flatten_envelope(own.envelope, options);
-    if (!(failing(on_own) < failing(plan))) return;
-    own.remarks.push_back(fmt::format(
-        "remeshed, {} tiles and {} seams fail, as drawn {} and {}: all tiles keep the meshes they were drawn with",
-        failing(plan).first, failing(plan).second, failing(on_own).first, failing(on_own).second));
-    if (!given.quiet) tell(fmt::format("Note: {}\n", own.remarks.back()));
-    plan = std::move(on_own);
-    read_in = std::move(own);
-}
-
 ExitCode run(FlattenArguments given) {
     choose_formats(given.files, false);
     if (given.compensate && !given.input.tiles.empty())
@@ -180,17 +149,20 @@ ExitCode run(FlattenArguments given) {
     if (found.doubt && !found.doubt->is_wrong) writing.warnings.push_back(found.doubt->sentence);
     if (found.unit_assumed && !given.quiet) print_assumed_size(envelope);
 
+    const EnvelopeCheck faults = judge_envelope(given.input, input, found);
     FlattenOptions options{method, input.fabric, input.tolerances, given.jobs, progress_bar(given.quiet)};
     const Flight& flight = found.flight;
     CutPlan plan = given.compensate ? compensated(envelope, options, flight_of(given.flight, flight), given.quiet)
                                     : flatten_envelope(envelope, options);
-    if (!given.compensate) prefer_own_meshes(plan, found, given, input, options);
+    if (!given.compensate && input.read.remesh.mode == RemeshMode::automatic &&
+        prefer_own_meshes(plan, found, options) && !given.quiet)
+        tell(fmt::format("Note: {}\n", found.remarks.back()));
     if (!plan.flight && input.read.project) plan.flight = flight;
     plan.input_file = given.input.file.filename().string();
     plan.input_sha256 = sha256_of_file(given.input.file);
     plan.unit = found.unit.unit.name;
     plan.remarks = found.remarks;
-    warn(writing, take_faults(plan, found, input.read.seam_tolerance, given.input.tiles.empty()), given.quiet);
+    take_faults(plan, faults, given.quiet);
     propose(plan, method, given);
 
     if (pattern.revision.empty()) pattern.revision = plan.input_sha256.substr(0, 8);
@@ -198,7 +170,8 @@ ExitCode run(FlattenArguments given) {
     warn(writing, judge_cut_lines(plan, drawn, given.pieces.allowance_fit, given.jobs), given.quiet);
     const PieceSet pieces = make_piece_set(plan, std::move(drawn), pattern.revision);
     warn(writing, too_wide_pieces(pieces), given.quiet);
-    warn(writing, leave_out_unprintable(writing, pieces), given.quiet);
+    const bool unit_is_wrong = found.doubt && found.doubt->is_wrong;
+    warn(writing, leave_out_unprintable(writing, pieces, unit_is_wrong), given.quiet);
     {
         const Waiting waiting("Writing " + given.directory.string(), given.quiet);
         write_directory(given.directory, plan, pieces, writing, measure_strain_maps(plan, given.jobs));
@@ -218,6 +191,7 @@ void add_flatten(CLI::App& app) {
     auto given = std::make_shared<FlattenArguments>();
     CLI::App* command = app.add_subcommand("flatten", "Flatten every tile, judge it, write the cut plan");
     add_input_options(*command, given->input);
+    add_accept_option(*command, given->input);
     add_method_option(*command, given->input);
     add_remesh_option(*command, given->input);
     command

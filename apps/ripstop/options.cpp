@@ -16,6 +16,7 @@
 #include "ripstop/io/input_file.h"
 #include "ripstop/io/mesh_file.h"
 #include "ripstop/measure/judge.h"
+#include "ripstop/pipeline/envelope_faults.h"
 #include "ripstop/pipeline/tile_fabrics.h"
 #include "tell.h"
 
@@ -171,6 +172,19 @@ void add_remesh_option(CLI::App& command, InputArguments& given) {
         ->capture_default_str();
 }
 
+void add_accept_option(CLI::App& command, InputArguments& given) {
+    const std::vector<std::string> codes(acceptable_issues.begin(), acceptable_issues.end());
+    command
+        .add_option("--accept", given.accept,
+                    "What is meant though it looks wrong, and is a note then: missing_tile (openings with corners); "
+                    "several codes with commas (also in the project)")
+        ->group("Input")
+        ->type_name("CODES")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(one_of(codes));
+}
+
 void add_method_option(CLI::App& command, InputArguments& given) {
     command.add_option("--method", given.method, "How to flatten; `ripstop methods` lists them")
         ->capture_default_str()
@@ -209,6 +223,8 @@ Input resolve(const InputArguments& given) {
     if (project && project->seam_tolerance) input.read.seam_tolerance = *project->seam_tolerance;
     if (!given.seam_tolerance.empty())
         input.read.seam_tolerance = parse_length(given.seam_tolerance, "--seam-tolerance");
+    input.accept = given.accept;
+    if (project) input.accept.insert(input.accept.end(), project->accept.begin(), project->accept.end());
     input.fabric = fabric_of(given.fabric, project);
     input.read.fabric = input.fabric;
     input.read.meshing = meshing_of(given.chord, given.edge, given.tiles_are);
@@ -221,6 +237,10 @@ Input resolve(const InputArguments& given) {
     input.read.remesh = remesh_options(given);
     input.read.remesh.length_tolerance = input.tolerances.length;
     return input;
+}
+
+EnvelopeCheck judge_envelope(const InputArguments& given, const Input& input, const EnvelopeInput& read) {
+    return judge_input(read, {input.read.seam_tolerance, given.tiles.empty(), input.accept});
 }
 
 void tell_unused(const std::vector<std::string>& unused) {

@@ -26,9 +26,10 @@ struct InputArguments {
     std::string tiles_are = "faces";
     std::vector<std::string> tiles;
     std::vector<std::string> layers;
-    bool fair_seams = false;       ///< where the command has the option
-    bool size_is_meant = false;    ///< the unit is not to be doubted
-    std::string remesh = "never";  ///< where the command has the option: `auto`, `never` or a length with its unit
+    bool fair_seams = false;          ///< where the command has the option
+    bool size_is_meant = false;       ///< the unit is not to be doubted
+    std::vector<std::string> accept;  ///< where the command has the option: codes of issues that are meant
+    std::string remesh = "never";     ///< where the command has the option: `auto`, `never` or a length with its unit
 };
 
 /// What the arguments and the project file say together; the command line goes before the project.
@@ -36,6 +37,7 @@ struct Input {
     ReadOptions read;
     Fabric fabric;
     Tolerances tolerances;
+    std::vector<std::string> accept;  ///< codes of issues that are meant, those of the project too
 };
 
 void add_input_options(CLI::App& command, InputArguments& given);
@@ -45,6 +47,7 @@ void add_meshing_options(CLI::App& command, std::string& chord, std::string& edg
 MeshingOptions meshing_of(const std::string& chord, const std::string& edge, const std::string& tiles_are);
 
 void add_remesh_option(CLI::App& command, InputArguments& given);
+void add_accept_option(CLI::App& command, InputArguments& given);
 void add_method_option(CLI::App& command, InputArguments& given);
 
 /// The method's name, `--keep-area` taken in. Throws a usage error where the method cannot keep the area.
@@ -58,6 +61,9 @@ Input resolve(const InputArguments& given);
 
 /// Reads the input file. Its remarks go to stderr, and at once what makes its unit doubtful. Throws InputError.
 EnvelopeInput read(const InputArguments& given, const Input& input, bool quiet);
+
+/// What is wrong with the envelope as it was given, for `check` and `flatten` alike (`judge_input`).
+EnvelopeCheck judge_envelope(const InputArguments& given, const Input& input, const EnvelopeInput& read);
 
 /// A warning on stderr for each entry of the project that fits nothing.
 void tell_unused(const std::vector<std::string>& unused);

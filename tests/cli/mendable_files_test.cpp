@@ -148,6 +148,7 @@ TEST(BadTiles, AreListedAndTheOthersMade) {
     EXPECT_FALSE(report["envelope"]["manufacturable"]);
     ASSERT_EQ(report["envelope"]["findings"].size(), 2u);
     EXPECT_EQ(report["envelope"]["findings"][0]["code"], "no_tile");
+    EXPECT_EQ(report["envelope"]["failed"], Json::array({"frame", "bow"}));
     const Json check = Json::parse(workshop.ripstop("check some.obj --unit m --json").out);
     EXPECT_EQ(check["issues"][0]["code"], "no_tile");
     EXPECT_EQ(check["issues"][0]["tiles"], Json::array({"frame"}));

@@ -296,7 +296,8 @@ EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& option
     add(check.issues, move_back(tiles, found, options));
     add(check.issues, name_gaps(tiles, found, options.tolerance));
     add(check.issues, name_holes(tiles, found, options.tolerance));
-    add(check.issues, name_strays(tiles, found, check.seams > 0));
+    check.meant = name_strays(tiles, found, check.seams > 0);
+    for (const EnvelopeIssue& issue : check.meant) check.notes.push_back(issue.message);
     if (std::any_of(found.seams.begin(), found.seams.end(), [](const Seam& seam) { return seam.into.has_value(); }))
         check.notes.push_back(further_sheets_text(tiles, found.seams));
     return check;

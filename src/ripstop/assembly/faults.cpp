@@ -214,32 +214,58 @@ std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const Foun
         const bool several = loop.corners > 4 || loop.length > 1.5 * *longest;
         EnvelopeIssue issue{"missing_tile", {}, around, loop.centre, 0};
         if (at_an_edge)
-            issue.message = "a tile may be missing at the open edge round " + place_text(loop.centre) + ": it has " +
-                            std::to_string(loop.corners) + " corners, where a mouth or crown has none; it runs along " +
-                            names_text(around) + "; add the tile, unless the opening is meant";
+            issue.fact = "a tile may be missing at the open edge round " + place_text(loop.centre) + ": it has " +
+                         std::to_string(loop.corners) + " corners, where a mouth or crown has none; it runs along " +
+                         names_text(around);
         else
-            issue.message = (several ? "one or more tiles are missing at " : "a tile is missing at ") +
-                            place_text(loop.centre) + ": the loose edges of " + names_text(around) +
-                            " go round a hole of " + std::to_string(loop.corners) + " corners and " +
-                            length_text(loop.length) + " of edge; add " + (several ? "them" : "the tile") +
-                            ", unless the opening is meant";
+            issue.fact = (several ? "one or more tiles are missing at " : "a tile is missing at ") +
+                         place_text(loop.centre) + ": the loose edges of " + names_text(around) +
+                         " go round a hole of " + std::to_string(loop.corners) + " corners and " +
+                         length_text(loop.length) + " of edge";
+        issue.message = issue.fact + "; add " + (several && !at_an_edge ? "them" : "the tile") +
+                        "; if the opening is meant, --accept missing_tile";
         issues.push_back(std::move(issue));
     }
     return issues;
 }
 
+namespace {
+
+EnvelopeIssue unsewn_issue(std::size_t tiles, bool sewn_as_given) {
+    EnvelopeIssue issue{"unsewn", {}, {}, Vec3::Zero(), 0};
+    issue.fact = "no two of the " + std::to_string(tiles) + " tiles have an edge in common" +
+                 (sewn_as_given ? " once the faults are mended" : ": there are no seams");
+    issue.message = issue.fact +
+                    "; where they are to be sewn, give them where they hang in space, not laid out flat, or a larger "
+                    "--seam-tolerance";
+    return issue;
+}
+
+/// One for all of them: a vent, pockets, a second envelope in the file.
+EnvelopeIssue apart_issue(const std::vector<Tile>& tiles, const std::vector<std::vector<int>>& parts) {
+    std::vector<int> members;
+    for (const std::vector<int>& part : parts) members.insert(members.end(), part.begin(), part.end());
+    const Vec3 at = centroid(tiles[static_cast<std::size_t>(members.front())].mesh);
+    EnvelopeIssue issue{"apart", {}, names_of(tiles, members), at, 0};
+    const std::string count = std::to_string(members.size()), names = names_text(issue.tiles);
+    if (members.size() == 1)
+        issue.fact = "tile " + names + " at " + place_text(at) + " is sewn to nothing";
+    else if (parts.size() == 1)
+        issue.fact = count + " tiles (" + names + ") are sewn to one another but to nothing else";
+    else
+        issue.fact = count + " tiles (" + names + ") are in " + std::to_string(parts.size()) +
+                     " parts that are sewn to nothing else";
+    issue.message = issue.fact + "; where that is not meant, bring " +
+                    (members.size() == 1 ? "it to its place" : "them to their place");
+    return issue;
+}
+
+}  // namespace
+
 std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const FoundSeams& found, bool sewn_as_given) {
     const int count = static_cast<int>(tiles.size());
     if (count < 2) return {};
-    if (found.seams.empty())
-        return {{"unsewn",
-                 "no two of the " + std::to_string(count) +
-                     (sewn_as_given ? " tiles have an edge in common once the faults above are mended"
-                                    : " tiles have an edge in common: there are no seams") +
-                     "; give the tiles where they hang in space, not laid out flat, or a larger --seam-tolerance",
-                 {},
-                 Vec3::Zero(),
-                 0}};
+    if (found.seams.empty() && found.near_misses.empty()) return {unsewn_issue(tiles.size(), sewn_as_given)};
     const std::vector<int> group = sewn_groups(count, found.seams);
     std::vector<std::vector<int>> members(static_cast<std::size_t>(*std::max_element(group.begin(), group.end()) + 1));
     for (int t = 0; t < count; ++t) members[static_cast<std::size_t>(group[static_cast<std::size_t>(t)])].push_back(t);
@@ -248,20 +274,11 @@ std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const Fou
     Groups near(tiles.size());  // what a gap names already is not named again
     for (const NearMiss& miss : found.near_misses) near.join(miss.tile_a, miss.tile_b);
     for (const Seam& seam : found.seams) near.join(seam.a.tile, seam.b.tile);
-    std::vector<EnvelopeIssue> issues;
-    for (const std::vector<int>& some : members) {
-        if (&some == &*largest || near.find(some.front()) == near.find(largest->front())) continue;
-        const Vec3 at = centroid(tiles[static_cast<std::size_t>(some.front())].mesh);
-        const std::vector<std::string> names = names_of(tiles, some);
-        issues.push_back({"apart",
-                          (some.size() == 1 ? "tile " + names[0] + " at " + place_text(at) + " is sewn to nothing"
-                                            : std::to_string(some.size()) + " tiles (" + names_text(names) +
-                                                  ") are sewn to one another but to nothing else") +
-                              (some.size() == 1 ? "; bring it to its place or take it out of the file"
-                                                : "; bring them to their place or take them out of the file"),
-                          names, at, 0});
-    }
-    return issues;
+    std::vector<std::vector<int>> parts;
+    for (const std::vector<int>& some : members)
+        if (&some != &*largest && near.find(some.front()) != near.find(largest->front())) parts.push_back(some);
+    if (parts.empty()) return {};
+    return {apart_issue(tiles, parts)};
 }
 
 }  // namespace ripstop

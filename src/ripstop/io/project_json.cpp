@@ -10,6 +10,7 @@
 #include "ripstop/io/json_text.h"
 #include "ripstop/io/project_flight.h"
 #include "ripstop/io/text.h"
+#include "ripstop/model/envelope_check.h"
 
 namespace ripstop {
 namespace {
@@ -39,6 +40,14 @@ void require_names_once(const Project& project) {
                              ", expected each name once; join them");
 }
 
+void require_acceptable(const std::vector<std::string>& codes, const std::string& name) {
+    std::string known;
+    for (const char* code : acceptable_issues) known += (known.empty() ? "" : ", ") + std::string(code);
+    for (const std::string& code : codes)
+        if (std::find(acceptable_issues.begin(), acceptable_issues.end(), code) == acceptable_issues.end())
+            throw InputError(name + ": accept: " + shown(code) + " cannot be accepted, expected one of: " + known);
+}
+
 std::map<std::string, std::string> read_materials(const json& value, const std::string& place) {
     if (!value.is_object())
         throw InputError(place + " is no object, expected a fabric for each material: {\"red_nylon\": \"nylon\"}");
@@ -65,7 +74,7 @@ Project read_project(std::istream& in, const std::string& name, const std::strin
     const json object = read_json_object(in, name);
     require_known_keys(object,
                        {"unit", "fabric", "materials", "layers", "grain_layers", "tolerances", "seam_tolerance_mm",
-                        "tiles", "seam_types", "seams", "flight", "size_is_meant"},
+                        "tiles", "seam_types", "seams", "flight", "size_is_meant", "accept"},
                        name);
     Project project;
     project.file = name;
@@ -79,6 +88,8 @@ Project read_project(std::istream& in, const std::string& name, const std::strin
         if (!meant->is_boolean()) throw InputError(name + ": size_is_meant is neither true nor false");
         project.size_is_meant = meant->get<bool>();
     }
+    project.accept = texts_at(object, "accept", name);
+    require_acceptable(project.accept, name);
     project.fabric = text_at(object, "fabric", name);
     if (object.contains("materials")) project.materials = read_materials(object["materials"], name + ": materials");
     project.layers = texts_at(object, "layers", name);

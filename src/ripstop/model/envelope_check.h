@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,14 +13,19 @@ namespace ripstop {
 /// One thing that is wrong with an envelope as it was given, named at the tile that is wrong.
 struct EnvelopeIssue {
     std::string code;     ///< stable, for machines: `unit`, `doubled`, `turned_over`, `scaled`, `shifted`, `gap`,
-                          ///< `missing_tile`, `apart`, `unsewn`, `inside_out`, `uncertain`, `no_tile`, `precision`
+                          ///< `missing_tile`, `inside_out`, `uncertain`, `no_tile`, `precision`; `apart` and `unsewn`
+                          ///< are no issues but notes
     std::string message;  ///< one sentence for the designer, with what to do
     std::vector<std::string> tiles;  ///< by name
     Vec3 at = Vec3::Zero();          ///< where [m]
     double value = 0;                ///< how far [m] for `shifted` and `gap`, the ratio for `scaled`, the size or the
                                      ///< rounding [m] for `unit` and `precision`; else 0
     double limit = 0;                ///< of the value, where it is not the seam tolerance [m]
+    std::string fact = {};           ///< the message without what to do; of what may be meant
 };
+
+/// The codes of issues that may be meant: who means them accepts them (`accept_issues`).
+inline constexpr std::array<const char*, 1> acceptable_issues{"missing_tile"};
 
 /// A closed run of loose edges: a mouth, a crown, the outline of a sheet, a hole.
 struct LooseLoop {
@@ -68,7 +74,8 @@ struct EnvelopeCheck {
     std::vector<FabricUse> fabrics;          ///< in the order of the tiles
     std::vector<SeamTypeUse> seam_types;     ///< of seams and free edges
     std::vector<EnvelopeIssue> issues;
-    std::vector<std::string> notes;  ///< worth a look, not wrong
+    std::vector<EnvelopeIssue> meant;  ///< no issues: what is sewn to nothing else, and what was accepted
+    std::vector<std::string> notes;    ///< worth a look, not wrong; `meant` is among them
 
     bool sound() const { return issues.empty(); }
 };

@@ -24,7 +24,8 @@ struct Finding {
     Vec3 at = Vec3::Zero();  ///< where on the surface [m]
     double value = 0;        ///< in the unit the code implies: %, degrees, a count
     double limit = 0;
-    int chain = -1;  ///< in `Tile::chains`, for what is said of a chain
+    int chain = -1;                       ///< in `Tile::chains`, for what is said of a chain
+    std::vector<std::string> tiles = {};  ///< by name, for what is said of the envelope as it was given
 };
 
 /// Manufacturable if and only if there is no finding. Born unjudged, which is not manufacturable.
