@@ -56,7 +56,7 @@ void add_check(CLI::App& app) {
         "Examples:\n"
         "  ripstop check envelope.obj --unit m\n"
         "  ripstop check envelope.obj --unit m --seam-tolerance 1mm     edges drawn less exactly\n"
-        "  ripstop check envelope.obj --unit m --accept missing_tile        its door is meant\n"
+        "  ripstop check envelope.obj --unit m --accept missing_tile    its openings are meant\n"
         "  ripstop check envelope.obj --unit m --json                   for a script\n\n"
         "Exit codes: 0 sound, 1 something is wrong, 2 usage, 3 unusable input.");
     command->callback([given] {
