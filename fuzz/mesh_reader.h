@@ -18,17 +18,25 @@ inline void require(bool holds) {
 }
 
 /// A mesh that was mended names what is there, and each of its vertices and triangles one that was.
+inline void require_maps(const TriangleMesh& mesh, const MendedMesh& mended) {
+    const TriangleMesh& now = mended.mesh;
+    require(std::cmp_equal(mended.vertex.size(), now.vertex_count()) &&
+            std::cmp_equal(mended.triangle.size(), now.triangle_count()) &&
+            std::cmp_equal(mended.becomes.size(), mesh.vertex_count()));
+    require(now.triangles.size() == 0 ||
+            (now.triangles.minCoeff() >= 0 && now.triangles.maxCoeff() < now.vertex_count()));
+    for (const int v : mended.vertex) require(v >= 0 && v < mesh.vertex_count());
+    for (const int v : mended.becomes) require(v >= -1 && v < now.vertex_count());
+    for (const int t : mended.triangle) require(t >= 0 && t < mesh.triangle_count());
+}
+
+/// Vertices stay where they are, but for a tip that is closed.
 inline void require_mendable(const TriangleMesh& mesh) {
-    const auto [mended, vertex, triangle, becomes, joined, flat, doubled, unused, welded, place] = mend_mesh(mesh);
-    require(std::cmp_equal(vertex.size(), mended.vertex_count()) &&
-            std::cmp_equal(triangle.size(), mended.triangle_count()) &&
-            std::cmp_equal(becomes.size(), mesh.vertex_count()));
-    require(mended.triangles.size() == 0 ||
-            (mended.triangles.minCoeff() >= 0 && mended.triangles.maxCoeff() < mended.vertex_count()));
-    for (std::size_t v = 0; v < vertex.size(); ++v)
-        require(mended.positions.row(static_cast<Eigen::Index>(v)) == mesh.positions.row(vertex[v]));
-    for (const int v : becomes) require(v >= -1 && v < mended.vertex_count());
-    for (const int t : triangle) require(t >= 0 && t < mesh.triangle_count());
+    const MendedMesh mended = mend_mesh(mesh);
+    require_maps(mesh, mended);
+    for (std::size_t v = 0; v < mended.vertex.size(); ++v)
+        require(mended.mesh.positions.row(static_cast<Eigen::Index>(v)) == mesh.positions.row(mended.vertex[v]));
+    require_maps(mesh, mend_mesh(mesh, {false, 0.1}));
 }
 
 inline void require_sound(const CadModel& model) {
