@@ -80,8 +80,8 @@ void take_faults(CutPlan& plan, const EnvelopeCheck& check, bool quiet) {
     for (std::size_t i = told; i < plan.remarks.size() && !quiet; ++i) tell(fmt::format("Note: {}\n", plan.remarks[i]));
 }
 
-/// Paper of a size beyond all printing is left out, and said to be: the other files are there. Where the unit is wrong nobody
-/// prints it either, and thousands of pages take a minute.
+/// Leaves the PDF out if it has more pages than anyone prints, or if the unit is wrong: then nobody prints it, and
+/// writing its thousands of pages takes a minute. Returns a warning that says so.
 std::vector<std::string> leave_out_unprintable(DirectoryOptions& writing, const PieceSet& pieces, bool unit_is_wrong) {
     const auto pdf = std::find(writing.formats.begin(), writing.formats.end(), "pdf");
     if (pdf == writing.formats.end()) return {};

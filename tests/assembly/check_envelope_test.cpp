@@ -226,7 +226,8 @@ TEST(MissingTile, AtTheMouthIsSuspectedFromTheCornersOfTheOpenEdge) {
     EXPECT_THAT(named(check(balloon)), ::testing::ElementsAre(HasSubstr("missing_tile")));
 }
 
-/// `panels` of `rows` tiles each: flat, their lower edges on a polygon of radius 1, the upper ones 2 m above on one of `top`.
+/// `panels` of `rows` tiles each: flat, their lower edges on a polygon of radius 1, the upper ones 2 m above on one of
+/// `top`.
 std::vector<NamedMesh> prism(int panels, int rows, double top) {
     std::vector<NamedMesh> tiles;
     const auto at = [&](int panel, double height) {
@@ -479,7 +480,8 @@ TEST(CheckText, SaysOnceWhatManyTilesHaveInCommon) {
 }
 
 TEST(CheckText, GivesNumbersAsADesignerReadsThem) {
-    // a third of a metre here, a tenth of a nanometre there, a tile 304.8 times too large; a small factor has six decimals
+    // a third of a metre here, a tenth of a nanometre there, a tile 304.8 times too large; a small factor has six
+    // decimals
     std::vector<NamedMesh> balloon = design_natural(small_balloon());
     for (NamedMesh& tile : balloon) move(tile.mesh, Vec3(1.0 / 3, -1e-10, 2.0 / 3));
     scale_about(balloon[middle].mesh, Vec3::Zero(), 304.8);

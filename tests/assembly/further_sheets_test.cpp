@@ -138,8 +138,8 @@ TEST(RibUnderASeam, LeavesATileThatIsTurnedOverToBeNamed) {
     }
 }
 
-/// WAIST along the x axis from 0 to 0.4 m, and below it PANEL, 0.8 m wide: from 0.1 to 0.3 m its upper edge lies in three
-/// layers, which part further down.
+/// WAIST along the x axis from 0 to 0.4 m, and below it PANEL, 0.8 m wide: from 0.1 to 0.3 m its upper edge lies in
+/// three layers, which part further down.
 Meshes pleat_under_waist() {
     const auto folded = [](double u, double v) {
         const double x = u < 0.3 ? u : u < 0.5 ? 0.6 - u : u - 0.4;

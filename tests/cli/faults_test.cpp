@@ -1,9 +1,9 @@
 /// What `flatten` does with an envelope that is itself wrong.
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
+#include "support/envelopes.h"
 #include "support/program.h"
 #include "support/shapes.h"
 
@@ -67,20 +67,9 @@ TEST(FlattenFaults, AreNotAskedForWhereSomeTilesAreChosen) {
     EXPECT_EQ(workshop.ripstop("flatten sheets.obj --unit m --tile a --tile b -o plan").code, 0);
 }
 
-/// A tube of four flat sides in three rows, without its tile T11.
 std::vector<NamedMesh> tube_with_a_window() {
-    std::vector<NamedMesh> tiles;
-    const auto corner = [](int k, double z) { return Vec3(k % 4 == 0 || k % 4 == 3 ? 0 : 2, k % 4 > 1 ? 2 : 0, z); };
-    for (int k = 0; k < 4; ++k)
-        for (int row = 0; row < 3; ++row)
-            if (k != 1 || row != 1)
-                tiles.push_back({fmt::format("T{}{}", k, row),
-                                 testing::grid(3, 3,
-                                               [&](double u, double v) {
-                                                   return Vec3((1 - u) * corner(k, row + v) +
-                                                               u * corner(k + 1, row + v));
-                                               }),
-                                 {}});
+    std::vector<NamedMesh> tiles = testing::square_tube();
+    std::erase_if(tiles, [](const NamedMesh& tile) { return tile.name == "T1-1"; });
     return tiles;
 }
 

@@ -65,21 +65,6 @@ const std::vector<std::string>& all_that_may_be_meant() {
     return codes;
 }
 
-/// A tube of four sides in three rows: every tile is flat.
-Meshes tube() {
-    Meshes tiles;
-    const auto corner = [](int k, double z) { return Vec3(k % 4 == 0 || k % 4 == 3 ? 0 : 2, k % 4 > 1 ? 2 : 0, z); };
-    for (int k = 0; k < 4; ++k)
-        for (int row = 0; row < 3; ++row)
-            tiles.push_back({fmt::format("{}-{}", k, row),
-                             testing::grid(3, 3,
-                                           [&](double u, double v) {
-                                               return Vec3((1 - u) * corner(k, row + v) + u * corner(k + 1, row + v));
-                                           }),
-                             {}});
-    return tiles;
-}
-
 Meshes balloon() {
     EnvelopeDesign design;
     design.gores = 6;
@@ -125,7 +110,7 @@ void spoil(Meshes& tiles, std::mt19937& random) {
 TEST(CheckAndFlatten, AgreeOnEnvelopesThatWereSpoiled) {
     std::mt19937 random(17);
     for (int k = 0; k < 40; ++k) {
-        Meshes tiles = k % 2 == 0 ? tube() : balloon();
+        Meshes tiles = k % 2 == 0 ? testing::square_tube() : balloon();
         spoil(tiles, random);
         if (k % 3 == 0) spoil(tiles, random);
         for (const RemeshMode mode : {RemeshMode::never, RemeshMode::automatic}) {
@@ -164,7 +149,7 @@ TEST(CheckAndFlatten, AgreeOnTheSharedShapes) {
 }
 
 TEST(AMissingTile, IsAFindingUnlessItIsAccepted) {
-    Meshes holed = tube();
+    Meshes holed = testing::square_tube();
     EXPECT_TRUE(outcome(holed, RemeshMode::never).plan.manufacturable());
     holed.erase(holed.begin() + 4);
     const Outcome made = outcome(holed, RemeshMode::never);
@@ -182,7 +167,7 @@ TEST(AMissingTile, IsAFindingUnlessItIsAccepted) {
 }
 
 TEST(AGap, CannotBeAccepted) {
-    Meshes tiles = tube();
+    Meshes tiles = testing::square_tube();
     for (std::size_t t = 2; t < tiles.size(); t += 3) move_mesh(tiles[t].mesh, Vec3(0, 0, 0.002));
     const Outcome made = outcome(tiles, RemeshMode::never, {"gap", "missing_tile"});
     EXPECT_FALSE(made.check.sound());
@@ -190,7 +175,7 @@ TEST(AGap, CannotBeAccepted) {
 }
 
 TEST(PartsThatAreSewnToNothingElse, AreNotesOfBoth) {
-    Meshes tiles = tube();
+    Meshes tiles = testing::square_tube();
     tiles.push_back({"POCKET", testing::rectangle(0.5, 0.2, 3, 3), {}});
     move_mesh(tiles.back().mesh, Vec3(9, 0, 1));
     const Outcome made = outcome(tiles, RemeshMode::never);
@@ -202,7 +187,7 @@ TEST(PartsThatAreSewnToNothingElse, AreNotesOfBoth) {
 
 TEST(SomeTilesAlone, AreNotBlamedForThoseLeftOut) {
     EnvelopeInput input;
-    Meshes some = tube();
+    Meshes some = testing::square_tube();
     some.erase(some.begin() + 4);
     some.push_back({"FAR", testing::rectangle(0.5, 0.2, 3, 3), {}});
     move_mesh(some.back().mesh, Vec3(9, 0, 1));

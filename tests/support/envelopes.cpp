@@ -72,6 +72,20 @@ std::vector<NamedMesh> brick_wall(int rows, int bricks, double latitude) {
     return tiles;
 }
 
+std::vector<NamedMesh> square_tube() {
+    const auto corner = [](int k, double z) { return Vec3(k % 4 == 0 || k % 4 == 3 ? 0 : 2, k % 4 > 1 ? 2 : 0, z); };
+    std::vector<NamedMesh> tiles;
+    for (int side = 0; side < 4; ++side)
+        for (int row = 0; row < 3; ++row)
+            tiles.push_back({numbered("T", side, row),
+                             grid(3, 3,
+                                  [&](double u, double v) {
+                                      return Vec3((1 - u) * corner(side, row + v) + u * corner(side + 1, row + v));
+                                  }),
+                             {}});
+    return tiles;
+}
+
 Envelope tiles_of(const std::vector<NamedMesh>& meshes) {
     Envelope envelope;
     for (const NamedMesh& mesh : meshes) envelope.tiles.push_back(make_tile(mesh.name, mesh.mesh));

@@ -21,6 +21,9 @@ int seam_count(const EnvelopeDesign& design);
 /// row shifted by half a tile: each long edge lies against two halves. Each row has its own number of edges.
 std::vector<NamedMesh> brick_wall(int rows, int bricks, double latitude = 0.9);
 
+/// A tube of four flat sides, 2 m wide and 3 m high, in three rows: tile T1-2 is of side 1, row 2.
+std::vector<NamedMesh> square_tube();
+
 /// The tiles as an envelope without seams.
 Envelope tiles_of(const std::vector<NamedMesh>& meshes);
 

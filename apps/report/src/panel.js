@@ -159,16 +159,17 @@ function tilePanel(shape, tile, context) {
     ];
 }
 
-// What the input's own triangles measure, where the tile was flattened on others.
+// What the input's own triangles measure, if the tile was remeshed.
 function drawnMesh(said) {
     const { area_before_m2, flat_area_change_pct, perimeter_before_mm, distance_max_mm } = said.remeshed;
     return pair(
-        'Mesh as drawn',
+        'Drawn mesh',
         `${squareMetres(area_before_m2, area_before_m2 < 1 ? 4 : 2)}, outline ${millimetres(perimeter_before_mm)}`,
         html(
             'small',
             {},
-            `the piece has ${percent(flat_area_change_pct)} against it; meshed anew up to ${figure(distance_max_mm, 2)}\u00a0mm from it`,
+            `area ${percent(flat_area_change_pct)} on the cloth; `,
+            `the new mesh lies up to ${figure(distance_max_mm, 2)}\u00a0mm from it`,
         ),
     );
 }

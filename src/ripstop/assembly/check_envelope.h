@@ -11,8 +11,8 @@ namespace ripstop {
 /// Figures are those of the envelope as given. Each fault is named once, at the tile that is wrong: doubled tiles
 /// first, then tiles turned over, then tiles shifted or scaled; each is mended in a copy and the seams are searched for
 /// anew, so that what follows from it (missed neighbours, a hole) is not named again. What is then left are gaps and
-/// missing tiles. Where most edges miss their mates by more than the tolerance one issue says so. What is sewn to nothing
-/// else is usual, as vents, pockets, several envelopes or single sheets in a file: that is a note
+/// missing tiles. Where most edges miss their mates by more than the tolerance one issue says so. What is sewn to
+/// nothing else is usual, as vents, pockets, several envelopes or single sheets in a file: that is a note
 /// (`EnvelopeCheck::meant`), for a tile that is away from its place leaves a hole there, which is an issue.
 ///
 /// Where the unit is wrong (`doubt_unit`) that is named and nothing else, since no tolerance in millimetres means

@@ -176,8 +176,8 @@ std::vector<Tile> skin_without_sheets(const std::vector<Tile>& tiles, const std:
     return skin;
 }
 
-/// The end of a tube or a tent: it passes every tile of the skin, each once. What a tile leaves passes some of them, what a
-/// gore leaves each twice.
+/// The end of a tube or a tent: it passes every tile of the skin, each once. What a tile leaves passes some of them,
+/// what a gore leaves each twice.
 bool goes_round_all(const LooseLoop& loop, std::vector<int> skin) {
     std::vector<int> passed = loop.tiles;
     std::sort(passed.begin(), passed.end());

@@ -24,9 +24,9 @@ std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found
 /// The whole envelope where it is nearly closed and its volume is negative.
 std::vector<EnvelopeIssue> name_inside_out(const std::vector<Tile>& tiles, const std::vector<LooseLoop>& loops);
 
-/// What is left then: gaps, holes, and what is sewn to nothing, which is worth a note and no fault: `unsewn` where no tile
-/// has a seam nor lies beside another, else `apart`, once for all groups that are sewn to nothing else. `sewn_as_given`:
-/// there were seams before any fault was mended.
+/// What is left then: gaps, holes, and what is sewn to nothing, which is worth a note and no fault: `unsewn` where no
+/// tile has a seam nor lies beside another, else `apart`, once for all groups that are sewn to nothing else.
+/// `sewn_as_given`: there were seams before any fault was mended.
 std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance);
 std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance);
 std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const FoundSeams& found, bool sewn_as_given);

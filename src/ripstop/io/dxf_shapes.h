@@ -23,10 +23,10 @@ DxfShape dxf_shape(const DxfEntity& entity, double chord_error);
 DxfShape dxf_polyline(const DxfEntity& head, DxfTagSpan tags, std::size_t& next, const std::string& name,
                       double chord_error);
 
-/// A SPLINE or HELIX of any degree, rational or not, by its control points and knots; where it has none they are uniform
-/// and clamped. One that only says the points it goes through is the cubic spline whose parameter is the length of the
-/// chords, with its tangents at the ends, else 3 q1 - q2 of the two chords there (as ezdxf, near to BricsCAD). No point
-/// where neither makes a curve.
+/// A SPLINE or HELIX of any degree, rational or not, by its control points and knots; where it has none they are
+/// uniform and clamped. One that only says the points it goes through is the cubic spline whose parameter is the length
+/// of the chords, with its tangents at the ends, else 3 q1 - q2 of the two chords there (as ezdxf, near to BricsCAD).
+/// No point where neither makes a curve.
 DxfShape dxf_spline(const DxfEntity& entity, double chord_error);
 
 /// From the plane of an entity to space: its axes by the arbitrary axis algorithm of the DXF reference from the

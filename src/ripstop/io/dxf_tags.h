@@ -29,8 +29,9 @@ std::string dxf_text(std::string bytes, const std::string& name);
 /// The name of a block or layer in capitals, by which it is found: names have no case, in Latin, Greek and Cyrillic.
 std::string dxf_key(std::string_view symbol);
 
-/// All groups of an ASCII DXF, the last being EOF; comments only before the first section. Throws InputError with `name`,
-/// the line, what was found and what to do for a code that is no whole number and a file that ends before EOF. O(size).
+/// All groups of an ASCII DXF, the last being EOF; comments only before the first section. Throws InputError with
+/// `name`, the line, what was found and what to do for a code that is no whole number and a file that ends before EOF.
+/// O(size).
 std::vector<DxfTag> read_dxf_tags(std::string_view text, const std::string& name);
 
 /// One entity, from its code 0 to the next. What an object within it has (code 101) is not its own.

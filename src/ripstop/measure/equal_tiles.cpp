@@ -132,8 +132,8 @@ std::vector<Pose> poses(const Tile& one, const Signature& first, const Tile& oth
     return found;
 }
 
-/// The mesh of `one` walked together with that of `other` from one boundary edge of each: the vertex of `one` for each of
-/// `other`, empty where the meshes are not built alike.
+/// The mesh of `one` walked together with that of `other` from one boundary edge of each: the vertex of `one` for each
+/// of `other`, empty where the meshes are not built alike.
 std::vector<int> correspondence(const Tile& one, const Tile& other, int from_one, int from_other) {
     if (one.mesh.vertex_count() != other.mesh.vertex_count() ||
         one.mesh.triangle_count() != other.mesh.triangle_count() || one.boundary.size() != other.boundary.size())
@@ -240,7 +240,7 @@ bool lies_on(const Eigen::Matrix3Xd& points, const TriangleMesh& mesh, double to
     return true;
 }
 
-/// How two tiles are alike where one lies on the other, the better the later.
+/// How well two tiles match in one pose, from worst to best.
 enum class Alike { no, in_surface, in_vertices, exactly };
 
 std::pair<Alike, Likeness> likeness_at(const Tile& one, const Tile& other, const Pose& pose, double tolerance) {
@@ -275,8 +275,8 @@ std::pair<Alike, Likeness> likeness_at(const Tile& one, const Tile& other, const
     return {lie_on_each_other ? Alike::in_surface : Alike::no, found};
 }
 
-/// How `other` is `one`, if it is. A tile that is its own image by half a turn lies on the other in two ways: the one in which
-/// the vertices do too is taken, for there the pieces are the same.
+/// How `other` is `one`, if it is. A tile that half a turn maps onto itself fits the other in two ways. The one that
+/// also matches the vertices wins, because only there the flat pieces are the same.
 std::optional<Likeness> compare(const Tile& one, const Tile& other, double tolerance) {
     if (one.fabric != other.fabric || one.compensation.warp != other.compensation.warp ||
         one.compensation.weft != other.compensation.weft)

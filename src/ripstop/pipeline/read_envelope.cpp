@@ -88,8 +88,8 @@ Tile tile_of(NamedMesh& surface, const ReadOptions& options) {
     return make_tile(surface.name, std::move(surface.mesh), tile);
 }
 
-/// What was taken otherwise than it stands goes into the remarks, surfaces that are no tiles into `issues`; where there is no
-/// place for them, or nothing else, they are refused.
+/// What was taken otherwise than it stands goes into the remarks, surfaces that are no tiles into `issues`; where there
+/// is no place for them, or nothing else, they are refused.
 Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& options, std::vector<std::string>& remarks,
                        std::vector<EnvelopeIssue>* issues) {
     std::vector<std::string> names;

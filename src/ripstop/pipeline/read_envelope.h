@@ -56,20 +56,22 @@ struct EnvelopeInput {
 
 /// Reads a file (`read_model`), makes every surface in it a tile and finds the seams between those kept (`find_seams`).
 ///
-/// Surfaces are called what the project calls them (`name_tiles`) before anything else looks at names; each tile gets its
-/// fabric (`give_fabrics`), each seam its type (`give_seam_types`). The project's entries that fit nothing are named, unless
-/// only some tiles are read.
+/// Surfaces are called what the project calls them (`name_tiles`) before anything else looks at names; each tile gets
+/// its fabric (`give_fabrics`), each seam its type (`give_seam_types`). The project's entries that fit nothing are
+/// named, unless only some tiles are read.
 ///
-/// The warp of a tile is, in this order: the project's; the line that lies on the tile, on a layer called GRAIN or WARP or on
-/// one of the project's `grain_layers`; the file's own for the surface, in its triangles or as the attribute `warp`
-/// (x, y, z); the longest axis. Objects that give no surface become remarks. Last, edges that
-/// zigzag are made fair where that is asked for (`fair_seams`), and tiles are remeshed where `remesh` says so (`remesh_envelope`); `make_envelope` never does.
+/// The warp of a tile is, in this order: the project's; the line that lies on the tile, on a layer called GRAIN or WARP
+/// or on one of the project's `grain_layers`; the file's own for the surface, in its triangles or as the attribute
+/// `warp` (x, y, z); the longest axis. Objects that give no surface become remarks. Last, edges that zigzag are made
+/// fair where that is asked for (`fair_seams`), and tiles are remeshed where `remesh` says so (`remesh_envelope`);
+/// `make_envelope` never does.
 ///
-/// Meshes are mended (`mend_surfaces`); what lies far from the origin is counted from nearer by (`far_origin`), points of the
-/// project too. Both are remarks. A surface that is no tile even so is an issue, and the others are read without it.
+/// Meshes are mended (`mend_surfaces`); what lies far from the origin is counted from nearer by (`far_origin`), points
+/// of the project too. Both are remarks. A surface that is no tile even so is an issue, and the others are read without
+/// it.
 ///
-/// Throws InputError for a file that cannot be read or holds no surface that is a tile: a sentence for each that is none; and
-/// for a glob in `only` or `layers` that fits nothing.
+/// Throws InputError for a file that cannot be read or holds no surface that is a tile: a sentence for each that is
+/// none; and for a glob in `only` or `layers` that fits nothing.
 EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& options);
 
 /// The envelope alone; surfaces that are no tiles are refused.

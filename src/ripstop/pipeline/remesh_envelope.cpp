@@ -45,8 +45,8 @@ double fewest_of(std::size_t tiles) {
     return std::clamp(100000 / static_cast<double>(tiles), 250.0, 1000.0);
 }
 
-/// The facets lie in a row from one crease to the next and the boundary is fine enough: such a polyhedron unrolls as it is,
-/// however long and narrow its triangles, and its edges from boundary to boundary are straight on the cloth too.
+/// A row of facets with a fine boundary needs no other mesh: it unrolls without strain however long and narrow its
+/// triangles are, and its creases are straight on the cloth too.
 bool unrolls_as_drawn(const Tile& tile, const MeshState& state, const MeshFault& fault, double length_tolerance) {
     return fault.kind != MeshFault::too_fine && !state.has_coarse_boundary(length_tolerance) &&
            FacetRow::find(tile, Adjacency(tile.mesh.triangles, tile.mesh.vertex_count()), {}).has_value();
@@ -98,8 +98,8 @@ bool leaves_any_open(const std::vector<Seam>& seams, const RemeshOptions& option
     return std::any_of(seams.begin(), seams.end(), [&](const Seam& seam) { return leaves_open(seam, options); });
 }
 
-/// A tile that would stay, flat perhaps, is remeshed with those beside it where their seam is a polyline too coarse to say
-/// whether it or the curve through it is meant: both sides take the curve.
+/// A tile that would stay, flat perhaps, is remeshed with those beside it where their seam is a polyline too coarse to
+/// say whether it or the curve through it is meant: both sides take the curve.
 void take_coarse_neighbours(const std::vector<Tile>& tiles, const FoundSeams& found, const RemeshOptions& options,
                             std::vector<Job>& jobs) {
     if (options.mode != RemeshMode::automatic) return;
@@ -193,8 +193,8 @@ std::vector<std::pair<SeamPlace, double>> places_of(const std::vector<Seam>& sea
     return places;
 }
 
-/// The tiles whose seams are not found again. A seam more within a tile is none: it lies at a tip, where the sides of an
-/// outline have no cloth between them.
+/// The tiles whose seams are not found again. A seam more within a tile is none: it lies at a tip, where the sides of
+/// an outline have no cloth between them.
 std::set<int> tiles_with_other_seams(const std::vector<Tile>& tiles, const std::vector<Seam>& seams, double tolerance) {
     std::map<SeamPlace, std::vector<double>> missing;
     for (const auto& [place, length] : places_of(seams)) missing[place].push_back(length);
@@ -237,7 +237,8 @@ bool any_left(const std::vector<Job>& jobs) {
     return std::any_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.edge_length > 0; });
 }
 
-/// The tiles of `lost` that are to be remeshed; where none of them is, the neighbours of those that are lost, at last all.
+/// The tiles of `lost` that are to be remeshed; where none of them is, the neighbours of those that are lost, at last
+/// all.
 std::set<int> concerned_jobs(const std::vector<Job>& jobs, const std::vector<Seam>& seams, const std::set<int>& lost) {
     std::set<int> jobs_lost, beside, all;
     for (std::size_t t = 0; t < jobs.size(); ++t) {
@@ -251,8 +252,8 @@ std::set<int> concerned_jobs(const std::vector<Job>& jobs, const std::vector<Sea
     return !jobs_lost.empty() ? jobs_lost : !beside.empty() ? beside : all;
 }
 
-/// Divides the boundaries and looks whether the seams between them are still the same, with fewer tiles each time until they
-/// are: seams are found from the boundaries alone, so nothing needs to be meshed to know.
+/// Divides the boundaries and looks whether the seams between them are still the same, with fewer tiles each time until
+/// they are: seams are found from the boundaries alone, so nothing needs to be meshed to know.
 NewBoundaries settle_boundaries(const std::vector<Tile>& tiles, const FoundSeams& found, std::vector<Job>& jobs,
                                 const RemeshOptions& options) {
     for (int round = 0;; ++round) {

@@ -141,8 +141,8 @@ struct Worst {
     }
 };
 
-/// `12 of 360 tiles remeshed: 2400 triangles to 24000; against the mesh as drawn area +0.040 % (G01), up to 1.2 mm off`;
-/// empty where none was.
+/// `12 of 360 tiles remeshed: 2400 triangles to 24000; against the drawn mesh: area +0.040 % (G01), up to 1.2 mm off`;
+/// empty if no tile was remeshed.
 std::string remeshed_summary(const CutPlan& plan) {
     long long count = 0, before = 0, now = 0;
     Worst change;
@@ -158,7 +158,7 @@ std::string remeshed_summary(const CutPlan& plan) {
     if (count == 0) return {};
     return std::to_string(count) + " of " + std::to_string(plan.tiles.size()) +
            (plan.tiles.size() == 1 ? " tile" : " tiles") + " remeshed: " + std::to_string(before) + " triangles to " +
-           std::to_string(now) + "; against the mesh as drawn " + change.text("area", percent, 3, " %", true) +
+           std::to_string(now) + "; against the drawn mesh: " + change.text("area", percent, 3, " %", true) +
            ", up to " + shown(distance / millimetre, 1, false) + " mm off\n";
 }
 
