@@ -8,7 +8,7 @@ import { pathToFileURL } from 'node:url';
 const [source, file] = process.argv.slice(2);
 const { report, limits, tension, shares } = JSON.parse(readFileSync(file, 'utf8'));
 const load = (name) => import(pathToFileURL(join(source, name)));
-const [palette, maps, format] = await Promise.all(['palette.js', 'maps.js', 'format.js'].map(load));
+const [palette, maps, format] = await Promise.all(['view/palette.js', 'view/maps.js', 'view/format.js'].map(load));
 
 // As much of a document as the verdict is written into.
 class Element {
@@ -29,7 +29,7 @@ class Element {
     }
 }
 globalThis.document = { createElement: (tag) => new Element(tag) };
-const { verdictView } = await load('verdict.js');
+const { verdictView } = await load('tables/verdict.js');
 
 const model = {
     report,

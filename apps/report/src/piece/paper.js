@@ -1,8 +1,8 @@
 // On paper: every row of the tables and of the roll, and of each pattern one piece: those that fail, if any do.
-import { html } from './dom.js';
-import { count } from './format.js';
+import { html } from '../view/dom.js';
+import { count } from '../view/format.js';
 import { pieceView } from './piece_view.js';
-import { failingTiles } from './verdict.js';
+import { failingTiles } from '../tables/verdict.js';
 
 const mostPieces = 24;
 

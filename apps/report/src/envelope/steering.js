@@ -1,6 +1,6 @@
 // The pointer and the keys in the picture of the envelope: a click finds what is there, a drag is the view's own.
-import { hoverWords } from './tip.js';
-import { zoomByWheel } from './wheel.js';
+import { hoverWords } from '../view/tip.js';
+import { zoomByWheel } from '../view/wheel.js';
 
 export function steer(view, { step, showTip, onFound }) {
     const { canvas } = view;

@@ -1,7 +1,11 @@
 // The tiles in space as one shape: what both views draw and pick from.
-import { sidePoints } from './data.js';
-import { clothPlaces, rimPlaces } from './maps.js';
+import { sidePoints } from '../view/data.js';
+import { clothPlaces, rimPlaces } from '../view/maps.js';
+import { seamLine } from './lines.js';
 import { makePicking } from './picking.js';
+
+// From where the whole is seen at first.
+export const homeDirection = [0.55, 0.28, 1];
 
 // Which way is up: z, unless the shape is much taller along y and so was drawn the other way.
 function upAxis(lower, upper) {
@@ -173,47 +177,6 @@ export function shadesOf(shape, map) {
         if (rim) for (const place of rimPlaces(model, tile, map)) rim.fill(place, 2 * edge, 2 * ++edge);
     }
     return { cloth, rim };
-}
-
-// Lines as pairs of points, one after the other: the boundary of a tile, a side of a seam, a proposed seam.
-function pairs(points, isClosed) {
-    const result = [];
-    for (let i = 0; i + 1 < points.length + (isClosed ? 1 : 0); ++i)
-        result.push(...points[i], ...points[(i + 1) % points.length]);
-    return result;
-}
-
-export const outlineOf = (tile) =>
-    pairs(
-        Array.from(tile.loop, (vertex) => tile.space.subarray(3 * vertex, 3 * vertex + 3)),
-        true,
-    );
-
-// Of the boundary what no other tile draws: of the two sides of a seam the first.
-export function edgesDrawnOnce(tile) {
-    const isElsewhere = new Uint8Array(tile.loop.length);
-    for (const side of tile.sides)
-        if (side.name === 'b')
-            for (let i = 0; i < side.count; ++i) isElsewhere[(side.first + i) % isElsewhere.length] = 1;
-    const at = (i) => 3 * tile.loop[i % tile.loop.length];
-    return Array.from(tile.loop).flatMap((_, i) =>
-        isElsewhere[i]
-            ? []
-            : [...tile.space.subarray(at(i), at(i) + 3), ...tile.space.subarray(at(i + 1), at(i + 1) + 3)],
-    );
-}
-
-export const seamLine = (model, seam) =>
-    seam.sides
-        .slice(0, 1)
-        .flatMap((side) => pairs(sidePoints(model.tiles[side.tile], side, model.tiles[side.tile].space, 3), false));
-
-export function proposalLine(shape, tile) {
-    const line = tile.said.proposal?.line_mm ?? [];
-    return pairs(
-        line.map((point) => shape.turn(point.map((value) => value / 1000))),
-        false,
-    );
 }
 
 // What is under the pointer: a tile's triangle, and the seam within `reach` pixels. `project` takes a point to the screen.

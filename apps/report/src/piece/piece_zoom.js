@@ -1,6 +1,6 @@
 // A drawing of a piece looked at more closely.
-import { html } from './dom.js';
-import { zoomByWheel } from './wheel.js';
+import { html } from '../view/dom.js';
+import { zoomByWheel } from '../view/wheel.js';
 
 const zoomStep = 1.25;
 

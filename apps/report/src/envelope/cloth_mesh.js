@@ -1,6 +1,6 @@
 // The cloth as a mesh of WebGL: a colour, a tile and a normal a triangle, from a palette that is a texture.
 import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, GLSL3, Mesh, RawShaderMaterial } from 'three';
-import { paletteTable, places } from './palette.js';
+import { paletteTable, places } from '../view/palette.js';
 import { withOwnCorners } from './shared_corners.js';
 
 const vertexShader = `

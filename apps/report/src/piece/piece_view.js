@@ -1,11 +1,11 @@
 // The piece of a tile as it is cut: strain in colours, cut and sew line, notches, grain, labels, seams, a proposed seam.
-import { sidePoints } from './data.js';
-import { html, svg } from './dom.js';
-import { figure, millimetres } from './format.js';
-import { clothPlaces, rimPlaces } from './maps.js';
-import { cssColour, paletteTable, places } from './palette.js';
+import { sidePoints } from '../view/data.js';
+import { html, svg } from '../view/dom.js';
+import { figure, millimetres } from '../view/format.js';
+import { clothPlaces, rimPlaces } from '../view/maps.js';
+import { cssColour, paletteTable, places } from '../view/palette.js';
 import { withButtons } from './piece_zoom.js';
-import { fillTriangle, makeImage } from './raster.js';
+import { fillTriangle, makeImage } from '../view/raster.js';
 
 const pixels = { seen: 900, zoomed: 2000 }; // of the picture of the triangles, along its longer side
 

@@ -1,6 +1,6 @@
 // The roll: where every piece lies on the cloth, row below row, as `ripstop nest` has laid them.
-import { html, svg } from './dom.js';
-import { count, figure } from './format.js';
+import { html, svg } from '../view/dom.js';
+import { count, figure } from '../view/format.js';
 import { notLaid } from './verdict.js';
 
 const rowLength = 12000; // mm

@@ -1,8 +1,8 @@
 // The verdict: can it be made, what is wrong, what to redesign. Its words are in report.json, envelope.says, in one place for all that
 // say them; names of tiles and seams in them are links here.
-import { html } from './dom.js';
+import { html } from '../view/dom.js';
 import { says as saysOfFlight } from './flight_view.js';
-import { count, figure } from './format.js';
+import { count, figure } from '../view/format.js';
 
 const mostWarnings = 4; // the rest are among the notes
 

@@ -1,0 +1,38 @@
+// When the picture is drawn by WebGL: once something has changed and not otherwise; coarse while it moves, at four times the
+// pixels once it rests. Where even that is slow, as without a graphics card, coarser.
+
+// `onCoarse(isCoarse)` is told before each picture; `step.now`, if set, is called before each picture that moves.
+export function makeFrames(renderer, scene, camera, onCoarse) {
+    const step = { now: null };
+    let waiting = false,
+        resting = 0,
+        last = 0,
+        coarse = 1,
+        isMoving = false;
+    const render = (share) => {
+        isMoving = share < 2;
+        onCoarse(isMoving);
+        const ratio = Math.min(3, window.devicePixelRatio * share);
+        if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
+        renderer.render(scene, camera);
+    };
+    const draw = (now) => {
+        waiting = false;
+        if (now - last > 45 && now - last < 300) coarse = Math.max(0.5, coarse - 0.125);
+        last = now;
+        step.now?.();
+        render(coarse);
+        clearTimeout(resting);
+        resting = setTimeout(() => render(2), 200);
+    };
+    const request = () => {
+        if (!waiting) requestAnimationFrame(draw);
+        waiting = true;
+    };
+    // For what changes while nothing moves: to coarse pixels and back would take longer.
+    const refresh = () => {
+        if (isMoving) return request();
+        requestAnimationFrame(() => !waiting && !isMoving && render(2));
+    };
+    return { step, request, refresh, drawNow: () => render(2) };
+}

@@ -1,0 +1,44 @@
+// The picture of the envelope follows the state: what is chosen, the colours, the pose.
+import { mapOf } from '../view/maps.js';
+import { legendView } from '../view/legend.js';
+import { poseWords } from './pose.js';
+import { placeOfChosen } from './shape.js';
+import { makeEnvelopeView } from './view.js';
+
+// Once a picture, however often the slider says that it was moved.
+function makeRepose(shape, view, state, place) {
+    let isPosing = false;
+    return () => {
+        place.textContent = poseWords(state.now);
+        if (isPosing) return;
+        isPosing = true;
+        requestAnimationFrame(() => {
+            isPosing = false;
+            shape.pose(state.now.pose * state.now.times);
+            view.repose();
+        });
+    };
+}
+
+// `places` as makePlaces gives them; `chosen()` gives [tiles, seam].
+export function makePicture(shape, state, places, chosen) {
+    const view = makeEnvelopeView(shape, places.holder);
+    if (view.isPlain) places.hint.prepend('This browser has no WebGL: the envelope is drawn more plainly. ');
+    const repose = makeRepose(shape, view, state, places.pose);
+    const recolour = () => {
+        view.recolour(mapOf(state.now.map), state.now.palette);
+        places.legend.replaceChildren(legendView(shape.model, state.now));
+    };
+    state.listen((now, before) => {
+        if (now.pose !== before.pose || now.times !== before.times) repose();
+        if (now.map !== before.map || now.palette !== before.palette) recolour();
+        if (now.chosen !== before.chosen) view.choose(...chosen());
+    });
+    recolour();
+    places.pose.textContent = poseWords(state.now);
+    new ResizeObserver(() => {
+        const { clientWidth, clientHeight } = places.holder;
+        if (clientWidth > 0 && !matchMedia('print').matches) view.resize(clientWidth, clientHeight);
+    }).observe(places.holder);
+    return { ...view, lookAtChosen: () => view.lookAt(placeOfChosen(shape.model, ...chosen())) };
+}

@@ -1,0 +1,62 @@
+// The envelope in 3D, by WebGL: drawn when something changes and not otherwise.
+import { Group, Scene, Vector2, WebGLRenderer } from 'three';
+import { makeCamera, makeSight, makeSteering } from './camera.js';
+import { makeCloth } from './cloth.js';
+import { makeFrames } from './frames.js';
+import { makeMarks } from './marks.js';
+import { pointedAt } from './shape.js';
+import { thinLines } from './wide_lines.js';
+
+// Throws where the browser has no WebGL 2.
+export function makeEnvelopeScene(shape, canvas) {
+    const renderer = new WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: true });
+    renderer.setClearColor(0xffffff);
+    const scene = new Scene(),
+        group = new Group(),
+        camera = makeCamera(shape);
+    scene.add(group);
+    const uniforms = { palette: { value: null }, focus: { value: new Vector2(-1, -1) } };
+    const cloth = makeCloth(shape, group, uniforms);
+    const thin = thinLines(shape.model);
+    group.add(thin.lines);
+    const marks = makeMarks(shape, group);
+    const frames = makeFrames(renderer, scene, camera, cloth.showCoarse);
+    const { home, lookAt, turn, zoom } = makeSteering(shape, camera, canvas, frames);
+    const { rayThrough, project } = makeSight(camera, canvas);
+    return {
+        home,
+        lookAt,
+        turn,
+        zoom,
+        drawNow: frames.drawNow,
+        // After `shape.pose`.
+        repose() {
+            cloth.place();
+            thin.place();
+            marks.place();
+            frames.request();
+        },
+        recolour(map, palette) {
+            cloth.recolour(map, palette);
+            frames.refresh();
+        },
+        choose(tiles, seam) {
+            uniforms.focus.value.set(tiles[0]?.index ?? -1, tiles[1]?.index ?? tiles[0]?.index ?? -1);
+            marks.choose(tiles, seam);
+            frames.refresh();
+        },
+        mark(tiles, seams) {
+            marks.mark(tiles, seams);
+            frames.refresh();
+        },
+        pointed: (x, y) => pointedAt(shape, rayThrough(x, y), [x, y], project),
+        resize(width, height) {
+            const isFirst = camera.position.lengthSq() === 0;
+            renderer.setSize(width, height, false);
+            camera.aspect = width / height;
+            camera.updateProjectionMatrix();
+            if (isFirst) home(true);
+            frames.request();
+        },
+    };
+}

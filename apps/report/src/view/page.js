@@ -1,0 +1,40 @@
+// Where everything stands on the page.
+import { html } from './dom.js';
+
+const hintWords =
+    'Click a tile or a seam. Drag turns; once clicked, the wheel zooms (before, with Ctrl). Keys: arrows go from tile to tile, with shift they turn; + and − zoom; Home shows all.';
+
+// The places whose content changes: the picture, its colours with their numbers, how it is posed, what is printed and spoken.
+export function makePlaces() {
+    return {
+        holder: html('div', { class: 'holder' }),
+        legend: html('div', { class: 'legend-place' }),
+        pose: html('p', { class: 'pose-words' }),
+        hint: html('p', { class: 'hint' }, hintWords),
+        printed: html('section', { class: 'print-only' }),
+        live: html('p', { class: 'unseen', role: 'status' }),
+    };
+}
+
+// `above`: what stands above the picture; `below`: what stands below the work.
+export function layOut(places, { verdict, list, above, panel, below, tip }) {
+    const space = html(
+        'section',
+        { class: 'space', 'aria-label': 'The envelope' },
+        above,
+        places.legend,
+        places.holder,
+        places.pose,
+        places.hint,
+    );
+    const main = html('main', {}, html('div', { class: 'work' }, list, space, panel), places.printed, below);
+    document.getElementById('page').replaceChildren(verdict, main, tip, places.live);
+    new ResizeObserver(() =>
+        document.documentElement.style.setProperty('--verdict', `${verdict.offsetHeight}px`),
+    ).observe(verdict);
+}
+
+export function sayItCannotBeShown(error) {
+    const words = `The report cannot be shown by this browser (${error.message}). The figures are in report.json, tiles.csv and seams.csv beside this page.`;
+    document.getElementById('page').replaceChildren(html('p', { role: 'alert', class: 'starting' }, words));
+}
