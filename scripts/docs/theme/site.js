@@ -116,3 +116,7 @@ if (headings.length > 0) {
     mark();
 }
 document.querySelector('.pages a[aria-current]')?.scrollIntoView({ block: 'nearest' });
+
+// What is wider than the page is reached by keyboard too.
+for (const block of document.querySelectorAll('pre, .wide, main > table'))
+    if (block.scrollWidth > block.clientWidth) block.tabIndex = 0;
