@@ -70,7 +70,7 @@ sanitize: build/.setup
 
 check:
 	scripts/check_format.sh
-	python3 scripts/check_layers.py src/ripstop
+	python3 scripts/check_rooms.py src/ripstop
 	python3 scripts/check_names.py src/ripstop
 
 format:

@@ -11,12 +11,12 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/design/gores.h"
+#include "ripstop/design/natural/gores.h"
 #include "ripstop/flatten/method.h"
-#include "ripstop/io/fabric_json.h"
+#include "ripstop/io/json/fabric_json.h"
 #include "ripstop/measure/judge.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/shapes.h"
 
 namespace ripstop {

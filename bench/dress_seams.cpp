@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "ripstop/base/units.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 
 namespace ripstop {
 namespace {

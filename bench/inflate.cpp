@@ -12,10 +12,10 @@
 #include <set>
 
 #include "ripstop/inflate/inflate.h"
-#include "ripstop/io/fabric_json.h"
-#include "ripstop/pipeline/compensate.h"
-#include "ripstop/pipeline/find_symmetry.h"
-#include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/io/json/fabric_json.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/flight/compensate.h"
+#include "ripstop/pipeline/flight/find_symmetry.h"
 #include "support/balloons.h"
 #include "support/membranes.h"
 

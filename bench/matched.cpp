@@ -5,12 +5,12 @@
 #include <cmath>
 #include <ctime>
 
-#include "ripstop/design/gores.h"
+#include "ripstop/design/natural/gores.h"
 #include "ripstop/flatten/method.h"
-#include "ripstop/io/fabric_json.h"
+#include "ripstop/io/json/fabric_json.h"
 #include "ripstop/measure/judge.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/sewn.h"
 
 namespace ripstop {

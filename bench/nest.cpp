@@ -10,7 +10,7 @@
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/geometry/predicates.h"
 #include "ripstop/nest/nest_pieces.h"
-#include "ripstop/report/cut_files.h"
+#include "ripstop/plan_folder/cut_files.h"
 #include "support/loose_pieces.h"
 #ifdef RIPSTOP_LIBNEST2D
 #include "libnest2d_strip.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ripstop/flatten/seam_exact.h"
+#include "ripstop/flatten/seam/seam_exact.h"
 #include "ripstop/measure/accuracy.h"
 #include "support/shapes.h"
 

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "ripstop/assembly/check_envelope.h"
+#include "ripstop/assembly/faults/check_envelope.h"
 #include "support/envelopes.h"
 
 namespace ripstop {

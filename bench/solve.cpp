@@ -15,13 +15,13 @@
 #include <functional>
 #include <numbers>
 
-#include "ripstop/design/gores.h"
-#include "ripstop/flatten/arap.h"
-#include "ripstop/flatten/boundary_first.h"
-#include "ripstop/flatten/lscm.h"
-#include "ripstop/flatten/seam_exact.h"
-#include "ripstop/flatten/seam_problem.h"
-#include "ripstop/io/fabric_json.h"
+#include "ripstop/design/natural/gores.h"
+#include "ripstop/flatten/map/arap.h"
+#include "ripstop/flatten/map/boundary_first.h"
+#include "ripstop/flatten/map/lscm.h"
+#include "ripstop/flatten/seam/seam_exact.h"
+#include "ripstop/flatten/seam/seam_problem.h"
+#include "ripstop/io/json/fabric_json.h"
 #include "ripstop/numeric/symmetric_solver.h"
 #include "support/shapes.h"
 #ifdef RIPSTOP_CGAL

@@ -3,8 +3,8 @@
 
 #include <sstream>
 
-#include "ripstop/io/binary.h"
-#include "ripstop/io/mesh_file.h"
+#include "ripstop/io/mesh/binary.h"
+#include "ripstop/io/mesh/mesh_file.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -1,8 +1,8 @@
 /// How long remeshing takes: the figure is seconds for a tile, beside it the new triangles a second.
 #include <benchmark/benchmark.h>
 
-#include "ripstop/assembly/find_seams.h"
-#include "ripstop/pipeline/remesh_envelope.h"
+#include "ripstop/assembly/seams/find_seams.h"
+#include "ripstop/pipeline/remesh/remesh_envelope.h"
 #include "support/shapes.h"
 
 namespace ripstop {

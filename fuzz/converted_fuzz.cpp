@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/converted.h"
+#include "ripstop/io/cad/converted.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));

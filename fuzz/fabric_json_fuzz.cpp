@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/fabric_json.h"
+#include "ripstop/io/json/fabric_json.h"
 
 using namespace ripstop;
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/mesh_file.h"
-#include "ripstop/mesh/mend.h"
+#include "ripstop/io/mesh/mesh_file.h"
+#include "ripstop/mesh/change/mend.h"
 
 namespace ripstop::fuzzing {
 

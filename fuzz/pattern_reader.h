@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "ripstop/base/error.h"
-#include "ripstop/pattern/check_drawing.h"
-#include "ripstop/report/drawing_report.h"
+#include "ripstop/pattern/drawing/check_drawing.h"
+#include "ripstop/report/words/drawing_report.h"
 
 namespace ripstop::fuzzing {
 

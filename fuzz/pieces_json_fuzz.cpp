@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/pieces_json.h"
-#include "ripstop/io/svg.h"
+#include "ripstop/io/json/pieces_json.h"
+#include "ripstop/io/svg/svg.h"
 
 using namespace ripstop;
 

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/project_json.h"
-#include "ripstop/model/envelope_check.h"
+#include "ripstop/io/json/project_json.h"
+#include "ripstop/model/plan/envelope_check.h"
 
 using namespace ripstop;
 

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/rhino_3dm.h"
+#include "ripstop/io/rhino/rhino_3dm.h"
 
 using namespace ripstop;
 

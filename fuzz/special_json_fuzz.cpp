@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/special_json.h"
+#include "ripstop/io/json/special_json.h"
 
 using namespace ripstop;
 

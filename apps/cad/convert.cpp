@@ -8,7 +8,7 @@
 
 #include "meshing.h"
 #include "ripstop/base/error.h"
-#include "ripstop/base/number_text.h"
+#include "ripstop/base/text/number_text.h"
 
 namespace ripstop::cad {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/io/converted.h"
+#include "ripstop/io/cad/converted.h"
 
 /// ripstop-cad: exact surfaces in, meshes out. It works in millimetres, the unit of its geometry kernel.
 namespace ripstop::cad {

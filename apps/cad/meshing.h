@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drawing.h"
-#include "ripstop/io/convert.h"
+#include "ripstop/io/cad/convert.h"
 
 namespace ripstop::cad {
 

@@ -18,7 +18,7 @@
 #include <set>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/number_text.h"
+#include "ripstop/base/text/number_text.h"
 
 namespace ripstop::cad {
 namespace {

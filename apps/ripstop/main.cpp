@@ -6,14 +6,14 @@
 #include <exception>
 #include <string>
 
-#include "commands.h"
-#include "ending.h"
-#include "help.h"
+#include "commands/commands.h"
+#include "commands/ending.h"
+#include "help/help.h"
+#include "help/tell.h"
 #include "ripstop/base/error.h"
 #include "ripstop/numeric/symmetric_solver.h"
 #include "ripstop/remesh/remesh_disk.h"
 #include "ripstop/version.h"
-#include "tell.h"
 
 namespace ripstop::cli {
 namespace {

@@ -1,5 +1,5 @@
 /// Each way an envelope can be wrong, named once and at the tile that is wrong.
-#include "ripstop/assembly/check_envelope.h"
+#include "ripstop/assembly/faults/check_envelope.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <functional>
 #include <numbers>
 
-#include "ripstop/report/check_report.h"
+#include "ripstop/report/words/check_report.h"
 #include "support/envelopes.h"
 #include "support/shapes.h"
 

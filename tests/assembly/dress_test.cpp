@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "ripstop/assembly/find_seams.h"
-#include "ripstop/io/mesh_file.h"
+#include "ripstop/assembly/seams/find_seams.h"
+#include "ripstop/io/mesh/mesh_file.h"
 #include "support/envelopes.h"
 #include "support/shared_data.h"
 

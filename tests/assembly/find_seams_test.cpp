@@ -1,5 +1,5 @@
 /// Seams from geometry alone: all of them, none besides, and both sides on one curve.
-#include "ripstop/assembly/find_seams.h"
+#include "ripstop/assembly/seams/find_seams.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,10 +10,10 @@
 #include <random>
 #include <set>
 
-#include "ripstop/assembly/check_envelope.h"
-#include "ripstop/assembly/find_seams.h"
-#include "ripstop/assembly/one_sided.h"
-#include "ripstop/model/seam_sheets.h"
+#include "ripstop/assembly/faults/check_envelope.h"
+#include "ripstop/assembly/seams/find_seams.h"
+#include "ripstop/assembly/seams/one_sided.h"
+#include "ripstop/model/tile/seam_sheets.h"
 #include "support/envelopes.h"
 #include "support/further_sheets.h"
 #include "support/shapes.h"

@@ -1,4 +1,4 @@
-#include "ripstop/assembly/judge_unit.h"
+#include "ripstop/assembly/faults/judge_unit.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

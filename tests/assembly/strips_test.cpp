@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ripstop/assembly/check_envelope.h"
+#include "ripstop/assembly/faults/check_envelope.h"
 #include "support/envelopes.h"
 #include "support/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "ripstop/base/child_process.h"
+#include "ripstop/base/system/child_process.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ripstop/base/glob.h"
+#include "ripstop/base/text/glob.h"
 
 #include <gtest/gtest.h>
 

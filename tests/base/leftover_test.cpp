@@ -1,11 +1,11 @@
-#include "ripstop/base/leftover.h"
+#include "ripstop/base/system/leftover.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <stdexcept>
 
-#include "ripstop/base/folder_lock.h"
+#include "ripstop/base/system/folder_lock.h"
 #include "support/outside.h"
 
 namespace ripstop {

@@ -1,4 +1,4 @@
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 
 #include <gtest/gtest.h>
 

@@ -15,8 +15,8 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/mesh_file.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/io/mesh/mesh_file.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/cad_files.h"
 #include "support/outside.h"
 #include "support/program.h"

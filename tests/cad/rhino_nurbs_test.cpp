@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "ripstop/io/mesh_file.h"
+#include "ripstop/io/mesh/mesh_file.h"
 #include "support/outside.h"
 #include "support/shared_data.h"
 

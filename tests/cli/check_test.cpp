@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ripstop/design/gores.h"
+#include "ripstop/design/natural/gores.h"
 #include "support/program.h"
 
 namespace ripstop {

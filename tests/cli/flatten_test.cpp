@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "ripstop/flatten/method.h"
-#include "ripstop/io/obj.h"
+#include "ripstop/io/mesh/obj.h"
 #include "ripstop/remesh/remesh_disk.h"
-#include "ripstop/report/page_template.h"
+#include "ripstop/report/page/page_template.h"
 #include "support/program.h"
 
 namespace ripstop {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "ripstop/io/mesh_file.h"
+#include "ripstop/io/mesh/mesh_file.h"
 #include "support/program.h"
 #include "support/shapes.h"
 

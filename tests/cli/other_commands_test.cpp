@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "ripstop/flatten/method.h"
-#include "ripstop/io/obj.h"
+#include "ripstop/io/mesh/obj.h"
 #include "ripstop/numeric/symmetric_solver.h"
 #include "ripstop/version.h"
 #include "support/program.h"

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "ripstop/io/dxf_dialect.h"
+#include "ripstop/io/dxf/dxf_dialect.h"
 #include "support/program.h"
 
 namespace ripstop {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "ripstop/design/gores.h"
+#include "ripstop/design/natural/gores.h"
 #include "support/program.h"
 
 namespace ripstop {

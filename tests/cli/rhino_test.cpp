@@ -11,9 +11,9 @@
 #include <numbers>
 #include <sstream>
 
-#include "ripstop/base/number_text.h"
-#include "ripstop/design/gores.h"
-#include "ripstop/io/obj.h"
+#include "ripstop/base/text/number_text.h"
+#include "ripstop/design/natural/gores.h"
+#include "ripstop/io/mesh/obj.h"
 #include "support/program.h"
 #include "support/rhino.h"
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "ripstop/design/gores.h"
-#include "ripstop/io/obj.h"
+#include "ripstop/design/natural/gores.h"
+#include "ripstop/io/mesh/obj.h"
 #include "support/mesh_text.h"
 #include "support/program.h"
 #include "support/shapes.h"

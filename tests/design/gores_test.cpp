@@ -1,4 +1,4 @@
-#include "ripstop/design/gores.h"
+#include "ripstop/design/natural/gores.h"
 
 #include <gmock/gmock.h>
 
@@ -10,10 +10,10 @@
 #include <set>
 
 #include "ripstop/base/error.h"
-#include "ripstop/design/design_summary.h"
+#include "ripstop/design/natural/design_summary.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
-#include "ripstop/model/tile.h"
+#include "ripstop/model/tile/tile.h"
 
 namespace ripstop {
 namespace gores_test {

@@ -1,4 +1,4 @@
-#include "ripstop/design/natural_shape.h"
+#include "ripstop/design/natural/natural_shape.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 
 namespace ripstop {
 namespace natural_shape_test {

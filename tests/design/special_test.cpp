@@ -1,4 +1,4 @@
-#include "ripstop/design/special.h"
+#include "ripstop/design/special/special.h"
 
 #include <gmock/gmock.h>
 
@@ -11,9 +11,9 @@
 #include <set>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/units.h"
-#include "ripstop/design/tiles_summary.h"
-#include "ripstop/io/special_json.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/design/tools/tiles_summary.h"
+#include "ripstop/io/json/special_json.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
 

@@ -1,4 +1,4 @@
-#include "ripstop/design/strip.h"
+#include "ripstop/design/tools/strip.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "support/finite_difference.h"
 #include "support/membranes.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/geometry/triangle.h"
 #include "support/finite_difference.h"
 #include "support/shapes.h"

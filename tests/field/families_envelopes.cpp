@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "field/families.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "support/shapes.h"
 
 namespace ripstop::field {

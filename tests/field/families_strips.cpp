@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "field/families.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "support/shapes.h"
 
 namespace ripstop::field {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/model/cad_model.h"
-#include "ripstop/model/fabric.h"
+#include "ripstop/model/tile/cad_model.h"
+#include "ripstop/model/tile/fabric.h"
 
 /// Families of made envelopes over sizes, resolutions, orders, poses, units and cloths, and what must hold of each.
 namespace ripstop::field {

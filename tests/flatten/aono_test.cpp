@@ -1,4 +1,4 @@
-#include "ripstop/flatten/aono.h"
+#include "ripstop/flatten/weave/aono.h"
 
 #include <gtest/gtest.h>
 

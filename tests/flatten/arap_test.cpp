@@ -1,12 +1,12 @@
-#include "ripstop/flatten/arap.h"
+#include "ripstop/flatten/map/arap.h"
 
 #include <gmock/gmock.h>
 
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/flatten/tutte.h"
-#include "ripstop/mesh/flips.h"
+#include "ripstop/flatten/map/tutte.h"
+#include "ripstop/mesh/change/flips.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

@@ -1,10 +1,10 @@
-#include "ripstop/flatten/boundary_first.h"
+#include "ripstop/flatten/map/boundary_first.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ripstop/mesh/flips.h"
+#include "ripstop/mesh/change/flips.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <complex>
 
-#include "ripstop/flatten/arap.h"
-#include "ripstop/flatten/lscm.h"
+#include "ripstop/flatten/map/arap.h"
+#include "ripstop/flatten/map/lscm.h"
 #include "support/shapes.h"
 #ifdef RIPSTOP_CGAL
 #include "bench/cgal_parameterization.h"

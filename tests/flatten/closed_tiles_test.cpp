@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "ripstop/base/number_text.h"
-#include "ripstop/flatten/seam_exact.h"
+#include "ripstop/base/text/number_text.h"
+#include "ripstop/flatten/seam/seam_exact.h"
 #include "ripstop/measure/accuracy.h"
 #include "support/closed_tiles.h"
 #include "support/fabrics.h"

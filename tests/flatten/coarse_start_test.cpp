@@ -1,13 +1,13 @@
-#include "ripstop/flatten/coarse_start.h"
+#include "ripstop/flatten/seam/coarse_start.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ripstop/energy/woven_membrane.h"
-#include "ripstop/flatten/boundary_first.h"
-#include "ripstop/flatten/seam_exact.h"
-#include "ripstop/mesh/flips.h"
+#include "ripstop/flatten/map/boundary_first.h"
+#include "ripstop/flatten/seam/seam_exact.h"
+#include "ripstop/mesh/change/flips.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -1,4 +1,4 @@
-#include "ripstop/flatten/dirichlet.h"
+#include "ripstop/flatten/map/dirichlet.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/energy/symmetric_dirichlet.h"
-#include "ripstop/flatten/arap.h"
+#include "ripstop/flatten/map/arap.h"
 #include "ripstop/geometry/triangle.h"
-#include "ripstop/mesh/flips.h"
+#include "ripstop/mesh/change/flips.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "ripstop/flatten/energy_release.h"
+#include "ripstop/flatten/spring/energy_release.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "ripstop/flatten/grain.h"
 #include "ripstop/flatten/method.h"
+#include "ripstop/flatten/tools/grain.h"
 #include "ripstop/measure/accuracy.h"
-#include "ripstop/mesh/flips.h"
+#include "ripstop/mesh/change/flips.h"
 #include "support/shapes.h"
 
 namespace ripstop {

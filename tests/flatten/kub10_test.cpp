@@ -1,4 +1,4 @@
-#include "ripstop/flatten/kub10.h"
+#include "ripstop/flatten/weave/kub10.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/mesh/flips.h"
+#include "ripstop/mesh/change/flips.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

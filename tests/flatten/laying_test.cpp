@@ -1,5 +1,5 @@
-#include "ripstop/flatten/laying.h"
-#include "ripstop/mesh/flips.h"
+#include "ripstop/flatten/tools/laying.h"
+#include "ripstop/mesh/change/flips.h"
 
 #include "support/shapes.h"
 

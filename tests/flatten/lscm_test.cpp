@@ -1,11 +1,11 @@
-#include "ripstop/flatten/lscm.h"
+#include "ripstop/flatten/map/lscm.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numbers>
 
-#include "ripstop/mesh/flips.h"
+#include "ripstop/mesh/change/flips.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

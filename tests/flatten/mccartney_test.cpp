@@ -1,4 +1,4 @@
-#include "ripstop/flatten/mccartney.h"
+#include "ripstop/flatten/spring/mccartney.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ripstop/flatten/seam_exact.h"
+#include "ripstop/flatten/seam/seam_exact.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/energy/boundary_bending.h"
-#include "ripstop/flatten/grain.h"
+#include "ripstop/flatten/tools/grain.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/bounds.h"

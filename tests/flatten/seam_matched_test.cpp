@@ -1,4 +1,4 @@
-#include "ripstop/flatten/seam_matched.h"
+#include "ripstop/flatten/seam/seam_matched.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/energy/boundary_bending.h"
-#include "ripstop/flatten/seam_exact.h"
-#include "ripstop/flatten/seam_problem.h"
+#include "ripstop/flatten/seam/seam_exact.h"
+#include "ripstop/flatten/seam/seam_problem.h"
 #include "ripstop/measure/accuracy.h"
 #include "support/fabrics.h"
 #include "support/flat_errors.h"

@@ -1,11 +1,11 @@
-#include "ripstop/flatten/seam_problem.h"
+#include "ripstop/flatten/seam/seam_problem.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "ripstop/flatten/seam_newton.h"
+#include "ripstop/flatten/seam/seam_newton.h"
 #include "support/fabrics.h"
 #include "support/finite_difference.h"
 #include "support/shapes.h"

@@ -1,11 +1,11 @@
-#include "ripstop/flatten/seam_saddle.h"
+#include "ripstop/flatten/seam/seam_saddle.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
-#include "ripstop/flatten/boundary_first.h"
+#include "ripstop/flatten/map/boundary_first.h"
 #include "support/fabrics.h"
 #include "support/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "ripstop/flatten/seam_stretch.h"
+#include "ripstop/flatten/seam/seam_stretch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ripstop/flatten/seam_tile.h"
+#include "ripstop/flatten/seam/seam_tile.h"
 
 #include <gtest/gtest.h>
 

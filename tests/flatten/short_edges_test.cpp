@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "ripstop/base/number_text.h"
-#include "ripstop/base/units.h"
-#include "ripstop/flatten/seam_exact.h"
+#include "ripstop/base/text/number_text.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/flatten/seam/seam_exact.h"
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/bounds.h"
 #include "ripstop/measure/judge.h"

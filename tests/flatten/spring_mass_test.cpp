@@ -1,4 +1,4 @@
-#include "ripstop/flatten/spring_mass.h"
+#include "ripstop/flatten/spring/spring_mass.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "ripstop/flatten/tutte.h"
+#include "ripstop/flatten/map/tutte.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
 
-#include "ripstop/mesh/flips.h"
+#include "ripstop/mesh/change/flips.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "ripstop/flatten/wirewarping.h"
+#include "ripstop/flatten/map/wirewarping.h"
 
 #include <gtest/gtest.h>
 

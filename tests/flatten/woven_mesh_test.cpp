@@ -1,13 +1,13 @@
-#include "ripstop/flatten/woven_mesh.h"
+#include "ripstop/flatten/weave/woven_mesh.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/flatten/laying.h"
+#include "ripstop/flatten/tools/laying.h"
 #include "ripstop/geometry/triangle.h"
-#include "ripstop/mesh/flips.h"
+#include "ripstop/mesh/change/flips.h"
 #include "support/shapes.h"
 
 namespace ripstop {

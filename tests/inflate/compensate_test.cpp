@@ -1,4 +1,4 @@
-#include "ripstop/pipeline/compensate.h"
+#include "ripstop/pipeline/flight/compensate.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "ripstop/energy/deformation.h"
 #include "ripstop/geometry/triangle.h"
-#include "ripstop/io/fabric_json.h"
-#include "ripstop/pipeline/wanted_cloth.h"
+#include "ripstop/io/json/fabric_json.h"
+#include "ripstop/pipeline/flight/wanted_cloth.h"
 #include "support/balloons.h"
 
 namespace ripstop {

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "ripstop/inflate/inflate.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/sewn.h"
 #include "support/shapes.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "ripstop/pipeline/find_symmetry.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/flight/find_symmetry.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/balloons.h"
 #include "support/envelopes.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "ripstop/inflate/inflate.h"
-#include "ripstop/pipeline/find_symmetry.h"
-#include "ripstop/pipeline/inflate_plan.h"
+#include "ripstop/pipeline/flight/find_symmetry.h"
+#include "ripstop/pipeline/flight/inflate_plan.h"
 #include "support/balloons.h"
 
 namespace ripstop {

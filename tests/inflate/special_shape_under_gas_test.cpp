@@ -3,14 +3,14 @@
 
 #include <fstream>
 
-#include "ripstop/design/special.h"
+#include "ripstop/design/special/special.h"
 #include "ripstop/flatten/method.h"
 #include "ripstop/inflate/sew.h"
-#include "ripstop/io/fabric_json.h"
-#include "ripstop/io/special_json.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/inflate_plan.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/io/json/fabric_json.h"
+#include "ripstop/io/json/special_json.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/flight/inflate_plan.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 
 namespace ripstop {
 namespace special_shape_under_gas_test {

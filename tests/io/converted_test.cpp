@@ -1,4 +1,4 @@
-#include "ripstop/io/converted.h"
+#include "ripstop/io/cad/converted.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

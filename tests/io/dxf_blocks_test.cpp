@@ -1,4 +1,4 @@
-#include "ripstop/io/dxf_blocks.h"
+#include "ripstop/io/dxf/dxf_blocks.h"
 
 #include <gmock/gmock.h>
 

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "ripstop/io/dxf_dialect.h"
+#include "ripstop/io/dxf/dxf_dialect.h"
 #include "ripstop/version.h"
 #include "support/dxf_pieces.h"
 #include "support/outside.h"

@@ -13,8 +13,8 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/dxf_read.h"
-#include "ripstop/pattern/check_drawing.h"
+#include "ripstop/io/dxf/dxf_read.h"
+#include "ripstop/pattern/drawing/check_drawing.h"
 #include "support/outside.h"
 #include "support/shared_data.h"
 

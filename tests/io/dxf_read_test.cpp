@@ -1,4 +1,4 @@
-#include "ripstop/io/dxf_read.h"
+#include "ripstop/io/dxf/dxf_read.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/pattern/check_drawing.h"
+#include "ripstop/pattern/drawing/check_drawing.h"
 #include "support/outside.h"
 
 namespace ripstop {

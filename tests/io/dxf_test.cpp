@@ -1,4 +1,4 @@
-#include "ripstop/io/dxf.h"
+#include "ripstop/io/dxf/dxf.h"
 
 #include <gmock/gmock.h>
 
@@ -7,10 +7,10 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/number_text.h"
+#include "ripstop/base/text/number_text.h"
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/pattern/pieces.h"
-#include "ripstop/report/cut_files.h"
+#include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/plan_folder/cut_files.h"
 #include "support/dxf_pieces.h"
 #include "support/flat_tiles.h"
 #include "support/outside.h"

@@ -1,4 +1,4 @@
-#include "ripstop/io/escape.h"
+#include "ripstop/io/text/escape.h"
 
 #include <gtest/gtest.h>
 

@@ -9,11 +9,11 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/io/dxf.h"
-#include "ripstop/io/dxf_dialect.h"
-#include "ripstop/io/dxf_read.h"
-#include "ripstop/model/placed_piece.h"
-#include "ripstop/pattern/check_drawing.h"
+#include "ripstop/io/dxf/dxf.h"
+#include "ripstop/io/dxf/dxf_dialect.h"
+#include "ripstop/io/dxf/dxf_read.h"
+#include "ripstop/model/piece/placed_piece.h"
+#include "ripstop/pattern/drawing/check_drawing.h"
 #include "support/dxf_pieces.h"
 #include "support/outside.h"
 

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/mesh_file.h"
+#include "ripstop/io/mesh/mesh_file.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"
 

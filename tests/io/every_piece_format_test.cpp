@@ -6,8 +6,8 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/io/piece_format.h"
-#include "ripstop/report/cut_files.h"
-#include "ripstop/report/output_file.h"
+#include "ripstop/io/text/output_file.h"
+#include "ripstop/plan_folder/cut_files.h"
 #include "support/pattern_pieces.h"
 
 namespace ripstop {

@@ -1,4 +1,4 @@
-#include "ripstop/io/fabric_json.h"
+#include "ripstop/io/json/fabric_json.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 
 namespace ripstop {
 namespace fabric_json_test {

@@ -1,4 +1,4 @@
-#include "ripstop/io/hpgl.h"
+#include "ripstop/io/print/hpgl.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/letters.h"
+#include "ripstop/io/print/letters.h"
 #include "support/golden.h"
 #include "support/outside.h"
 #include "support/pattern_pieces.h"

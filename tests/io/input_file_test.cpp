@@ -1,4 +1,4 @@
-#include "ripstop/io/input_file.h"
+#include "ripstop/io/text/input_file.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "ripstop/io/marker_pdf.h"
+#include "ripstop/io/print/marker_pdf.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

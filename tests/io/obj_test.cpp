@@ -1,4 +1,4 @@
-#include "ripstop/io/obj.h"
+#include "ripstop/io/mesh/obj.h"
 
 #include <gmock/gmock.h>
 

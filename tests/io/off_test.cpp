@@ -1,4 +1,4 @@
-#include "ripstop/io/off.h"
+#include "ripstop/io/mesh/off.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ripstop/io/paper.h"
+#include "ripstop/io/print/paper.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ripstop/io/pdf.h"
+#include "ripstop/io/print/pdf.h"
 
 #include <gmock/gmock.h>
 
@@ -9,7 +9,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/io/paper.h"
+#include "ripstop/io/print/paper.h"
 #include "support/outside.h"
 #include "support/pattern_pieces.h"
 #include "support/raster.h"

@@ -1,4 +1,4 @@
-#include "ripstop/io/ply.h"
+#include "ripstop/io/mesh/ply.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ripstop/io/png.h"
+#include "ripstop/io/text/png.h"
 
 #include <gmock/gmock.h>
 

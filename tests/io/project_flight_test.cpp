@@ -1,4 +1,4 @@
-#include "ripstop/io/project_flight.h"
+#include "ripstop/io/json/project_flight.h"
 
 #include <gmock/gmock.h>
 

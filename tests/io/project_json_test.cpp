@@ -1,4 +1,4 @@
-#include "ripstop/io/project_json.h"
+#include "ripstop/io/json/project_json.h"
 
 #include <gmock/gmock.h>
 

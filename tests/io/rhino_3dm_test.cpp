@@ -1,4 +1,4 @@
-#include "ripstop/io/rhino_3dm.h"
+#include "ripstop/io/rhino/rhino_3dm.h"
 
 #include <gmock/gmock.h>
 
@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/mesh_file.h"
+#include "ripstop/io/mesh/mesh_file.h"
 #include "support/outside.h"
 #include "support/rhino.h"
 #include "support/shapes.h"

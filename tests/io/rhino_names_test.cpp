@@ -1,4 +1,4 @@
-#include "ripstop/io/rhino_names.h"
+#include "ripstop/io/rhino/rhino_names.h"
 
 #include <gmock/gmock.h>
 

@@ -1,11 +1,11 @@
-#include "ripstop/io/sewing_json.h"
+#include "ripstop/io/json/sewing_json.h"
 
 #include <gmock/gmock.h>
 
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "support/sewn.h"
 
 namespace ripstop {

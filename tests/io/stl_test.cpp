@@ -1,4 +1,4 @@
-#include "ripstop/io/stl.h"
+#include "ripstop/io/mesh/stl.h"
 
 #include <gmock/gmock.h>
 

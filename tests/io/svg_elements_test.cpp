@@ -7,8 +7,8 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/io/svg_read.h"
-#include "ripstop/pattern/check_drawing.h"
+#include "ripstop/io/svg/svg_read.h"
+#include "ripstop/pattern/drawing/check_drawing.h"
 
 namespace ripstop {
 namespace svg_elements_test {

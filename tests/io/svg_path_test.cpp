@@ -1,4 +1,4 @@
-#include "ripstop/io/svg_path.h"
+#include "ripstop/io/svg/values/svg_path.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 
 namespace ripstop {
 namespace svg_path_test {

@@ -1,4 +1,4 @@
-#include "ripstop/io/svg_read.h"
+#include "ripstop/io/svg/svg_read.h"
 
 #include <gmock/gmock.h>
 
@@ -7,8 +7,8 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/io/svg.h"
-#include "ripstop/pattern/check_drawing.h"
+#include "ripstop/io/svg/svg.h"
+#include "ripstop/pattern/drawing/check_drawing.h"
 #include "support/dxf_pieces.h"
 
 namespace ripstop {

@@ -1,4 +1,4 @@
-#include "ripstop/io/svg.h"
+#include "ripstop/io/svg/svg.h"
 
 #include <gmock/gmock.h>
 
@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/pattern/pieces.h"
-#include "ripstop/report/cut_files.h"
+#include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/plan_folder/cut_files.h"
 #include "support/flat_tiles.h"
 #include "support/golden.h"
 #include "support/outside.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "support/shapes.h"
 
 namespace ripstop {

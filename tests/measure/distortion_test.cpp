@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "ripstop/io/obj.h"
+#include "ripstop/io/mesh/obj.h"
 #include "ripstop/measure/overlap.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ripstop/base/units.h"
-#include "ripstop/design/gores.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/design/natural/gores.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/shapes.h"
 
 namespace ripstop {

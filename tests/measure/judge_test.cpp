@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/measure/accuracy.h"
 #include "support/shapes.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ripstop/flatten/seam_exact.h"
+#include "ripstop/flatten/seam/seam_exact.h"
 #include "support/seams.h"
 #include "support/shapes.h"
 

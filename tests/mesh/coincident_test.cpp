@@ -1,4 +1,4 @@
-#include "ripstop/mesh/coincident.h"
+#include "ripstop/mesh/change/coincident.h"
 
 #include <gtest/gtest.h>
 

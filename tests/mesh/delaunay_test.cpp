@@ -1,4 +1,4 @@
-#include "ripstop/mesh/delaunay.h"
+#include "ripstop/mesh/change/delaunay.h"
 
 #include <gtest/gtest.h>
 

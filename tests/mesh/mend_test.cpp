@@ -1,5 +1,5 @@
 /// What exporters leave behind is mended; what designers mean stays.
-#include "ripstop/mesh/mend.h"
+#include "ripstop/mesh/change/mend.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
 #include "support/shapes.h"

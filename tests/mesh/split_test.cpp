@@ -1,11 +1,11 @@
-#include "ripstop/mesh/split.h"
+#include "ripstop/mesh/change/split.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ripstop/model/tile.h"
+#include "ripstop/model/tile/tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

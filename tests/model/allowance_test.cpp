@@ -1,4 +1,4 @@
-#include "ripstop/model/allowance.h"
+#include "ripstop/model/plan/allowance.h"
 
 #include <gtest/gtest.h>
 

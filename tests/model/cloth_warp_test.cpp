@@ -1,4 +1,4 @@
-#include "ripstop/model/cloth_warp.h"
+#include "ripstop/model/tile/cloth_warp.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/units.h"
-#include "ripstop/model/tile.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/model/tile/tile.h"
 #include "support/closed_tiles.h"
 #include "support/shapes.h"
 

@@ -2,7 +2,7 @@
 
 #include "ripstop/energy/deformation.h"
 #include "ripstop/geometry/triangle.h"
-#include "ripstop/model/tile.h"
+#include "ripstop/model/tile/tile.h"
 #include "support/sewn.h"
 
 namespace ripstop {

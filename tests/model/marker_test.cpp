@@ -1,4 +1,4 @@
-#include "ripstop/model/marker.h"
+#include "ripstop/model/piece/marker.h"
 
 #include <gtest/gtest.h>
 

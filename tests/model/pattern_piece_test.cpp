@@ -1,4 +1,4 @@
-#include "ripstop/model/pattern_piece.h"
+#include "ripstop/model/piece/pattern_piece.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "ripstop/base/error.h"
-#include "ripstop/model/tile.h"
+#include "ripstop/model/tile/tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -1,11 +1,11 @@
-#include "ripstop/model/zigzag.h"
+#include "ripstop/model/tile/zigzag.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "ripstop/assembly/find_seams.h"
+#include "ripstop/assembly/seams/find_seams.h"
 #include "support/shapes.h"
 #include "support/zigzags.h"
 

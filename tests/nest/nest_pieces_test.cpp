@@ -8,7 +8,7 @@
 #include <set>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/geometry/polygon.h"
 #include "support/loose_pieces.h"
 

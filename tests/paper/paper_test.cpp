@@ -5,12 +5,12 @@
 #include <fstream>
 #include <numbers>
 
-#include "ripstop/flatten/paper.h"
-#include "ripstop/io/mesh_file.h"
+#include "ripstop/flatten/spring/paper.h"
+#include "ripstop/io/mesh/mesh_file.h"
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/judge.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"
 

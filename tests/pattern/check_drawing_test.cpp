@@ -1,4 +1,4 @@
-#include "ripstop/pattern/check_drawing.h"
+#include "ripstop/pattern/drawing/check_drawing.h"
 
 #include <gmock/gmock.h>
 

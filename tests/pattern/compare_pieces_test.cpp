@@ -1,10 +1,10 @@
-#include "ripstop/pattern/compare_pieces.h"
+#include "ripstop/pattern/revision/compare_pieces.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ripstop/base/units.h"
-#include "ripstop/pattern/fit_outline.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/pattern/revision/fit_outline.h"
 #include "support/loose_pieces.h"
 
 namespace ripstop {

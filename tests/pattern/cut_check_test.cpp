@@ -1,12 +1,12 @@
-#include "ripstop/pattern/cut_check.h"
+#include "ripstop/pattern/cut/cut_check.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/pattern/pieces.h"
+#include "ripstop/pattern/piece/pieces.h"
 #include "support/flat_tiles.h"
 #include "support/openings.h"
 

@@ -1,4 +1,4 @@
-#include "ripstop/pattern/cut_line.h"
+#include "ripstop/pattern/cut/cut_line.h"
 
 #include <gtest/gtest.h>
 

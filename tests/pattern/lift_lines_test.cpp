@@ -1,10 +1,10 @@
-#include "ripstop/pattern/lift_lines.h"
+#include "ripstop/pattern/drawing/lift_lines.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ripstop/pattern/drawn_lines.h"
+#include "ripstop/pattern/piece/drawn_lines.h"
 #include "support/flat_tiles.h"
 
 namespace ripstop {

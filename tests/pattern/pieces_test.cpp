@@ -1,4 +1,4 @@
-#include "ripstop/pattern/pieces.h"
+#include "ripstop/pattern/piece/pieces.h"
 
 #include <gmock/gmock.h>
 

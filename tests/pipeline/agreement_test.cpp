@@ -7,10 +7,10 @@
 #include <numbers>
 #include <random>
 
-#include "ripstop/pipeline/envelope_faults.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/own_meshes.h"
-#include "ripstop/pipeline/seam_doubts.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/read/envelope_faults.h"
+#include "ripstop/pipeline/read/own_meshes.h"
+#include "ripstop/pipeline/read/seam_doubts.h"
 #include "ripstop/remesh/remesh_disk.h"
 #include "support/envelopes.h"
 #include "support/shapes.h"

@@ -1,14 +1,14 @@
-#include "ripstop/pipeline/equal_pieces.h"
+#include "ripstop/pipeline/flatten/equal_pieces.h"
 
 #include <gtest/gtest.h>
 
-#include "ripstop/design/gores.h"
+#include "ripstop/design/natural/gores.h"
 #include "ripstop/flatten/method.h"
-#include "ripstop/io/fabric_json.h"
+#include "ripstop/io/json/fabric_json.h"
 #include "ripstop/measure/bounds.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/read_envelope.h"
-#include "ripstop/report/figures.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
+#include "ripstop/report/figures/figures.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -1,4 +1,4 @@
-#include "ripstop/pipeline/fair_seams.h"
+#include "ripstop/pipeline/remesh/fair_seams.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "ripstop/assembly/find_seams.h"
-#include "ripstop/model/zigzag.h"
-#include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/assembly/seams/find_seams.h"
+#include "ripstop/model/tile/zigzag.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "support/shapes.h"
 #include "support/zigzags.h"
 

@@ -1,10 +1,10 @@
-#include "ripstop/pipeline/find_symmetry.h"
+#include "ripstop/pipeline/flight/find_symmetry.h"
 
 #include <gtest/gtest.h>
 
-#include "ripstop/base/units.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/remesh_envelope.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/remesh/remesh_envelope.h"
 #include "ripstop/remesh/remesh_disk.h"
 #include "support/balloons.h"
 

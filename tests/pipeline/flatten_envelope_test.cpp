@@ -1,15 +1,15 @@
 /// Whole envelopes, designed and real, by the default method.
-#include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ripstop/design/gores.h"
-#include "ripstop/io/fabric_json.h"
+#include "ripstop/design/natural/gores.h"
+#include "ripstop/io/json/fabric_json.h"
 #include "ripstop/measure/judge.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/sewn.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"

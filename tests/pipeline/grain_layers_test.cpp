@@ -1,7 +1,7 @@
 /// Grain lines on layers that the project names.
 #include <gtest/gtest.h>
 
-#include "ripstop/pipeline/grain_lines.h"
+#include "ripstop/pipeline/read/grain_lines.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -1,9 +1,9 @@
-#include "ripstop/pipeline/grain_lines.h"
+#include "ripstop/pipeline/read/grain_lines.h"
 
 #include <gmock/gmock.h>
 
 #include "ripstop/base/error.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/shapes.h"
 
 namespace ripstop {

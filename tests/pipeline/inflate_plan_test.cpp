@@ -1,10 +1,10 @@
 /// What an inflation of a whole plan says, whatever it is loaded by and however its cloth was cut.
-#include "ripstop/pipeline/inflate_plan.h"
+#include "ripstop/pipeline/flight/inflate_plan.h"
 
 #include <gmock/gmock.h>
 
 #include "ripstop/base/error.h"
-#include "ripstop/report/inflated_says.h"
+#include "ripstop/report/words/inflated_says.h"
 #include "support/balloons.h"
 
 namespace ripstop {

@@ -1,4 +1,4 @@
-#include "ripstop/pipeline/lift_drawing.h"
+#include "ripstop/pipeline/drawing/lift_drawing.h"
 
 #include <gmock/gmock.h>
 
@@ -6,12 +6,12 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/units.h"
-#include "ripstop/io/dxf.h"
-#include "ripstop/io/dxf_read.h"
-#include "ripstop/io/svg.h"
-#include "ripstop/io/svg_read.h"
-#include "ripstop/report/cut_files.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/io/dxf/dxf.h"
+#include "ripstop/io/dxf/dxf_read.h"
+#include "ripstop/io/svg/svg.h"
+#include "ripstop/io/svg/svg_read.h"
+#include "ripstop/plan_folder/cut_files.h"
 #include "support/flat_tiles.h"
 
 namespace ripstop {

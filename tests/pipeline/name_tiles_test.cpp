@@ -1,4 +1,4 @@
-#include "ripstop/pipeline/name_tiles.h"
+#include "ripstop/pipeline/read/name_tiles.h"
 
 #include <gmock/gmock.h>
 

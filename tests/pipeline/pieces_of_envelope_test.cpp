@@ -6,12 +6,12 @@
 #include <numbers>
 #include <numeric>
 
-#include "ripstop/design/gores.h"
+#include "ripstop/design/natural/gores.h"
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/model/seam_place.h"
-#include "ripstop/pattern/pieces.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/model/plan/seam_place.h"
+#include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/envelopes.h"
 #include "support/shapes.h"
 

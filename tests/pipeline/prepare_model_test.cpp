@@ -1,4 +1,4 @@
-#include "ripstop/pipeline/prepare_model.h"
+#include "ripstop/pipeline/read/prepare_model.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

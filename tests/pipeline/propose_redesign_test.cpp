@@ -1,4 +1,4 @@
-#include "ripstop/pipeline/propose_redesign.h"
+#include "ripstop/pipeline/redesign/propose_redesign.h"
 
 #include <gmock/gmock.h>
 
@@ -9,13 +9,13 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/measure/judge.h"
-#include "ripstop/model/better_verdict.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/half_tile.h"
-#include "ripstop/pipeline/weld_tiles.h"
-#include "ripstop/report/proposals.h"
+#include "ripstop/model/plan/better_verdict.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/redesign/half_tile.h"
+#include "ripstop/pipeline/redesign/weld_tiles.h"
+#include "ripstop/report/words/proposals.h"
 #include "support/seams.h"
 #include "support/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "ripstop/pipeline/remesh_envelope.h"
+#include "ripstop/pipeline/remesh/remesh_envelope.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,16 +9,16 @@
 #include <numbers>
 #include <random>
 
-#include "ripstop/assembly/find_seams.h"
+#include "ripstop/assembly/seams/find_seams.h"
 #include "ripstop/base/error.h"
-#include "ripstop/design/gores.h"
+#include "ripstop/design/natural/gores.h"
 #include "ripstop/flatten/method.h"
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/io/mesh_file.h"
+#include "ripstop/io/mesh/mesh_file.h"
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/equal_tiles.h"
 #include "ripstop/mesh/disk.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "ripstop/remesh/mesh_state.h"
 #include "ripstop/remesh/remesh_disk.h"
 #include "support/envelopes.h"

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "ripstop/assembly/check_envelope.h"
-#include "ripstop/assembly/find_seams.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/seam_doubts.h"
+#include "ripstop/assembly/faults/check_envelope.h"
+#include "ripstop/assembly/seams/find_seams.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/read/seam_doubts.h"
 #include "ripstop/remesh/remesh_disk.h"
 #include "support/shapes.h"
 

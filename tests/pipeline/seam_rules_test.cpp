@@ -1,12 +1,12 @@
-#include "ripstop/pipeline/seam_rules.h"
+#include "ripstop/pipeline/read/seam_rules.h"
 
 #include <gmock/gmock.h>
 
 #include <map>
 #include <sstream>
 
-#include "ripstop/model/allowance.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/model/plan/allowance.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/envelopes.h"
 
 namespace ripstop {

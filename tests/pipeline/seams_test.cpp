@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/envelopes.h"
 
 namespace ripstop {

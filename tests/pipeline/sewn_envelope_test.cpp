@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "ripstop/measure/judge.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/envelopes.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"

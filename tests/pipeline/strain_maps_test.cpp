@@ -1,10 +1,10 @@
-#include "ripstop/pipeline/strain_maps.h"
+#include "ripstop/pipeline/flatten/strain_maps.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "support/flat_tiles.h"
 #include "support/sewn.h"
 

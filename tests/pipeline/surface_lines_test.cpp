@@ -1,12 +1,12 @@
-#include "ripstop/pipeline/surface_lines.h"
+#include "ripstop/pipeline/read/surface_lines.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "ripstop/pattern/pieces.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -1,4 +1,4 @@
-#include "ripstop/pipeline/tile_fabrics.h"
+#include "ripstop/pipeline/read/tile_fabrics.h"
 
 #include <gmock/gmock.h>
 
@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/fabric_json.h"
-#include "ripstop/pipeline/flatten_envelope.h"
+#include "ripstop/io/json/fabric_json.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "support/outside.h"
 #include "support/sewn.h"
 #include "support/shapes.h"

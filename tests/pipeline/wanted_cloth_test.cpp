@@ -1,11 +1,11 @@
-#include "ripstop/pipeline/wanted_cloth.h"
+#include "ripstop/pipeline/flight/wanted_cloth.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 
-#include "ripstop/assembly/find_seams.h"
-#include "ripstop/pipeline/read_envelope.h"
+#include "ripstop/assembly/seams/find_seams.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 #include "support/envelopes.h"
 #include "support/sewn.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ripstop/assembly/chain_curve.h"
+#include "ripstop/assembly/seams/chain_curve.h"
 #include "support/poor_meshes.h"
 #include "support/shapes.h"
 

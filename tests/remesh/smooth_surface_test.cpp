@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "ripstop/assembly/chain_curve.h"
+#include "ripstop/assembly/seams/chain_curve.h"
 #include "ripstop/mesh/disk.h"
-#include "ripstop/model/tile.h"
+#include "ripstop/model/tile/tile.h"
 #include "ripstop/remesh/corner_normals.h"
 #include "support/poor_meshes.h"
 #include "support/shapes.h"

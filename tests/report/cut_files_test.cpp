@@ -1,4 +1,4 @@
-#include "ripstop/report/cut_files.h"
+#include "ripstop/plan_folder/cut_files.h"
 
 #include <gmock/gmock.h>
 
@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/pieces_json.h"
-#include "ripstop/pattern/pieces.h"
+#include "ripstop/io/json/pieces_json.h"
+#include "ripstop/pattern/piece/pieces.h"
 #include "support/flat_tiles.h"
 #include "support/outside.h"
 #include "support/pattern_pieces.h"

@@ -1,4 +1,4 @@
-#include "ripstop/report/directory.h"
+#include "ripstop/plan_folder/directory.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -8,12 +8,12 @@
 #include <map>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/flat_obj.h"
-#include "ripstop/pattern/pieces.h"
-#include "ripstop/report/cut_files.h"
-#include "ripstop/report/figures.h"
-#include "ripstop/report/output_file.h"
-#include "ripstop/report/page_template.h"
+#include "ripstop/io/mesh/flat_obj.h"
+#include "ripstop/io/text/output_file.h"
+#include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/plan_folder/cut_files.h"
+#include "ripstop/report/figures/figures.h"
+#include "ripstop/report/page/page_template.h"
 #include "support/flat_tiles.h"
 #include "support/outside.h"
 

@@ -1,4 +1,4 @@
-#include "ripstop/report/html_report.h"
+#include "ripstop/report/page/html_report.h"
 
 #include <gmock/gmock.h>
 #include <zlib.h>
@@ -8,11 +8,11 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "ripstop/pattern/pieces.h"
-#include "ripstop/pipeline/strain_maps.h"
-#include "ripstop/report/page_shapes.h"
-#include "ripstop/report/page_template.h"
-#include "ripstop/report/report_json.h"
+#include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/pipeline/flatten/strain_maps.h"
+#include "ripstop/report/json/report_json.h"
+#include "ripstop/report/page/page_shapes.h"
+#include "ripstop/report/page/page_template.h"
 #include "support/flat_tiles.h"
 #include "support/inflated.h"
 

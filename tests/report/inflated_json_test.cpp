@@ -1,4 +1,4 @@
-#include "ripstop/report/inflated_json.h"
+#include "ripstop/report/json/inflated_json.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "ripstop/report/report_json.h"
+#include "ripstop/report/json/report_json.h"
 #include "support/inflated.h"
 
 namespace ripstop {

@@ -1,10 +1,10 @@
-#include "ripstop/report/inflated_says.h"
+#include "ripstop/report/words/inflated_says.h"
 
 #include <gmock/gmock.h>
 
 #include <limits>
 
-#include "ripstop/report/inflated_text.h"
+#include "ripstop/report/words/inflated_text.h"
 #include "support/inflated.h"
 
 namespace ripstop {

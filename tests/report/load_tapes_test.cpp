@@ -1,4 +1,4 @@
-#include "ripstop/report/load_tapes.h"
+#include "ripstop/report/figures/load_tapes.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "ripstop/report/report_json.h"
+#include "ripstop/report/json/report_json.h"
 #include "support/inflated.h"
 #include "support/seams.h"
 

@@ -1,4 +1,4 @@
-#include "ripstop/report/marker_files.h"
+#include "ripstop/plan_folder/marker_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/nest/nest_pieces.h"
 #include "support/loose_pieces.h"
 #include "support/outside.h"

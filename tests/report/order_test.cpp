@@ -1,4 +1,4 @@
-#include "ripstop/report/order.h"
+#include "ripstop/report/tables/order.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

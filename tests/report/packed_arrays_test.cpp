@@ -1,4 +1,4 @@
-#include "ripstop/report/packed_arrays.h"
+#include "ripstop/report/page/packed_arrays.h"
 
 #include <gtest/gtest.h>
 

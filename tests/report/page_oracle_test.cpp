@@ -5,10 +5,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "ripstop/report/page_colours.h"
-#include "ripstop/report/page_maps.h"
-#include "ripstop/report/page_words.h"
-#include "ripstop/report/report_json.h"
+#include "ripstop/report/json/report_json.h"
+#include "ripstop/report/view/page_colours.h"
+#include "ripstop/report/view/page_maps.h"
+#include "ripstop/report/words/page_words.h"
 #include "support/flat_tiles.h"
 #include "support/outside.h"
 #include "support/seams.h"

@@ -1,10 +1,10 @@
-#include "ripstop/report/picture.h"
+#include "ripstop/report/picture/picture.h"
 
 #include <gmock/gmock.h>
 
 #include <limits>
 
-#include "ripstop/report/colour_scale.h"
+#include "ripstop/report/figures/colour_scale.h"
 #include "support/flat_tiles.h"
 #include "support/outside.h"
 

@@ -1,4 +1,4 @@
-#include "ripstop/report/png_pictures.h"
+#include "ripstop/report/picture/png_pictures.h"
 
 #include <gmock/gmock.h>
 
@@ -7,12 +7,12 @@
 #include <map>
 
 #include "ripstop/base/error.h"
-#include "ripstop/pattern/pieces.h"
-#include "ripstop/pipeline/strain_maps.h"
-#include "ripstop/report/envelope_view.h"
-#include "ripstop/report/page_colours.h"
-#include "ripstop/report/piece_png.h"
-#include "ripstop/report/piece_view.h"
+#include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/pipeline/flatten/strain_maps.h"
+#include "ripstop/report/picture/piece_png.h"
+#include "ripstop/report/view/envelope_view.h"
+#include "ripstop/report/view/page_colours.h"
+#include "ripstop/report/view/piece_view.h"
 #include "support/flat_tiles.h"
 #include "support/outside.h"
 #include "support/raster.h"

@@ -1,4 +1,4 @@
-#include "ripstop/report/report_json.h"
+#include "ripstop/report/json/report_json.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ripstop/report/revision_report.h"
+#include "ripstop/report/words/revision_report.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

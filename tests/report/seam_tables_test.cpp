@@ -1,11 +1,11 @@
-#include "ripstop/report/seam_tables.h"
+#include "ripstop/report/tables/seam_tables.h"
 
 #include <gmock/gmock.h>
 
 #include <limits>
 
-#include "ripstop/report/seam_picture.h"
-#include "ripstop/report/tables.h"
+#include "ripstop/report/picture/seam_picture.h"
+#include "ripstop/report/tables/tables.h"
 #include "support/flat_tiles.h"
 #include "support/outside.h"
 #include "support/seams.h"

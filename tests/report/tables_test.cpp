@@ -1,4 +1,4 @@
-#include "ripstop/report/tables.h"
+#include "ripstop/report/tables/tables.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ripstop/report/whole_directory.h"
+#include "ripstop/plan_folder/whole_directory.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/folder_lock.h"
+#include "ripstop/base/system/folder_lock.h"
 #include "support/outside.h"
 
 namespace ripstop {

@@ -1,4 +1,4 @@
-#include "ripstop/report/wide_pieces.h"
+#include "ripstop/report/figures/wide_pieces.h"
 
 #include <gmock/gmock.h>
 

@@ -2,12 +2,12 @@
 
 #include <numbers>
 
-#include "ripstop/io/fabric_json.h"
-#include "ripstop/model/air.h"
-#include "ripstop/pipeline/flatten_envelope.h"
-#include "ripstop/pipeline/read_envelope.h"
-#include "ripstop/pipeline/tape_seams.h"
-#include "ripstop/pipeline/wanted_cloth.h"
+#include "ripstop/io/json/fabric_json.h"
+#include "ripstop/model/flight/air.h"
+#include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/pipeline/flight/tape_seams.h"
+#include "ripstop/pipeline/flight/wanted_cloth.h"
+#include "ripstop/pipeline/read/read_envelope.h"
 
 namespace ripstop::testing {
 

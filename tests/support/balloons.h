@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ripstop/design/gores.h"
+#include "ripstop/design/natural/gores.h"
 #include "ripstop/inflate/equilibrium.h"
 #include "ripstop/inflate/sew.h"
-#include "ripstop/model/cut_plan.h"
-#include "ripstop/model/envelope.h"
+#include "ripstop/model/plan/cut_plan.h"
+#include "ripstop/model/tile/envelope.h"
 
 /// Designed envelopes of nylon, cut and sewn, and the forces of their design.
 namespace ripstop::testing {

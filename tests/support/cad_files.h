@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ripstop/geometry/types.h"
-#include "ripstop/model/cad_model.h"
+#include "ripstop/model/tile/cad_model.h"
 
 /// CAD files written and measured by Open CASCADE, for what `ripstop-cad` makes of them. Only where it is installed.
 namespace ripstop::testing {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "ripstop/pattern/cut_line.h"
+#include "ripstop/pattern/cut/cut_line.h"
 #include "support/flat_tiles.h"
 
 namespace ripstop::testing {

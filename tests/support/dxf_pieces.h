@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "ripstop/io/dxf.h"
-#include "ripstop/model/pattern_piece.h"
+#include "ripstop/io/dxf/dxf.h"
+#include "ripstop/model/piece/pattern_piece.h"
 
 /// Pieces that use all a DXF can show, and the groups of what is written.
 namespace ripstop::testing {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "ripstop/design/gores.h"
-#include "ripstop/model/cad_model.h"
-#include "ripstop/model/envelope.h"
+#include "ripstop/design/natural/gores.h"
+#include "ripstop/model/tile/cad_model.h"
+#include "ripstop/model/tile/envelope.h"
 
 /// Envelopes whose seams are known.
 namespace ripstop::testing {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ripstop/model/fabric.h"
+#include "ripstop/model/tile/fabric.h"
 
 /// Cloth of the tables and of the derivative tests: E = 1 kN/m.
 namespace ripstop::testing {

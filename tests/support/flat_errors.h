@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ripstop/geometry/triangle.h"
-#include "ripstop/model/tile.h"
+#include "ripstop/model/tile/tile.h"
 
 /// What a flattening gets wrong, by the definitions and nothing else.
 namespace ripstop::testing {

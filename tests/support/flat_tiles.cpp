@@ -7,7 +7,7 @@
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
-#include "ripstop/pattern/pieces.h"
+#include "ripstop/pattern/piece/pieces.h"
 #include "support/shapes.h"
 
 namespace ripstop::testing {

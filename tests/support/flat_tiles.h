@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "ripstop/model/cut_plan.h"
-#include "ripstop/model/pattern_piece.h"
+#include "ripstop/model/piece/pattern_piece.h"
+#include "ripstop/model/plan/cut_plan.h"
 
 /// Tiles with a known place on the cloth, for what comes after flattening.
 namespace ripstop::testing {

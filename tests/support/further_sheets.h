@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/model/cad_model.h"
+#include "ripstop/model/tile/cad_model.h"
 
 /// Envelopes in which three or more sheets meet on an edge: ribs, fins, diaphragms.
 namespace ripstop::testing {

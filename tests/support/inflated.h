@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ripstop/model/cut_plan.h"
+#include "ripstop/model/plan/cut_plan.h"
 
 /// Inflated plans made by hand, for what comes after inflating.
 namespace ripstop::testing {

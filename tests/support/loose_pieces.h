@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/model/marker.h"
-#include "ripstop/model/pattern_piece.h"
+#include "ripstop/model/piece/marker.h"
+#include "ripstop/model/piece/pattern_piece.h"
 
 /// Pieces of no envelope, for laying them on the roll, and a judge of how they were laid that knows nothing of how.
 namespace ripstop::testing {

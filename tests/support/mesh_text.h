@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/binary.h"
-#include "ripstop/model/cad_model.h"
+#include "ripstop/io/mesh/binary.h"
+#include "ripstop/model/tile/cad_model.h"
 
 namespace ripstop::testing {
 

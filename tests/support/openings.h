@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "ripstop/model/pattern_piece.h"
-#include "ripstop/pattern/cut_line.h"
+#include "ripstop/model/piece/pattern_piece.h"
+#include "ripstop/pattern/cut/cut_line.h"
 
 /// Pieces whose outline faces itself: slits, keyholes, rings that are cut open.
 namespace ripstop::testing {

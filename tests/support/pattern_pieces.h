@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/model/pattern_piece.h"
+#include "ripstop/model/piece/pattern_piece.h"
 
 /// Pieces made by hand, for what writes them.
 namespace ripstop::testing {

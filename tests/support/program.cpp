@@ -5,7 +5,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "ripstop/io/obj.h"
+#include "ripstop/io/mesh/obj.h"
 #include "support/shapes.h"
 
 namespace ripstop::testing {

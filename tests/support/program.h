@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/model/cad_model.h"
+#include "ripstop/model/tile/cad_model.h"
 #include "support/outside.h"
 
 namespace ripstop::testing {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/model/cut_plan.h"
+#include "ripstop/model/plan/cut_plan.h"
 
 /// Seams and flat tiles made by hand, for what comes after seams are found.
 namespace ripstop::testing {

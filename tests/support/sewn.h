@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/model/envelope.h"
+#include "ripstop/model/tile/envelope.h"
 
 /// Envelopes whose seams are known.
 namespace ripstop::testing {

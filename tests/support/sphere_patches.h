@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/model/envelope.h"
+#include "ripstop/model/tile/envelope.h"
 
 /// Tiles of the unit sphere that lie between circles of latitude and longitude, meshed each on its own.
 namespace ripstop::testing {

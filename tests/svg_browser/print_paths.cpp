@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/units.h"
-#include "ripstop/io/svg_read.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/io/svg/svg_read.h"
 
 namespace {
 

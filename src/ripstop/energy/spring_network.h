@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "ripstop/model/fabric.h"
-#include "ripstop/model/tile.h"
+#include "ripstop/model/tile/fabric.h"
+#include "ripstop/model/tile/tile.h"
 
 namespace ripstop {
 

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "ripstop/model/cloth_state.h"
-#include "ripstop/model/fabric.h"
+#include "ripstop/model/flight/cloth_state.h"
+#include "ripstop/model/tile/fabric.h"
 
 namespace ripstop {
 

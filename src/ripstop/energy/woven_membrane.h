@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ripstop/energy/deformation.h"
-#include "ripstop/model/fabric.h"
+#include "ripstop/model/tile/fabric.h"
 
 namespace ripstop {
 

@@ -3,19 +3,19 @@
 #include <array>
 
 #include "ripstop/base/error.h"
-#include "ripstop/flatten/aono.h"
-#include "ripstop/flatten/arap.h"
-#include "ripstop/flatten/boundary_first.h"
-#include "ripstop/flatten/dirichlet.h"
-#include "ripstop/flatten/energy_release.h"
-#include "ripstop/flatten/kub10.h"
-#include "ripstop/flatten/lscm.h"
-#include "ripstop/flatten/mccartney.h"
-#include "ripstop/flatten/paper.h"
-#include "ripstop/flatten/seam_exact.h"
-#include "ripstop/flatten/seam_matched.h"
-#include "ripstop/flatten/wirewarping.h"
-#include "ripstop/flatten/woven_mesh.h"
+#include "ripstop/flatten/map/arap.h"
+#include "ripstop/flatten/map/boundary_first.h"
+#include "ripstop/flatten/map/dirichlet.h"
+#include "ripstop/flatten/map/lscm.h"
+#include "ripstop/flatten/map/wirewarping.h"
+#include "ripstop/flatten/seam/seam_exact.h"
+#include "ripstop/flatten/seam/seam_matched.h"
+#include "ripstop/flatten/spring/energy_release.h"
+#include "ripstop/flatten/spring/mccartney.h"
+#include "ripstop/flatten/spring/paper.h"
+#include "ripstop/flatten/weave/aono.h"
+#include "ripstop/flatten/weave/kub10.h"
+#include "ripstop/flatten/weave/woven_mesh.h"
 
 namespace ripstop {
 namespace {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "ripstop/base/progress.h"
-#include "ripstop/model/envelope.h"
-#include "ripstop/model/fabric.h"
-#include "ripstop/model/flattening.h"
+#include "ripstop/model/plan/flattening.h"
+#include "ripstop/model/tile/envelope.h"
+#include "ripstop/model/tile/fabric.h"
 
 namespace ripstop {
 

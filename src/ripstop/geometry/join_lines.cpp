@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace {
 
-struct End {
+struct LineEnd {
     int line;
     bool is_last;
 };
@@ -30,10 +30,10 @@ class Joiner {
     bool is_dangling(int line) const { return dangling_[static_cast<std::size_t>(line)]; }
 
     JoinedLine from(int line) {
-        std::deque<End> chain{{line, false}};  // each enters at this end
+        std::deque<LineEnd> chain{{line, false}};  // each enters at this end
         used_[static_cast<std::size_t>(line)] = true;
         const bool has_ends = lines_[static_cast<std::size_t>(line)].rows() > 1;
-        const auto leaving = [](const End& entry) { return End{entry.line, !entry.is_last}; };
+        const auto leaving = [](const LineEnd& entry) { return LineEnd{entry.line, !entry.is_last}; };
         while (has_ends && !closes(chain))
             if (const auto next = nearest(at(leaving(chain.back()))))
                 take(chain, chain.end(), *next);
@@ -57,13 +57,13 @@ class Joiner {
                 static_cast<long long>(std::floor(p.y() / tolerance_))};
     }
 
-    Vec2 at(const End& end) const {
+    Vec2 at(const LineEnd& end) const {
         const Points2& points = lines_[static_cast<std::size_t>(end.line)];
         return points.row(end.is_last ? points.rows() - 1 : 0);
     }
 
     /// A line there and back again, such as a single straight one, closes on nothing.
-    bool closes(const std::deque<End>& chain) const {
+    bool closes(const std::deque<LineEnd>& chain) const {
         const Points2& first = lines_[static_cast<std::size_t>(chain.front().line)];
         const Vec2 end = at({chain.back().line, !chain.back().is_last});
         return (chain.size() > 1 || first.rows() > 2) && (end - at(chain.front())).norm() <= tolerance_;
@@ -77,7 +77,7 @@ class Joiner {
             for (long long j = y - 1; j <= y + 1; ++j) {
                 const auto found = cells_.find({i, j});
                 if (found == cells_.end()) continue;
-                for (const End& end : found->second) {
+                for (const LineEnd& end : found->second) {
                     const double distance = (at(end) - place).norm();
                     if (distance <= tolerance_) visit(end, distance);
                 }
@@ -88,7 +88,7 @@ class Joiner {
         if (lines_[static_cast<std::size_t>(line)].rows() < 2) return true;
         for (const bool is_last : {false, true}) {
             bool meets_another = false;
-            for_each_near(at({line, is_last}), [&](const End& end, double) {
+            for_each_near(at({line, is_last}), [&](const LineEnd& end, double) {
                 meets_another = meets_another || end.line != line || end.is_last != is_last;
             });
             if (!meets_another) return true;
@@ -96,10 +96,10 @@ class Joiner {
         return false;
     }
 
-    std::optional<End> nearest(const Vec2& place) const {
-        std::optional<End> best;
+    std::optional<LineEnd> nearest(const Vec2& place) const {
+        std::optional<LineEnd> best;
         std::tuple<bool, double, int> least;
-        for_each_near(place, [&](const End& end, double distance) {
+        for_each_near(place, [&](const LineEnd& end, double distance) {
             if (is_used(end.line)) return;
             const std::tuple<bool, double, int> rank{is_dangling(end.line), distance, end.line};
             if (best && least <= rank) return;
@@ -109,18 +109,18 @@ class Joiner {
         return best;
     }
 
-    void take(std::deque<End>& chain, std::deque<End>::iterator where, const End& end) {
+    void take(std::deque<LineEnd>& chain, std::deque<LineEnd>::iterator where, const LineEnd& end) {
         used_[static_cast<std::size_t>(end.line)] = true;
         chain.insert(where, end);
     }
 
-    JoinedLine joined(const std::deque<End>& chain, bool is_closed) const {
+    JoinedLine joined(const std::deque<LineEnd>& chain, bool is_closed) const {
         JoinedLine result{{}, {}, is_closed};
         Eigen::Index count = 0;
-        for (const End& entry : chain) count += lines_[static_cast<std::size_t>(entry.line)].rows();
+        for (const LineEnd& entry : chain) count += lines_[static_cast<std::size_t>(entry.line)].rows();
         result.points.resize(count, 2);
         Eigen::Index next = 0;
-        for (const End& entry : chain) {
+        for (const LineEnd& entry : chain) {
             const Points2& points = lines_[static_cast<std::size_t>(entry.line)];
             result.lines.push_back(entry.line);
             // Where one begins as the other ends the place is there once.
@@ -135,7 +135,7 @@ class Joiner {
     const std::vector<Points2>& lines_;
     double tolerance_;
     std::vector<bool> used_, dangling_;
-    std::map<Cell, std::vector<End>> cells_;
+    std::map<Cell, std::vector<LineEnd>> cells_;
 };
 
 }  // namespace

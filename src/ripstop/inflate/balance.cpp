@@ -8,7 +8,7 @@
 
 #include "ripstop/base/parallel.h"
 #include "ripstop/energy/load_tape.h"
-#include "ripstop/model/air.h"
+#include "ripstop/model/flight/air.h"
 
 namespace ripstop {
 namespace {

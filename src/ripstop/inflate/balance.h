@@ -5,7 +5,7 @@
 
 #include "ripstop/energy/gas_pressure.h"
 #include "ripstop/energy/relaxed_membrane.h"
-#include "ripstop/model/sewn_envelope.h"
+#include "ripstop/model/flight/sewn_envelope.h"
 #include "ripstop/numeric/sparse_pattern.h"
 
 namespace ripstop {

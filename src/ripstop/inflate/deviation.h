@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ripstop/model/cut_plan.h"
-#include "ripstop/model/inflated.h"
+#include "ripstop/model/flight/inflated.h"
+#include "ripstop/model/plan/cut_plan.h"
 
 namespace ripstop {
 

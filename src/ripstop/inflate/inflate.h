@@ -3,7 +3,7 @@
 #include "ripstop/base/progress.h"
 #include "ripstop/inflate/equilibrium.h"
 #include "ripstop/inflate/sew.h"
-#include "ripstop/model/inflated.h"
+#include "ripstop/model/flight/inflated.h"
 
 namespace ripstop {
 

@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "ripstop/model/sewn_envelope.h"
+#include "ripstop/model/flight/sewn_envelope.h"
 
 namespace ripstop {
 

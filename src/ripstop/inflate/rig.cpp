@@ -9,7 +9,7 @@
 #include <set>
 
 #include "ripstop/base/error.h"
-#include "ripstop/model/allowance.h"
+#include "ripstop/model/plan/allowance.h"
 
 namespace ripstop {
 namespace {

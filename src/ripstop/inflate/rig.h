@@ -2,11 +2,11 @@
 
 #include <functional>
 
-#include "ripstop/model/cut_plan.h"
-#include "ripstop/model/rigging.h"
-#include "ripstop/model/seam_place.h"
-#include "ripstop/model/sewn_envelope.h"
-#include "ripstop/model/symmetry.h"
+#include "ripstop/model/flight/rigging.h"
+#include "ripstop/model/flight/sewn_envelope.h"
+#include "ripstop/model/plan/cut_plan.h"
+#include "ripstop/model/plan/seam_place.h"
+#include "ripstop/model/plan/symmetry.h"
 
 namespace ripstop {
 

@@ -8,14 +8,14 @@
 #include <set>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/glob.h"
+#include "ripstop/base/text/glob.h"
 #include "ripstop/energy/deformation.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/inflate/joints.h"
 #include "ripstop/inflate/rig.h"
 #include "ripstop/mesh/surface_finder.h"
-#include "ripstop/model/seam_place.h"
-#include "ripstop/model/seam_sheets.h"
+#include "ripstop/model/plan/seam_place.h"
+#include "ripstop/model/tile/seam_sheets.h"
 
 namespace ripstop {
 namespace {

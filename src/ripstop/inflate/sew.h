@@ -1,9 +1,9 @@
 #pragma once
 
-#include "ripstop/model/cut_plan.h"
-#include "ripstop/model/rigging.h"
-#include "ripstop/model/sewn_envelope.h"
-#include "ripstop/model/symmetry.h"
+#include "ripstop/model/flight/rigging.h"
+#include "ripstop/model/flight/sewn_envelope.h"
+#include "ripstop/model/plan/cut_plan.h"
+#include "ripstop/model/plan/symmetry.h"
 
 namespace ripstop {
 

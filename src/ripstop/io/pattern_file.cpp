@@ -1,9 +1,9 @@
 #include "ripstop/io/pattern_file.h"
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/dxf_read.h"
-#include "ripstop/io/input_file.h"
-#include "ripstop/io/svg_read.h"
+#include "ripstop/io/dxf/dxf_read.h"
+#include "ripstop/io/svg/svg_read.h"
+#include "ripstop/io/text/input_file.h"
 
 namespace ripstop {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "ripstop/model/pattern_drawing.h"
+#include "ripstop/model/piece/pattern_drawing.h"
 
 namespace ripstop {
 

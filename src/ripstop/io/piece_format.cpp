@@ -3,10 +3,10 @@
 #include <array>
 
 #include "ripstop/base/error.h"
-#include "ripstop/io/dxf.h"
-#include "ripstop/io/hpgl.h"
-#include "ripstop/io/pdf.h"
-#include "ripstop/io/svg.h"
+#include "ripstop/io/dxf/dxf.h"
+#include "ripstop/io/print/hpgl.h"
+#include "ripstop/io/print/pdf.h"
+#include "ripstop/io/svg/svg.h"
 
 namespace ripstop {
 

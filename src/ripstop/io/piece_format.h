@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/model/pattern_piece.h"
+#include "ripstop/model/piece/pattern_piece.h"
 
 namespace ripstop {
 

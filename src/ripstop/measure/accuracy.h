@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ripstop/model/accuracy.h"
-#include "ripstop/model/fabric.h"
-#include "ripstop/model/tile.h"
+#include "ripstop/model/plan/accuracy.h"
+#include "ripstop/model/tile/fabric.h"
+#include "ripstop/model/tile/tile.h"
 
 namespace ripstop {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ripstop/model/bounds.h"
-#include "ripstop/model/tile.h"
-#include "ripstop/model/verdict.h"
+#include "ripstop/model/plan/bounds.h"
+#include "ripstop/model/plan/verdict.h"
+#include "ripstop/model/tile/tile.h"
 
 namespace ripstop {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "ripstop/model/tile.h"
+#include "ripstop/model/tile/tile.h"
 
 namespace ripstop {
 

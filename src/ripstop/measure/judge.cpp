@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "ripstop/base/number_text.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/number_text.h"
+#include "ripstop/base/text/units.h"
 
 namespace ripstop {
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "ripstop/measure/bounds.h"
-#include "ripstop/model/accuracy.h"
-#include "ripstop/model/fabric.h"
-#include "ripstop/model/flattening.h"
-#include "ripstop/model/tile.h"
-#include "ripstop/model/verdict.h"
+#include "ripstop/model/plan/accuracy.h"
+#include "ripstop/model/plan/flattening.h"
+#include "ripstop/model/plan/verdict.h"
+#include "ripstop/model/tile/fabric.h"
+#include "ripstop/model/tile/tile.h"
 
 namespace ripstop {
 

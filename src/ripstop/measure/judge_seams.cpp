@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 
-#include "ripstop/base/number_text.h"
-#include "ripstop/base/units.h"
-#include "ripstop/model/corner_turn.h"
+#include "ripstop/base/text/number_text.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/model/tile/corner_turn.h"
 
 namespace ripstop {
 namespace {

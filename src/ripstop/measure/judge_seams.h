@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ripstop/model/cut_plan.h"
+#include "ripstop/model/plan/cut_plan.h"
 
 namespace ripstop {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "ripstop/model/cut_plan.h"
-#include "ripstop/model/zigzag.h"
+#include "ripstop/model/plan/cut_plan.h"
+#include "ripstop/model/tile/zigzag.h"
 
 namespace ripstop {
 

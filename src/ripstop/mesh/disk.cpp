@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/number_text.h"
+#include "ripstop/base/text/number_text.h"
 #include "ripstop/mesh/components.h"
 
 namespace ripstop {

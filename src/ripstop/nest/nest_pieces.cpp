@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/number_text.h"
 #include "ripstop/base/parallel.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/number_text.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/nest/contact_table.h"
 #include "ripstop/nest/own_pieces.h"

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ripstop/base/progress.h"
-#include "ripstop/model/marker.h"
-#include "ripstop/model/pattern_piece.h"
+#include "ripstop/model/piece/marker.h"
+#include "ripstop/model/piece/pattern_piece.h"
 
 namespace ripstop {
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "ripstop/model/marker.h"
-#include "ripstop/model/pattern_piece.h"
+#include "ripstop/model/piece/marker.h"
+#include "ripstop/model/piece/pattern_piece.h"
 
 namespace ripstop {
 

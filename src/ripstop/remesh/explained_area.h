@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ripstop/mesh/adjacency.h"
-#include "ripstop/model/tile.h"
+#include "ripstop/model/tile/tile.h"
 #include "ripstop/remesh/remesh_tile.h"
 
 namespace ripstop {

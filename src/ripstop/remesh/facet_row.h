@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ripstop/mesh/adjacency.h"
-#include "ripstop/model/tile.h"
+#include "ripstop/model/tile/tile.h"
 #include "ripstop/remesh/smooth_surface.h"
 
 namespace ripstop {

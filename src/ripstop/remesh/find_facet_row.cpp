@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/geometry/angle.h"
 #include "ripstop/remesh/facet_row.h"
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ripstop/base/number_text.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/number_text.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/geometry/angle.h"
 #include "ripstop/geometry/triangle.h"
-#include "ripstop/model/corner_turn.h"
+#include "ripstop/model/tile/corner_turn.h"
 
 namespace ripstop {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ripstop/mesh/adjacency.h"
-#include "ripstop/model/tile.h"
+#include "ripstop/model/tile/tile.h"
 
 namespace ripstop {
 

@@ -14,7 +14,7 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Surface_mesh.h>
 
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/geometry/triangle.h"
 
 namespace ripstop {

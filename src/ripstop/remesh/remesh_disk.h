@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ripstop/mesh/triangle_mesh.h"
-#include "ripstop/model/boundary_place.h"
+#include "ripstop/model/tile/boundary_place.h"
 
 namespace ripstop {
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/number_text.h"
-#include "ripstop/base/units.h"
+#include "ripstop/base/text/number_text.h"
+#include "ripstop/base/text/units.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
 #include "ripstop/remesh/explained_area.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ripstop/model/tile.h"
+#include "ripstop/model/tile/tile.h"
 #include "ripstop/remesh/remesh_disk.h"
 #include "ripstop/remesh/smooth_surface.h"
 

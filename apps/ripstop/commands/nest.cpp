@@ -1,0 +1,138 @@
+/// ripstop nest: the pieces of a cut plan on the roll.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "commands/commands.h"
+#include "commands/known.h"
+#include "help/progress_bar.h"
+#include "help/tell.h"
+#include "options/format_options.h"
+#include "options/piece_options.h"
+#include "ripstop/base/error.h"
+#include "ripstop/base/system/folder_lock.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/io/piece_format.h"
+#include "ripstop/io/text/output_file.h"
+#include "ripstop/nest/nest_pieces.h"
+#include "ripstop/plan_folder/cut_files.h"
+#include "ripstop/plan_folder/marker_files.h"
+#include "ripstop/plan_folder/whole_directory.h"
+#include "ripstop/report/page/html_report.h"
+
+namespace ripstop::cli {
+namespace {
+
+struct NestArguments {
+    std::filesystem::path plan, output;
+    std::string roll, gap = "5mm";
+    std::vector<std::string> roll_lengths, formats{"dxf", "svg", "pdf"};
+    double grain_tolerance = 0;
+    int effort = 40, jobs = 0;
+    bool flip = false, one_way = false, force = false, json = false, quiet = false;
+};
+
+NestOptions options_of(const NestArguments& given) {
+    NestOptions options;
+    if (!given.roll.empty()) options.roll_width = parse_length(given.roll, "--roll");
+    options.gap = parse_length(given.gap, "--gap");
+    options.grain_tolerance = given.grain_tolerance * degree;
+    options.may_turn = !given.one_way;
+    options.may_flip = given.flip;
+    for (const std::string& length : given.roll_lengths)
+        options.part_lengths.push_back(parse_length(length, "--roll-length"));
+    options.rounds = given.effort;
+    options.threads = given.jobs;
+    return options;
+}
+
+/// Its bom.csv is not the marker's.
+void require_no_plan(const std::filesystem::path& folder) {
+    for (const char* file : {"report.json", "pieces.json"})
+        if (std::filesystem::exists(folder / file))
+            throw InputError(fmt::format("{}: is of a cut plan, it holds {}; give the marker a folder of its own",
+                                         folder.string(), file));
+}
+
+/// The page of the plan shows the roll too, once there is one.
+void show_in_report(const std::filesystem::path& plan, const std::string& markers) {
+    const FolderLock turn(plan);
+    const std::filesystem::path page = plan / "report.html";
+    std::ifstream in(page, std::ios::binary);
+    if (!in) return;
+    std::ostringstream text;
+    text << in.rdbuf();
+    replace_file(page, with_roll(text.str(), markers));
+}
+
+ExitCode run(NestArguments given) {
+    NestOptions options = options_of(given);
+    options.progress = progress_bar(given.quiet);
+    if (given.output.empty()) given.output = given.plan / "marker";
+    const PieceSet set = read_pieces_of(given.plan);
+    require_no_plan(given.output);
+    require_writable(given.output, given.force);
+    const Markers markers = nest_pieces(set, options);
+    write_whole_directory(
+        given.output, given.force, {"marker*.*", "bom.csv"},
+        [&](const std::filesystem::path& folder) { write_marker_files(folder, set, markers, given.formats); });
+    show_in_report(given.plan, marker_json(set, markers, given.formats));
+    if (given.json)
+        print("{}", marker_json(set, markers, given.formats));
+    else if (!given.quiet || !markers.refusals.empty())
+        show(marker_table(markers));
+    const ExitCode cut_lines = warn_of_cut_lines(set, given.jobs);
+    return markers.refusals.empty() ? cut_lines : not_manufacturable;
+}
+
+}  // namespace
+
+void add_nest(CLI::App& app) {
+    auto given = std::make_shared<NestArguments>();
+    CLI::App* command =
+        app.add_subcommand("nest", "Lay the pieces of a cut plan on the roll; write the markers and what to order");
+    command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
+    command->add_option("-o,--output", given->output, "The folder to write (default PLAN/marker)")->type_name("DIR");
+    command->add_option("--roll", given->roll, "Width of the cloth, as 1500mm (default: the fabric's own)")
+        ->type_name("LENGTH");
+    command->add_option("--gap", given->gap, "Between pieces")->capture_default_str()->type_name("LENGTH");
+    command
+        ->add_option(
+            "--roll-length", given->roll_lengths,
+            "How long a roll is without a join, as 100m; several with commas: one after the other, the last again "
+            "and again (default: no join)")
+        ->type_name("LENGTH")
+        ->delimiter(',');
+    command->add_option("--grain-tolerance", given->grain_tolerance, "By how much a piece may be turned off the warp")
+        ->capture_default_str()
+        ->type_name("DEGREES")
+        ->check(within(0.0, 28.0));
+    command->add_flag("--one-way", given->one_way, "Never turn a piece by half a turn: cloth with a nap or a print");
+    command->add_flag("--flip", given->flip, "The cloth has no right side: pieces may be laid face down");
+    command
+        ->add_option("--effort", given->effort, "Rounds of the search; more is slower and the marker a little shorter")
+        ->capture_default_str()
+        ->type_name("N")
+        ->check(within(0, 100000));
+    add_format_option(*command, given->formats);
+    command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core; the result is the same")
+        ->capture_default_str()
+        ->type_name("N")
+        ->check(within(0, 1024));
+    command->add_flag("--force", given->force, "Replace the markers in the folder");
+    command->add_flag("--json", given->json, "Print marker.json on stdout instead of the table");
+    command->add_flag("--quiet", given->quiet, "Say nothing where all is well");
+    command->footer(
+        "Examples:\n"
+        "  ripstop nest cut-plan --roll 1500mm\n"
+        "  ripstop nest cut-plan --roll 1500mm --roll-length 100m --force     with joins, in place of the last\n"
+        "  ripstop nest cut-plan --one-way --effort 400 -o marker             cloth with a nap, a longer search\n\n"
+        "Exit codes: 0 all laid, 1 some pieces do not fit the roll (the others are laid), or a cut line does not go\n"
+        "round its sew line, 2 usage, 3 unusable input.");
+    command->callback([given] {
+        if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
+    });
+}
+
+}  // namespace ripstop::cli

@@ -1,0 +1,270 @@
+#include "options/options.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cstdlib>
+#include <fstream>
+
+#include "commands/known.h"
+#include "help/progress_bar.h"
+#include "help/tell.h"
+#include "options/guess.h"
+#include "ripstop/base/error.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/flatten/method.h"
+#include "ripstop/io/json/fabric_json.h"
+#include "ripstop/io/mesh/mesh_file.h"
+#include "ripstop/io/text/input_file.h"
+#include "ripstop/measure/judge.h"
+#include "ripstop/pipeline/read/envelope_faults.h"
+#include "ripstop/pipeline/read/tile_fabrics.h"
+
+namespace ripstop::cli {
+namespace {
+
+constexpr std::size_t shown_remarks = 12;
+constexpr const char* surfaces = "Surfaces of CAD (STEP, IGES, BREP, Rhino)";
+
+/// Throws InputError where the file cannot be opened or read.
+
+/// Throws InputError, with the preset that may be meant.
+Fabric fabric_of(const std::string& named, const std::optional<Project>& project) {
+    try {
+        return envelope_fabric(named, project);
+    } catch (const InputError& error) {
+        throw InputError(error.what() + guess(named, fabric_presets()));
+    }
+}
+
+/// What came flat is judged on the mesh it came with.
+RemeshOptions remesh_options(const InputArguments& given) {
+    RemeshOptions options;
+    if (given.remesh == "never") return options;
+    if (given.remesh == "auto") {
+        if (given.method != "given") options.mode = RemeshMode::automatic;
+        return options;
+    }
+    if (given.method == "given")
+        throw CLI::ValidationError("--remesh " + given.remesh +
+                                   " does not go with --method given: flat positions belong to the input's mesh");
+    if (!std::isdigit(static_cast<unsigned char>(given.remesh.front())) && given.remesh.front() != '.')
+        throw CLI::ValidationError("--remesh is \"" + given.remesh +
+                                   "\", expected auto, never or a length with its unit, as 50mm");
+    options.mode = RemeshMode::by_length;
+    options.edge_length = parse_length(given.remesh, "--remesh");
+    return options;
+}
+
+}  // namespace
+
+CLI::Validator known_method() {
+    std::vector<std::string> names;
+    for (const Method& method : methods()) names.emplace_back(method.name);
+    names.emplace_back("given");
+    const auto look_up = [](const std::string& name) {
+        if (name == "given") return;
+        try {
+            method_named(name);
+        } catch (const InputError& error) {
+            throw InputError(std::string(error.what()) + ", given");
+        }
+    };
+    return known(look_up, names);
+}
+
+CLI::Validator known_unit() {
+    return known([](const std::string& unit) { metres_per_unit(unit); }, {"mm", "cm", "m", "in", "ft"});
+}
+
+void add_meshing_options(CLI::App& command, std::string& chord, std::string& edge, std::string& tiles_are) {
+    command
+        .add_option("--chord", chord,
+                    "How far a surface may lie off its triangles, as 0.3mm (else lengths are kept to 0.01 %)")
+        ->type_name("LENGTH")
+        ->group(surfaces);
+    command.add_option("--edge", edge, "How long the edges of triangles are at most, as 100mm (else as --chord asks)")
+        ->type_name("LENGTH")
+        ->group(surfaces);
+    command.add_option("--tiles", tiles_are, "What a tile is: each face of a model, or each object of several faces")
+        ->capture_default_str()
+        ->type_name("WORD")
+        ->check(one_of({"faces", "objects"}))
+        ->group(surfaces);
+}
+
+MeshingOptions meshing_of(const std::string& chord, const std::string& edge, const std::string& tiles_are) {
+    MeshingOptions options;
+    if (!chord.empty()) options.chord_error = parse_length(chord, "--chord");
+    if (!edge.empty()) options.edge_length = parse_length(edge, "--edge");
+    if (const char* mesher = std::getenv("RIPSTOP_CAD")) options.mesher = mesher;
+    options.tiles = tiles_are == "objects" ? TilesAs::objects : TilesAs::faces;
+    return options;
+}
+
+void add_input_options(CLI::App& command, InputArguments& given) {
+    std::string formats;
+    for (const MeshFormat& format : mesh_formats())
+        formats += (formats.empty() ? "" : ", ") + std::string(format.extension);
+    for (const CadFormat& format : cad_formats()) formats += ", " + std::string(format.extension);
+    command.add_option("INPUT", given.file, "The envelope, one object, group, part or face a tile: " + formats)
+        ->type_name("FILE")
+        ->required();
+    command
+        .add_option("--unit", given.unit,
+                    "Unit of the file's numbers (else the project's, else the file's own, else metres)")
+        ->group("Input")
+        ->type_name("UNIT")
+        ->check(known_unit());
+    command
+        .add_flag("--size-is-meant", given.size_is_meant,
+                  "The size is right though no balloon has it: the unit is not doubted (also in the project)")
+        ->group("Input");
+    command
+        .add_option("--project", given.project,
+                    "JSON with what the file cannot say: names, warp, corners, fabrics, seam types, tolerances "
+                    "(docs/project.md)")
+        ->group("Input")
+        ->type_name("FILE.json");
+    command
+        .add_option("--fabric", given.fabric,
+                    "Of the tiles that have none of their own: isotropic, nylon, nylon-silicone, polyester or a JSON "
+                    "file (else the project's, else isotropic)")
+        ->group("Input")
+        ->type_name("FILE.json")
+        ->check(known([](const std::string&) {}, fabric_presets()));  // looked up when the project is known
+    command
+        .add_option("--grain", given.grain,
+                    "Turn the warp from each tile's longest axis, degrees counter-clockwise seen from outside")
+        ->group("Input")
+        ->type_name("DEGREES")
+        ->check(within(-360.0, 360.0));
+    command
+        .add_option("--seam-tolerance", given.seam_tolerance,
+                    "Edges to be sewn together lie within this length (else the project's, else 0.5mm)")
+        ->group("Input")
+        ->type_name("LENGTH");
+    add_meshing_options(command, given.chord, given.edge, given.tiles_are);
+    // One name at a time, else `--tile G01 envelope.obj` would take the input for a second name.
+    command
+        .add_option("--tile", given.tiles,
+                    "Only the tiles of this name; * and ? stand for other letters; may be repeated")
+        ->group("Input")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    command
+        .add_option("--layer", given.layers,
+                    "Only what lies on the layers of this name (else the project's), a whole path as a::b; * and ? as "
+                    "above; may be repeated")
+        ->group("Input")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+}
+
+void add_remesh_option(CLI::App& command, InputArguments& given) {
+    given.remesh = "auto";
+    command
+        .add_option("--remesh", given.remesh,
+                    "Mesh tiles anew: auto (those too coarse, too bad or too fine), never, or all with edges of a "
+                    "length, as 50mm")
+        ->group("Flattening")
+        ->type_name("WORD")
+        ->capture_default_str();
+}
+
+void add_accept_option(CLI::App& command, InputArguments& given) {
+    const std::vector<std::string> codes(acceptable_issues.begin(), acceptable_issues.end());
+    command
+        .add_option("--accept", given.accept,
+                    "What is meant though it looks wrong, and is a note then: missing_tile (openings with corners); "
+                    "several codes with commas (also in the project)")
+        ->group("Input")
+        ->type_name("CODES")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(one_of(codes));
+}
+
+void add_method_option(CLI::App& command, InputArguments& given) {
+    command.add_option("--method", given.method, "How to flatten; `ripstop methods` lists them")
+        ->capture_default_str()
+        ->group("Flattening")
+        ->type_name("NAME")
+        ->check(known_method());
+    command
+        .add_flag("--keep-area", given.keep_area,
+                  "Hold the whole area exactly too (method seam-exact-area): more strain in the cloth")
+        ->group("Flattening");
+}
+
+std::string method_of(const InputArguments& given) {
+    if (!given.keep_area) return given.method;
+    if (given.method != "seam-exact" && given.method != "seam-exact-area")
+        throw CLI::ValidationError("--keep-area goes with --method seam-exact, not " + given.method);
+    return "seam-exact-area";
+}
+
+std::optional<Project> project_of(const std::string& file, const std::string& unit) {
+    if (file.empty()) return std::nullopt;
+    std::ifstream in = open_input(file, "the project file");
+    return read_project(in, file, unit);
+}
+
+Input resolve(const InputArguments& given) {
+    Input input;
+    input.read.project = project_of(given.project, given.unit);
+    const auto& project = input.read.project;
+    const std::string unit = !given.unit.empty() ? given.unit : project ? project->unit.value_or("") : "";
+    if (!unit.empty()) input.read.unit = LengthUnit{unit, metres_per_unit(unit)};
+    input.read.size_is_meant = given.size_is_meant || (project && project->size_is_meant);
+    input.read.grain_turn = given.grain * degree;
+    input.read.only = given.tiles;
+    input.read.layers = given.layers.empty() && project ? project->layers : given.layers;
+    if (project && project->seam_tolerance) input.read.seam_tolerance = *project->seam_tolerance;
+    if (!given.seam_tolerance.empty())
+        input.read.seam_tolerance = parse_length(given.seam_tolerance, "--seam-tolerance");
+    input.accept = given.accept;
+    if (project) input.accept.insert(input.accept.end(), project->accept.begin(), project->accept.end());
+    input.fabric = fabric_of(given.fabric, project);
+    input.read.fabric = input.fabric;
+    input.read.meshing = meshing_of(given.chord, given.edge, given.tiles_are);
+    input.tolerances = tolerances_of(input.fabric);
+    if (project) input.tolerances = tolerances(*project, input.tolerances);
+    if (given.fair_seams && given.method == "given")
+        throw CLI::ValidationError(
+            "--fair-seams does not go with --method given: flat positions belong to the input's mesh");
+    input.read.fair_seams = given.fair_seams;
+    input.read.remesh = remesh_options(given);
+    input.read.remesh.length_tolerance = input.tolerances.length;
+    return input;
+}
+
+EnvelopeCheck judge_envelope(const InputArguments& given, const Input& input, const EnvelopeInput& read) {
+    return judge_input(read, {input.read.seam_tolerance, given.tiles.empty(), input.accept});
+}
+
+void tell_unused(const std::vector<std::string>& unused) {
+    for (const std::string& sentence : unused) tell(fmt::format("Warning: {}\n", sentence));
+}
+
+EnvelopeInput read(const InputArguments& given, const Input& input, bool quiet) {
+    EnvelopeInput read = [&] {
+        Waiting waiting("Reading " + given.file.filename().string(), quiet);
+        ReadOptions options = input.read;
+        options.meshing.progress = waiting.progress();
+        options.doubts = [&](const UnitDoubt& doubt) {
+            if (!quiet) tell(fmt::format("Warning: {}\n", doubt.sentence));
+        };
+        return read_input(given.file, options);
+    }();
+    for (std::size_t i = 0; !quiet && i < read.remarks.size(); ++i) {
+        if (i == shown_remarks) {
+            tell(fmt::format("Note: and {} more; report.json has them all\n", read.remarks.size() - i));
+            break;
+        }
+        tell(fmt::format("Note: {}\n", read.remarks[i]));
+    }
+    return read;
+}
+
+}  // namespace ripstop::cli

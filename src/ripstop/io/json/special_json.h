@@ -1,0 +1,17 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "ripstop/model/special/special_shape.h"
+
+namespace ripstop {
+
+/// A special shape from JSON: docs/special.md explains it, docs/special.schema.json describes it,
+/// docs/special.example.json is one. Lengths are in millimetres, as their keys say.
+///
+/// Throws InputError naming the file and the place in it for an unknown key, a key that a primitive's type does not
+/// have, one that is missing, a value of another kind, and what `require_valid` refuses.
+SpecialShape read_special_shape(std::istream& in, const std::string& name);
+
+}  // namespace ripstop

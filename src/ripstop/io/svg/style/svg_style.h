@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ripstop/io/svg/style/svg_css.h"
+#include "ripstop/io/svg/style/svg_document.h"
+
+namespace ripstop {
+
+/// The declared values of an element's properties, by their names. Of those that say where a line is, whether it is
+/// seen, and what else is drawn of it; others are not kept.
+class SvgStyle {
+  public:
+    /// Empty where nothing is declared.
+    std::string_view operator[](std::string_view property) const;
+    bool is_declared(std::string_view property) const { return values_.find(property) != values_.end(); }
+    void set(const std::string& property, const std::string& value, long long priority);
+
+  private:
+    struct Value {
+        std::string text;
+        long long priority;
+    };
+    std::map<std::string, Value, std::less<>> values_;
+};
+
+/// A part of a style sheet that is not understood and may hide or move lines.
+struct SvgStyleDoubt {
+    std::string text;
+    long line = 0;
+};
+
+/// The style sheets of a drawing.
+class SvgStyles {
+  public:
+    explicit SvgStyles(const SvgDocument& document);
+
+    /// By the cascade of CSS: attributes of the element, rules by their specificity and order, its `style`, what is
+    /// `!important`. Declarations that browsers do not understand are left out: `r: -5px`, `transform: rotate(5)`,
+    /// `visibility: never`.
+    SvgStyle of(const pugi::xml_node& element) const;
+    const std::vector<SvgStyleDoubt>& doubts() const { return doubts_; }
+
+  private:
+    std::vector<CssRule> rules_;
+    std::vector<SvgStyleDoubt> doubts_;
+};
+
+}  // namespace ripstop

@@ -1,0 +1,337 @@
+#include "ripstop/mesh/change/mend.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+#include "ripstop/base/error.h"
+#include "ripstop/base/text/units.h"
+#include "ripstop/geometry/triangle.h"
+#include "ripstop/mesh/adjacency.h"
+#include "ripstop/mesh/change/coincident.h"
+#include "ripstop/mesh/disk.h"
+
+namespace ripstop {
+namespace {
+
+constexpr double no_edge = 1e-9;    // of a triangle's longest edge: its ends are one place
+constexpr double no_height = 1e-6;  // of the longest edge: the corner across lies on it
+constexpr double inside = 1e-3;     // of the longest edge: as far from its ends
+constexpr int most_rounds = 50;     // of needles that become needles again
+constexpr double tip_angle = 150 * degree;
+constexpr double tip_defect = 10 * degree;
+constexpr double narrower = 0.999;  // of a width: tips of just that width are all kept, however they are rounded
+
+bool is_disk(const TriangleMesh& mesh) {
+    try {
+        require_disk(mesh, Adjacency(mesh.triangles, mesh.vertex_count()), "");
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+/// The edge a triangle has no height over; -1: it has some.
+int needle_edge(const TriangleMesh& mesh, int triangle) {
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 a = mesh.corner(triangle, k), along = mesh.corner(triangle, (k + 1) % 3) - a;
+        const Vec3 to = mesh.corner(triangle, (k + 2) % 3) - a;
+        const double length = along.norm(), place = to.dot(along) / (length * length);
+        if (!(length > 0) || place < inside || place > 1 - inside) continue;
+        if (to.cross(along).norm() / length <= no_height * length) return k;
+    }
+    return -1;
+}
+
+bool has_needle(const TriangleMesh& mesh) {
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        if (needle_edge(mesh, t) >= 0) return true;
+    return false;
+}
+
+MendedMesh as_given(const TriangleMesh& mesh) {
+    MendedMesh result{mesh, std::vector<int>(static_cast<std::size_t>(mesh.vertex_count())),
+                      std::vector<int>(static_cast<std::size_t>(mesh.triangle_count()))};
+    std::iota(result.vertex.begin(), result.vertex.end(), 0);
+    std::iota(result.triangle.begin(), result.triangle.end(), 0);
+    result.becomes = result.vertex;
+    return result;
+}
+
+void note(MendedMesh& mended, int& count, const Vec3& place) {
+    if (!mended.any()) mended.place = place;
+    ++count;
+}
+
+/// Which vertex each one becomes.
+class Joined {
+  public:
+    explicit Joined(int count) : to_(static_cast<std::size_t>(count)) { std::iota(to_.begin(), to_.end(), 0); }
+    int operator()(int v) const {
+        while (to_[static_cast<std::size_t>(v)] != v) v = to_[static_cast<std::size_t>(v)];
+        return v;
+    }
+    bool join(int v, int w) {
+        const int a = (*this)(v), b = (*this)(w);
+        to_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        return a != b;
+    }
+
+  private:
+    std::vector<int> to_;
+};
+
+/// Leaves the triangles for which `stays` holds.
+template <class Stays>
+void keep_triangles(MendedMesh& mended, Stays&& stays) {
+    Eigen::Index kept = 0;
+    for (int t = 0; t < mended.mesh.triangle_count(); ++t) {
+        if (!stays(t)) continue;
+        mended.mesh.triangles.row(kept) = mended.mesh.triangles.row(t).eval();
+        mended.triangle[static_cast<std::size_t>(kept++)] = mended.triangle[static_cast<std::size_t>(t)];
+    }
+    mended.mesh.triangles.conservativeResize(kept, 3);
+    mended.triangle.resize(static_cast<std::size_t>(kept));
+}
+
+/// Puts each vertex in the place of its first, and drops the triangles that have one twice.
+void join(MendedMesh& mended, const Joined& joined) {
+    for (int& v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) v = joined(v);
+    for (int& v : mended.becomes) v = joined(v);
+    keep_triangles(mended, [&](int t) {
+        const auto row = mended.mesh.triangles.row(t);
+        const bool stays = row[0] != row[1] && row[1] != row[2] && row[2] != row[0];
+        if (!stays) note(mended, mended.flat, mended.mesh.positions.row(row[0]));
+        return stays;
+    });
+}
+
+void join_short_edges(MendedMesh& mended) {
+    const TriangleMesh& mesh = mended.mesh;
+    Joined joined(mesh.vertex_count());
+    bool any = false;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        double longest = 0;
+        for (int k = 0; k < 3; ++k)
+            longest = std::max(longest, (mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k)).norm());
+        for (int k = 0; k < 3; ++k) {
+            const int from = mesh.triangles(t, k), to = mesh.triangles(t, (k + 1) % 3);
+            if ((mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k)).norm() > no_edge * longest) continue;
+            any = true;
+            if (joined.join(from, to)) note(mended, mended.joined, mesh.corner(t, k));
+        }
+    }
+    if (any) join(mended, joined);
+}
+
+void join_places(MendedMesh& mended) {
+    const std::vector<int> first = first_in_place(mended.mesh.positions);
+    Joined joined(mended.mesh.vertex_count());
+    for (std::size_t v = 0; v < first.size(); ++v)
+        if (joined.join(static_cast<int>(v), first[v]))
+            note(mended, mended.joined, mended.mesh.positions.row(static_cast<Eigen::Index>(v)));
+    join(mended, joined);
+}
+
+void drop_doubled(MendedMesh& mended) {
+    std::set<std::array<int, 3>> seen;
+    keep_triangles(mended, [&](int t) {
+        std::array<int, 3> corners;
+        for (int k = 0; k < 3; ++k) corners[static_cast<std::size_t>(k)] = mended.mesh.triangles(t, k);
+        std::sort(corners.begin(), corners.end());
+        const bool is_new = seen.insert(corners).second;
+        if (!is_new) note(mended, mended.doubled, mended.mesh.corner(t, 0));
+        return is_new;
+    });
+}
+
+bool joins(const Adjacency& adjacency, int a, int b) {
+    const auto leads = [&](int from, int to) {
+        for (const int h : adjacency.outgoing(from))
+            if (adjacency.to(h) == to) return true;
+        return false;
+    };
+    return leads(a, b) || leads(b, a);
+}
+
+/// Mends needles that do not touch each other; true: there was one.
+bool mend_needles_once(MendedMesh& mended) {
+    TriangleMesh& mesh = mended.mesh;
+    const Adjacency adjacency(mesh.triangles, mesh.vertex_count());
+    std::vector<bool> touched(static_cast<std::size_t>(mesh.vertex_count()), false);
+    std::vector<bool> gone(static_cast<std::size_t>(mesh.triangle_count()), false);
+    bool any = false;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        const int k = needle_edge(mesh, t);
+        if (k < 0) continue;
+        const int h = 3 * t + k, twin = adjacency.twin(h);
+        const int a = adjacency.from(h), b = adjacency.to(h), c = adjacency.opposite(h);
+        const int d = twin >= 0 ? adjacency.opposite(twin) : c;
+        if (twin >= 0 && (c == d || joins(adjacency, c, d))) continue;
+        std::array<int, 4> round{a, b, c, d};
+        if (std::any_of(round.begin(), round.end(), [&](int v) { return touched[static_cast<std::size_t>(v)]; }))
+            continue;
+        for (const int v : round) touched[static_cast<std::size_t>(v)] = true;
+        note(mended, mended.flat, mesh.positions.row(c));
+        any = true;
+        if (twin < 0) {
+            gone[static_cast<std::size_t>(t)] = true;
+            continue;
+        }
+        const int beyond = Adjacency::triangle(twin);
+        mesh.triangles.row(t) << c, a, d;
+        mesh.triangles.row(beyond) << d, b, c;
+        mended.triangle[static_cast<std::size_t>(t)] = mended.triangle[static_cast<std::size_t>(beyond)];
+    }
+    if (any) keep_triangles(mended, [&](int t) { return !gone[static_cast<std::size_t>(t)]; });
+    return any;
+}
+
+void drop_unused_vertices(MendedMesh& mended) {
+    std::vector<int> number(mended.vertex.size(), -1);
+    for (const int v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) number[static_cast<std::size_t>(v)] = 0;
+    int count = 0;
+    for (std::size_t v = 0; v < number.size(); ++v) {
+        if (number[v] < 0) continue;
+        mended.mesh.positions.row(count) = mended.mesh.positions.row(static_cast<Eigen::Index>(v)).eval();
+        mended.vertex[static_cast<std::size_t>(count)] = mended.vertex[v];
+        number[v] = count++;
+    }
+    mended.mesh.positions.conservativeResize(count, 3);
+    mended.vertex.resize(static_cast<std::size_t>(count));
+    for (int& v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) v = number[static_cast<std::size_t>(v)];
+    for (int& v : mended.becomes) v = number[static_cast<std::size_t>(v)];
+}
+
+void count_unused(MendedMesh& mended) {
+    std::vector<bool> used(mended.vertex.size(), false);
+    for (const int v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) used[static_cast<std::size_t>(v)] = true;
+    for (std::size_t v = 0; v < used.size(); ++v)
+        if (!used[v]) note(mended, mended.unused, mended.mesh.positions.row(static_cast<Eigen::Index>(v)));
+}
+
+MendedMesh mended_of(const TriangleMesh& mesh, bool all_places) {
+    MendedMesh mended = as_given(mesh);
+    count_unused(mended);
+    join_short_edges(mended);
+    if (all_places) join_places(mended);
+    drop_doubled(mended);
+    for (int round = 0; round < most_rounds && mend_needles_once(mended); ++round) {
+    }
+    drop_unused_vertices(mended);
+    return mended;
+}
+
+/// The sum of the triangles' angles at each vertex.
+std::vector<double> angle_sums(const TriangleMesh& mesh) {
+    std::vector<double> angle(static_cast<std::size_t>(mesh.vertex_count()), 0);
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k)
+            angle[static_cast<std::size_t>(mesh.triangles(t, k))] +=
+                angle_at(mesh.corner(t, k), mesh.corner(t, (k + 1) % 3), mesh.corner(t, (k + 2) % 3));
+    return angle;
+}
+
+/// Does to a disk that was mended what `tips` says of its tips.
+void take_tips(MendedMesh& mended, MendedMesh&& tips) {
+    if (!tips.any()) return;
+    if (!mended.any()) mended.place = tips.place;
+    mended.welded += tips.welded;
+    mended.closed += tips.closed;
+    for (int& v : tips.vertex) v = mended.vertex[static_cast<std::size_t>(v)];
+    for (int& t : tips.triangle) t = mended.triangle[static_cast<std::size_t>(t)];
+    for (int& v : mended.becomes) v = v < 0 ? v : tips.becomes[static_cast<std::size_t>(v)];
+    mended.vertex = std::move(tips.vertex);
+    mended.triangle = std::move(tips.triangle);
+    mended.mesh = std::move(tips.mesh);
+}
+
+}  // namespace
+
+MendedMesh mend_mesh(const TriangleMesh& mesh, const MendOptions& options) {
+    const bool sound = is_disk(mesh);
+    MendedMesh mended = sound && !has_needle(mesh) ? as_given(mesh) : mended_of(mesh, false);
+    if (!is_disk(mended.mesh)) {
+        if (sound || mended.mesh.triangle_count() == 0) return as_given(mesh);
+        MendedMesh joined = mended_of(mesh, true);
+        if (!is_disk(joined.mesh)) return mended;
+        mended = std::move(joined);
+    }
+    if (options.keep_tips) return mended;
+    take_tips(mended, weld_tips(mended.mesh));
+    if (options.tip_width > 0) take_tips(mended, close_tips(mended.mesh, options.tip_width));
+    return mended;
+}
+
+MendedMesh weld_tips(const TriangleMesh& mesh) {
+    const Adjacency adjacency(mesh.triangles, mesh.vertex_count());
+    const std::vector<std::vector<int>> loops = boundary_loops(adjacency);
+    const std::vector<double> angle = angle_sums(mesh);
+    const std::vector<int>& loop = loops.front();
+    const std::size_t count = loop.size();
+    const auto at = [&](std::size_t i) -> Vec3 { return mesh.positions.row(loop[i % count]); };
+    const auto angle_of = [&](std::size_t i) { return angle[static_cast<std::size_t>(loop[i % count])]; };
+    const auto cracked = [&](std::size_t i) {  // a crack of one edge, its tip behind i
+        const double edge = std::min((at(i + 1) - at(i)).norm(), (at(i + 2) - at(i + 1)).norm());
+        return (at(i + 2) - at(i)).norm() <= no_height * edge;
+    };
+    MendedMesh mended = as_given(mesh);
+    Joined joined(mesh.vertex_count());
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!cracked(i) || cracked(i + count - 2)) continue;  // the first crack of a tip
+        std::size_t last = i;
+        double sum = angle_of(i);
+        bool flat = true;
+        for (; cracked(last) && last < i + count; last += 2) {
+            sum += angle_of(last + 2);
+            flat = flat && std::abs(angle_of(last + 1) - 2 * std::numbers::pi) <= tip_defect;
+        }
+        if (last + 2 >= i + count || sum >= tip_angle || !flat) continue;
+        for (std::size_t k = i; k < last; k += 2)
+            if (joined.join(loop[k % count], loop[(k + 2) % count])) note(mended, mended.welded, at(k));
+    }
+    if (mended.welded == 0) return mended;
+    join(mended, joined);
+    drop_unused_vertices(mended);
+    return is_disk(mended.mesh) ? mended : as_given(mesh);
+}
+
+MendedMesh close_tips(const TriangleMesh& mesh, double width) {
+    const std::vector<int> loop = boundary_loops(Adjacency(mesh.triangles, mesh.vertex_count())).front();
+    const std::vector<double> angle = angle_sums(mesh);
+    const std::size_t count = loop.size();
+    const auto vertex = [&](std::size_t i) { return static_cast<std::size_t>(loop[i % count]); };
+    const auto edge = [&](std::size_t i) -> Vec3 {
+        return mesh.positions.row(loop[(i + 1) % count]) - mesh.positions.row(loop[i % count]);
+    };
+    MendedMesh mended = as_given(mesh);
+    Joined joined(mesh.vertex_count());
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 before = edge(i + count - 1);
+        std::size_t end = i;
+        double length = 0, angles = angle[vertex(i)];
+        const double most = std::min(narrower * width, before.norm() / 10);
+        for (; end < i + count - 3 && length + edge(end).norm() <= most; ++end) {
+            length += edge(end).norm();
+            angles += angle[vertex(end + 1)];
+        }
+        if (end == i || 10 * length > edge(end).norm()) continue;
+        const bool turns_left = angles < static_cast<double>(end - i + 1) * std::numbers::pi;
+        if (!turns_left || before.dot(edge(end)) >= 0) continue;
+        for (std::size_t k = i + 1; k <= end; ++k) joined.join(loop[k % count], loop[i % count]);
+        note(mended, mended.closed, mesh.positions.row(loop[i % count]));
+        mended.mesh.positions.row(joined(loop[i % count])) =
+            (mesh.positions.row(loop[i % count]) + mesh.positions.row(loop[end % count])) / 2;
+    }
+    if (mended.closed == 0) return mended;
+    join(mended, joined);
+    drop_unused_vertices(mended);
+    mended.flat = 0;  // its triangles went with the tip
+    return is_disk(mended.mesh) ? mended : as_given(mesh);
+}
+
+}  // namespace ripstop

@@ -1,0 +1,61 @@
+#include "ripstop/model/tile/seam_sheets.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ripstop {
+
+std::vector<std::vector<SeamSheet>> sheets_of_seams(const std::vector<Seam>& seams) {
+    std::vector<std::vector<SeamSheet>> sheets(seams.size());
+    for (std::size_t s = 0; s < seams.size(); ++s) {
+        const Seam& seam = seams[s];
+        if (seam.into) {
+            sheets[static_cast<std::size_t>(seam.into->seam)].push_back(
+                {&seam, &seam.a, seam.into->from, seam.into->from + seam.length, seam.into->backwards});
+            continue;
+        }
+        sheets[s].push_back({&seam, &seam.a, 0, seam.length, false});
+        sheets[s].push_back({&seam, &seam.b, 0, seam.length, true});
+    }
+    return sheets;
+}
+
+std::vector<SeamPart> parts_between(const SeamSheet& sheet, double from, double to) {
+    const double smallest = 1e-9 * (sheet.to - sheet.from);  // rounding leaves no part of its own
+    std::vector<SeamPart> parts;
+    double at = 0;  // along the parts
+    const double low = sheet.backwards ? sheet.to - to : from - sheet.from;
+    const double high = sheet.backwards ? sheet.to - from : to - sheet.from;
+    for (const SeamPart& part : sheet.side->parts) {
+        const double shared = std::min(high, at + part.length) - std::max(low, at);
+        const bool is_whole = shared >= part.length - smallest;
+        if (shared > smallest) parts.push_back({part.edge, is_whole ? part.length : shared});
+        at += part.length;
+    }
+    return parts;
+}
+
+std::vector<char> find_inner_sheets(int tiles, const std::vector<Seam>& seams) {
+    std::vector<std::size_t> group(static_cast<std::size_t>(tiles));
+    std::iota(group.begin(), group.end(), std::size_t{0});
+    const auto root = [&](int tile) {
+        auto i = static_cast<std::size_t>(tile);
+        while (group[i] != i) i = group[i] = group[group[i]];
+        return i;
+    };
+    for (const Seam& seam : seams)
+        if (!seam.into) group[root(seam.a.tile)] = root(seam.b.tile);
+    std::vector<double> hangs(group.size(), 0), carries(group.size(), 0);  // [m]
+    for (const Seam& seam : seams) {
+        if (!seam.into) continue;
+        const std::size_t sheet = root(seam.a.tile), skin = root(seam.b.tile);
+        if (sheet == skin) continue;
+        hangs[sheet] += seam.length;
+        carries[skin] += seam.length;
+    }
+    std::vector<char> is_inner;
+    for (int t = 0; t < tiles; ++t) is_inner.push_back(hangs[root(t)] > 0 && hangs[root(t)] >= carries[root(t)]);
+    return is_inner;
+}
+
+}  // namespace ripstop

@@ -1,0 +1,382 @@
+#include "ripstop/pipeline/remesh/remesh_envelope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "ripstop/assembly/seams/find_seams.h"
+#include "ripstop/base/error.h"
+#include "ripstop/base/parallel.h"
+#include "ripstop/base/text/number_text.h"
+#include "ripstop/measure/equal_tiles.h"
+#include "ripstop/model/tile/seam_sheets.h"
+#include "ripstop/pipeline/remesh/copied_mesh.h"
+#include "ripstop/pipeline/remesh/new_boundaries.h"
+#include "ripstop/remesh/facet_row.h"
+#include "ripstop/remesh/mesh_state.h"
+#include "ripstop/remesh/remesh_tile.h"
+
+namespace ripstop {
+namespace {
+
+constexpr double most_triangles = 5e6;   // of the envelope, by length
+constexpr double fewest_triangles = 24;  // of a tile, by length
+constexpr int most_rounds = 4;
+constexpr int most_meshings = 3;  // of a tile whose neighbours do not come out: then it keeps its mesh as they do
+
+/// What is to become of a tile, and what became of it.
+struct Job {
+    double edge_length = 0;  ///< 0: it stays
+    std::optional<MeshFault> fault;
+    double turn_max = 0;
+    double area = 0;       ///< of the input's triangles [m2]
+    double perimeter = 0;  ///< of the input's boundary edges [m]
+    std::string failure;
+    NewBoundary boundary;
+    std::optional<Tile> made;
+    double distance_max = 0;  ///< of it from the input's triangles [m]
+};
+
+/// Triangles a tile: a thousand, fewer where the tiles are so many that sewing and inflating them would take minutes.
+double fewest_of(std::size_t tiles) {
+    return std::clamp(100000 / static_cast<double>(tiles), 250.0, 1000.0);
+}
+
+/// A row of facets with a fine boundary needs no other mesh: it unrolls without strain however long and narrow its
+/// triangles are, and its creases are straight on the cloth too.
+bool unrolls_as_drawn(const Tile& tile, const MeshState& state, const MeshFault& fault, double length_tolerance) {
+    return fault.kind != MeshFault::too_fine && !state.has_coarse_boundary(length_tolerance) &&
+           FacetRow::find(tile, Adjacency(tile.mesh.triangles, tile.mesh.vertex_count()), {}).has_value();
+}
+
+std::vector<Job> find_jobs(const std::vector<Tile>& tiles, const RemeshOptions& options) {
+    std::vector<Job> jobs(tiles.size());
+    const double fewest = fewest_of(tiles.size());
+    parallel_for(static_cast<int>(tiles.size()), options.threads, [&](int t) {
+        const Tile& tile = tiles[static_cast<std::size_t>(t)];
+        const MeshState state = measure_mesh(tile);
+        Job& job = jobs[static_cast<std::size_t>(t)];
+        job.turn_max = state.turn_max;
+        job.area = state.area;
+        job.perimeter = edge_lengths(tile.mesh.positions, closed(tile.boundary)).sum();
+        if (options.mode == RemeshMode::by_length) {
+            job.edge_length = std::min(options.edge_length, edge_of(state.area, fewest_triangles));
+            return;
+        }
+        job.fault = find_fault(state, options.length_tolerance, fewest);
+        if (job.fault && unrolls_as_drawn(tile, state, *job.fault, options.length_tolerance)) job.fault.reset();
+        if (!job.fault) return;
+        if (job.fault->kind != MeshFault::too_fine && state.is_jagged())
+            job.failure = "the boundary was cut along the edges of a mesh, with a corner at every few vertices";
+        else
+            job.edge_length = needed_edge(state, fewest);
+    });
+    return jobs;
+}
+
+/// Equal tiles that need it are remeshed at one length: that of the first of them.
+void treat_alike(const std::vector<Tile>& tiles, const std::vector<Likeness>& likeness, std::vector<Job>& jobs) {
+    for (std::size_t t = 0; t < jobs.size(); ++t) {
+        if (likeness[t].to < 0) continue;
+        const Job& first = jobs[static_cast<std::size_t>(likeness[t].to)];
+        const TriangleMesh &one = tiles[static_cast<std::size_t>(likeness[t].to)].mesh, &other = tiles[t].mesh;
+        const bool same_mesh =
+            one.vertex_count() == other.vertex_count() && one.triangle_count() == other.triangle_count();
+        if (!same_mesh && (first.edge_length == 0 || jobs[t].edge_length == 0)) continue;
+        jobs[t].edge_length = first.edge_length;
+        jobs[t].fault = first.fault;
+    }
+}
+
+bool leaves_open(const Seam& seam, const RemeshOptions& options) {
+    return seam.uncertainty > options.length_tolerance * seam.length;
+}
+bool leaves_any_open(const std::vector<Seam>& seams, const RemeshOptions& options) {
+    return std::any_of(seams.begin(), seams.end(), [&](const Seam& seam) { return leaves_open(seam, options); });
+}
+
+/// A tile that would stay, flat perhaps, is remeshed with those beside it where their seam is a polyline too coarse to
+/// say whether it or the curve through it is meant: both sides take the curve.
+void take_coarse_neighbours(const std::vector<Tile>& tiles, const FoundSeams& found, const RemeshOptions& options,
+                            std::vector<Job>& jobs) {
+    if (options.mode != RemeshMode::automatic) return;
+    const std::vector<bool> coarse = find_coarse_seams(tiles, found, options.length_tolerance);
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t s = 0; s < coarse.size(); ++s) {
+            auto one = static_cast<std::size_t>(found.seams[s].a.tile);
+            auto other = static_cast<std::size_t>(found.seams[s].b.tile);
+            if (jobs[one].edge_length > 0) std::swap(one, other);
+            if (!jobs[one].failure.empty()) continue;
+            const bool is_open = leaves_open(found.seams[s], options);
+            if (!coarse[s] || jobs[one].edge_length > 0 || (jobs[other].edge_length == 0 && !is_open)) continue;
+            const MeshState state = measure_mesh(tiles[one]);
+            jobs[one].edge_length = needed_edge(state, fewest_of(tiles.size()));
+            jobs[one].fault = MeshFault{MeshFault::turns, state.turn_max};
+            changed = true;
+        }
+    }
+}
+
+void require_length(const std::vector<Tile>& tiles, const RemeshOptions& options) {
+    if (options.mode != RemeshMode::by_length) return;
+    const std::string length = format_shortest(options.edge_length / millimetre) + " mm";
+    if (!can_remesh())
+        throw InputError("--remesh " + length +
+                         ": this program was built without CGAL, which meshes tiles anew; give "
+                         "--remesh never, or build with -DRIPSTOP_CGAL=ON");
+    if (!(options.edge_length > 0) || !std::isfinite(options.edge_length))
+        throw InputError("--remesh " + length + ": give a length above 0");
+    double area = 0;
+    for (const Tile& tile : tiles) area += surface_area(tile.mesh);
+    const double triangles = area / (std::sqrt(3.0) / 4 * options.edge_length * options.edge_length);
+    if (triangles > most_triangles)
+        throw InputError("--remesh " + length + ": that makes about " + format_fixed(triangles / 1e6, 0) +
+                         " million triangles; give a length above " +
+                         format_fixed(std::ceil(edge_of(area, most_triangles) / millimetre), 0) + " mm");
+}
+
+bool same_boundary(const NewBoundary& a, const NewBoundary& b) {
+    return std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(),
+                      [](const BoundaryNode& p, const BoundaryNode& q) {
+                          return p.position == q.position && p.length == q.length && p.place.edge == q.place.edge &&
+                                 p.place.share == q.place.share;
+                      });
+}
+
+/// Makes the meshes that are not there yet. A tile whose mesh does not come out stays as it was.
+void make_meshes(const std::vector<Tile>& tiles, const std::vector<Likeness>& likeness, std::vector<Job>& jobs,
+                 int threads) {
+    std::vector<int> firsts, copies;
+    for (std::size_t t = 0; t < jobs.size(); ++t) {
+        if (jobs[t].edge_length == 0 || jobs[t].made) continue;
+        const Likeness& like = likeness[t];
+        const bool copy = like.to >= 0 && jobs[static_cast<std::size_t>(like.to)].edge_length > 0;
+        (copy ? copies : firsts).push_back(static_cast<int>(t));
+    }
+    const auto make = [&](int t) {
+        Job& job = jobs[static_cast<std::size_t>(t)];
+        const Tile& tile = tiles[static_cast<std::size_t>(t)];
+        try {
+            const Likeness& like = likeness[static_cast<std::size_t>(t)];
+            const Job* first = like.to < 0 ? nullptr : &jobs[static_cast<std::size_t>(like.to)];
+            if (first && first->made) job.made = copied_mesh(tile, job.boundary, *first->made, first->boundary, like);
+            if (job.made) job.distance_max = first->distance_max;
+            if (job.made) return;
+            RemeshedTile made = remesh_tile(tile, job.boundary, job.edge_length);
+            job.made = std::move(made.tile);
+            job.distance_max = made.distance_max;
+        } catch (const std::exception& error) {
+            job.failure = error.what();
+        }
+    };
+    for (const std::vector<int>* list : {&firsts, &copies})
+        parallel_for(static_cast<int>(list->size()), threads,
+                     [&](int k) { make((*list)[static_cast<std::size_t>(k)]); });
+}
+
+/// The chains of all sheets of a seam, by tile: of several sheets on an edge outlines do not tell who is the skin.
+using SeamPlace = std::vector<std::pair<int, int>>;
+
+std::vector<std::pair<SeamPlace, double>> places_of(const std::vector<Seam>& seams) {
+    std::vector<std::pair<SeamPlace, double>> places;
+    for (const std::vector<SeamSheet>& sheets : sheets_of_seams(seams)) {
+        if (sheets.empty()) continue;
+        SeamPlace place;
+        for (const SeamSheet& sheet : sheets) place.emplace_back(sheet.side->tile, sheet.side->chain);
+        std::sort(place.begin(), place.end());
+        places.emplace_back(std::move(place), sheets.front().record->length);
+    }
+    return places;
+}
+
+/// The tiles whose seams are not found again. A seam more within a tile is none: it lies at a tip, where the sides of
+/// an outline have no cloth between them.
+std::set<int> tiles_with_other_seams(const std::vector<Tile>& tiles, const std::vector<Seam>& seams, double tolerance) {
+    std::map<SeamPlace, std::vector<double>> missing;
+    for (const auto& [place, length] : places_of(seams)) missing[place].push_back(length);
+    std::set<int> concerned;
+    const auto add = [&](const SeamPlace& place) {
+        for (const auto& [tile, chain] : place) concerned.insert(tile);
+    };
+    for (const auto& [place, found] : places_of(find_seams(tiles, {tolerance}).seams)) {
+        std::vector<double>& lengths = missing[place];
+        const auto same = std::find_if(lengths.begin(), lengths.end(), [&, found = found](double length) {
+            return std::abs(length - found) < std::max(4 * tolerance, 0.01 * length);
+        });
+        if (same != lengths.end())
+            lengths.erase(same);
+        else if (place.front().first != place.back().first)
+            add(place);
+    }
+    for (const auto& [place, lengths] : missing)
+        if (!lengths.empty()) add(place);
+    return concerned;
+}
+
+void give_up(Job& job) {
+    job.edge_length = 0;
+    job.made.reset();
+}
+
+/// True: a tile failed, and what its neighbours are to look like has changed.
+bool give_up_failed(std::vector<Job>& jobs) {
+    bool any = false;
+    for (Job& job : jobs) {
+        if (job.edge_length == 0 || job.failure.empty()) continue;
+        give_up(job);
+        any = true;
+    }
+    return any;
+}
+
+bool any_left(const std::vector<Job>& jobs) {
+    return std::any_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.edge_length > 0; });
+}
+
+/// The tiles of `lost` that are to be remeshed; where none of them is, the neighbours of those that are lost, at last
+/// all.
+std::set<int> concerned_jobs(const std::vector<Job>& jobs, const std::vector<Seam>& seams, const std::set<int>& lost) {
+    std::set<int> jobs_lost, beside, all;
+    for (std::size_t t = 0; t < jobs.size(); ++t) {
+        if (jobs[t].edge_length == 0) continue;
+        all.insert(static_cast<int>(t));
+        if (lost.contains(static_cast<int>(t))) jobs_lost.insert(static_cast<int>(t));
+    }
+    for (const Seam& seam : seams)
+        for (const auto& [one, other] : {std::pair(seam.a.tile, seam.b.tile), std::pair(seam.b.tile, seam.a.tile)})
+            if (lost.contains(one) && all.contains(other)) beside.insert(other);
+    return !jobs_lost.empty() ? jobs_lost : !beside.empty() ? beside : all;
+}
+
+/// Divides the boundaries and looks whether the seams between them are still the same, with fewer tiles each time until
+/// they are: seams are found from the boundaries alone, so nothing needs to be meshed to know.
+NewBoundaries settle_boundaries(const std::vector<Tile>& tiles, const FoundSeams& found, std::vector<Job>& jobs,
+                                const RemeshOptions& options) {
+    for (int round = 0;; ++round) {
+        std::vector<double> edge_lengths;
+        for (const Job& job : jobs) edge_lengths.push_back(job.edge_length);
+        NewBoundaries plan =
+            divide_boundaries(tiles, found, edge_lengths, options.length_tolerance, options.seam_tolerance);
+        if (!any_left(jobs)) return plan;
+        std::vector<Tile> outlines;
+        for (std::size_t t = 0; t < tiles.size(); ++t)
+            outlines.push_back(jobs[t].edge_length > 0 ? outline_tile(tiles[t], plan.tiles[t]) : tiles[t]);
+        const std::set<int> lost = tiles_with_other_seams(outlines, plan.seams, options.seam_tolerance);
+        if (lost.empty()) return plan;
+        const std::set<int> concerned = concerned_jobs(jobs, found.seams, round < most_rounds ? lost : std::set<int>());
+        for (const int t : concerned) jobs[static_cast<std::size_t>(t)].failure = "the seams would not be found again";
+        give_up_failed(jobs);
+    }
+}
+
+/// Divides, meshes, and begins again without the tiles whose mesh did not come out.
+void remesh(Envelope& envelope, const FoundSeams& found, const std::vector<Likeness>& likeness, std::vector<Job>& jobs,
+            const RemeshOptions& options) {
+    for (int round = 0; any_left(jobs); ++round) {
+        NewBoundaries plan = settle_boundaries(envelope.tiles, found, jobs, options);
+        for (std::size_t t = 0; t < jobs.size(); ++t) {
+            if (!same_boundary(jobs[t].boundary, plan.tiles[t])) jobs[t].made.reset();
+            jobs[t].boundary = std::move(plan.tiles[t]);
+            if (round >= most_meshings && jobs[t].edge_length > 0 && !jobs[t].made)
+                jobs[t].failure = "its neighbours could not be";
+        }
+        if (give_up_failed(jobs)) continue;
+        make_meshes(envelope.tiles, likeness, jobs, options.threads);
+        if (give_up_failed(jobs)) continue;
+        for (std::size_t t = 0; t < jobs.size(); ++t)
+            if (jobs[t].made) envelope.tiles[t] = *jobs[t].made;
+        if (any_left(jobs)) envelope.seams = std::move(plan.seams);
+        return;
+    }
+}
+
+std::string tiles_text(const std::vector<std::string>& names) {
+    return names.size() == 1 ? "tile " + names.front() : std::to_string(names.size()) + " tiles";
+}
+
+/// How far the new triangles are from the input's.
+std::string deviation_text(double gain, double distance) {
+    return format_fixed(std::abs(gain) / percent, 3) + " % " + (gain < 0 ? "less" : "more") +
+           " area than as drawn, up to " + format_fixed(distance / millimetre, 1) + " mm from it";
+}
+
+/// A sentence for each kind of fault and outcome.
+std::vector<std::string> remarks_of(const std::vector<Tile>& tiles, const std::vector<Job>& jobs) {
+    struct Group {
+        std::vector<std::string> names;
+        double shortest = 0, longest = 0;
+        double area_before = 0, area_after = 0, distance_max = 0;
+        std::optional<MeshFault> fault;
+    };
+    std::map<std::tuple<std::string, int>, Group> groups;
+    for (std::size_t t = 0; t < jobs.size(); ++t) {
+        const Job& job = jobs[t];
+        if (!job.made && job.failure.empty()) continue;
+        Group& group = groups[{job.failure, job.fault ? job.fault->kind : -1}];
+        group.shortest = group.names.empty() ? job.edge_length : std::min(group.shortest, job.edge_length);
+        group.longest = std::max(group.longest, job.edge_length);
+        if (job.fault && (!group.fault || group.fault->value < job.fault->value)) group.fault = job.fault;
+        group.names.push_back(tiles[t].name);
+        group.area_before += job.area;
+        group.area_after += job.made ? surface_area(job.made->mesh) : job.area;
+        group.distance_max = std::max(group.distance_max, job.distance_max);
+    }
+    std::vector<std::string> remarks;
+    for (const auto& [key, group] : groups) {
+        const std::string& failure = std::get<0>(key);
+        const std::string low = format_fixed(group.shortest / millimetre, 0);
+        const std::string high = format_fixed(group.longest / millimetre, 0);
+        const std::string why = group.fault ? ": " + group.fault->text() : std::string(", as asked");
+        if (failure.empty())
+            remarks.push_back(tiles_text(group.names) + " remeshed at " + (low == high ? "" : low + " to ") + high +
+                              " mm" + why + "; " +
+                              deviation_text(group.area_after / group.area_before - 1, group.distance_max));
+        else
+            remarks.push_back(tiles_text(group.names) + " not remeshed" + why + ", but " + failure);
+    }
+    return remarks;
+}
+
+}  // namespace
+
+std::vector<std::string> remesh_envelope(Envelope& envelope, const RemeshOptions& options) {
+    if (options.mode == RemeshMode::never) return {};
+    require_length(envelope.tiles, options);
+    std::vector<Job> jobs = find_jobs(envelope.tiles, options);
+    if (!any_left(jobs) && (options.mode != RemeshMode::automatic || !leaves_any_open(envelope.seams, options)))
+        return remarks_of(envelope.tiles, jobs);
+    if (!can_remesh()) {
+        for (Job& job : jobs)
+            if (job.edge_length > 0) job.failure = "this program was built without CGAL";
+        return remarks_of(envelope.tiles, jobs);
+    }
+    FoundSeams found;
+    try {
+        found = find_seams(envelope.tiles, {options.seam_tolerance});
+    } catch (
+        const InputError&) {  // the tiles are too small to have seams: `check_envelope` names the unit that is meant
+        return {};
+    }
+    take_coarse_neighbours(envelope.tiles, found, options, jobs);
+    std::vector<int> before;
+    for (const Tile& tile : envelope.tiles) before.push_back(tile.mesh.triangle_count());
+    const std::vector<Likeness> likeness = find_equal_tiles(envelope.tiles);
+    treat_alike(envelope.tiles, likeness, jobs);
+    remesh(envelope, found, likeness, jobs, options);
+    for (std::size_t t = 0; t < jobs.size(); ++t)
+        if (jobs[t].made)
+            envelope.tiles[t].remeshed = {jobs[t].fault ? jobs[t].fault->text() : "asked for",
+                                          before[t],
+                                          jobs[t].edge_length,
+                                          jobs[t].turn_max,
+                                          jobs[t].area,
+                                          jobs[t].perimeter,
+                                          jobs[t].distance_max};
+    return remarks_of(envelope.tiles, jobs);
+}
+
+}  // namespace ripstop

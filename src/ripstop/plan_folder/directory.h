@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ripstop/io/piece_format.h"
+#include "ripstop/model/piece/pattern_piece.h"
+#include "ripstop/model/plan/cut_plan.h"
+#include "ripstop/model/plan/strain_map.h"
+#include "ripstop/plan_folder/whole_directory.h"
+
+namespace ripstop {
+
+struct DirectoryOptions {
+    bool force = false;                      ///< replace what stands in a directory that is not empty
+    bool reproducible = false;               ///< leave `seconds` out of report.json: the same bytes on every run
+    bool pictures = true;                    ///< pictures/NAME.svg, one a tile, and pictures/seams.svg
+    bool png = false;                        ///< beside them the PNG pictures of `write_png_pictures`
+    int threads = 0;                         ///< to make these (0: one a core)
+    std::vector<std::string> warnings = {};  ///< for report.json and report.html
+    std::vector<std::string> formats = {"dxf", "svg", "pdf"};  ///< of the cut files: names of `piece_formats`
+    PieceFileOptions files = {};                               ///< how they are written
+};
+
+/// Writes the whole cut plan as `dir`: report.json, report.html (`html_report`, with the maps of `strains`), tiles.csv,
+/// seams.csv, bom.csv, flat/NAME.obj with flat/sewing.json
+/// (where every tile has flat positions), cut/ (`write_cut_files`) with pieces.json, pictures/NAME.svg, and inflated/envelope.obj where it was inflated. NAME is the tile's `file` in
+/// report.json. Tiles without flat positions have no OBJ and, made by nobody, no piece. All or nothing, as
+/// `write_whole_directory` does and throws; under `force` the old plan is replaced, and files in it that no plan has are kept.
+void write_directory(const std::filesystem::path& dir, const CutPlan& plan, const PieceSet& pieces,
+                     const DirectoryOptions& options = {}, const std::vector<StrainMap>& strains = {});
+
+}  // namespace ripstop

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "ripstop/model/plan/cut_plan.h"
+
+namespace ripstop {
+
+/// From the cloth [m, y up] to the page [its units, y down].
+struct PageView {
+    double scale = 1;
+    Vec2 origin = Vec2::Zero();  ///< of the cloth, on the page
+
+    Vec2 at(const Vec2& p) const { return {origin.x() + scale * p.x(), origin.y() - scale * p.y()}; }
+};
+
+/// The triangles of a flat tile as SVG, each in the colour (`class_colour`) of the mean |edge length on the cloth / in space
+/// - 1| of its edges, a ratio, against `limit`; flipped ones black. At most one path a colour, so about 30 bytes a triangle.
+/// Requires a tile that is drawable (`is_drawable`).
+std::string cloth_map(const FlatTile& tile, const PageView& view, double limit);
+
+/// Mean |edge length on the cloth / in space - 1| of the edges of a triangle.
+double mean_edge_error(const FlatTile& tile, int triangle);
+
+}  // namespace ripstop

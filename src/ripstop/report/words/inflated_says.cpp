@@ -1,0 +1,184 @@
+#include "ripstop/report/words/inflated_says.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ripstop/base/text/units.h"
+#include "ripstop/report/figures/figures.h"
+
+namespace ripstop {
+namespace {
+
+using Sentences = std::vector<std::string>;
+
+std::string in_mm(double length) {
+    return shown(length / millimetre, std::abs(length) < 9.95 * millimetre ? 1 : 0) + " mm";
+}
+
+void say_rest(const Inflated& inflated, Sentences& says) {
+    if (inflated.summary.termination != Termination::converged)
+        says.push_back("The inflation did not come to rest (" + inflated.summary.text() +
+                       "): do not trust what follows.");
+    else if (inflated.force_residual > 1e-3)
+        says.push_back("It rests but for wrinkles that come and go: " + inflated.summary.reason + ".");
+    if (inflated.summary.termination == Termination::converged && !inflated.is_stable)
+        says.push_back("The shape found is not stable: a push takes it to another.");
+    constexpr double unbalanced = 0.01;
+    if (std::abs(inflated.imbalance) > unbalanced)
+        says.push_back("Lift, weight and what holds it down differ by " + shown(inflated.imbalance / percent, 1) +
+                       " %: finer triangles would make the figures surer.");
+}
+
+/// `isotropic` is there to compare methods with, and the default of `flatten`.
+void say_cloth(const CutPlan& plan, Sentences& says) {
+    const std::vector<Fabric> fabrics = plan.fabrics();
+    if (std::any_of(fabrics.begin(), fabrics.end(), [](const Fabric& fabric) { return fabric.name == "isotropic"; }))
+        says.push_back(
+            "No cloth was named: this is \"isotropic\", a stand-in many times softer than any. Flatten with --fabric, "
+            "such as "
+            "nylon, before you believe what follows.");
+}
+
+void say_deviation(const Inflated& inflated, Sentences& says) {
+    const double limit = deviation_limit(inflated), rms = inflated.off.rms, most = std::abs(inflated.off.max);
+    const std::string share = shown(deviation_share / percent, 1) + " % of its height (" + in_mm(limit) + ")",
+                      worst = in_mm(most) + (inflated.off.max < 0 ? " inside it" : " outside it");
+    if (rms > limit)
+        says.push_back("Inflated it is more than " + share + " off the drawn shape: " + in_mm(rms) +
+                       " (root mean square), at most " + worst + ".");
+    else if (most > limit)
+        says.push_back("Inflated it is on the whole within " + share + " of the drawn shape, " + in_mm(rms) +
+                       " off (root mean square), but up to " + worst + " in places.");
+    else
+        says.push_back("Inflated it is everywhere within " + share + " of the drawn shape: " + in_mm(rms) +
+                       " off (root mean square), at most " + worst + ".");
+}
+
+void say_causes(const CutPlan& plan, Sentences& says) {
+    const Inflated& inflated = *plan.inflated;
+    const double limit = deviation_limit(inflated);
+    if (inflated.causes) {
+        const Causes& causes = *inflated.causes;
+        const std::string bare =
+            "cut without error from cloth that does not stretch it would be " + in_mm(causes.shape) + " off.";
+        if (!(causes.shape > limit))
+            says.push_back("Gas pressure can hold this shape: " + bare);
+        else if (is_corrected(plan) && inflated.off.moved_rms <= limit)
+            says.push_back("As drawn, gas pressure could not hold this shape: even " + bare +
+                           " The corrected patterns make up for it.");
+        else
+            says.push_back("This shape cannot be held by gas pressure: even " + bare);
+        if (is_corrected(plan) && inflated.off.moved_rms <= limit)
+            ;  // what was wanted of the pieces is not the drawing
+        else if (!std::isfinite(causes.patterns))
+            says.push_back("What the patterns do to it is not known: what they were corrected to is not at hand.");
+        else
+            says.push_back(std::string("The patterns are ") + (causes.patterns > limit ? "wrong" : "right") +
+                           ": their errors move it by " + in_mm(causes.patterns) + ".");
+        if (!is_corrected(plan))
+            says.push_back(causes.stretch > limit
+                               ? "Stretch of the cloth and the run of its tapes make it " + in_mm(causes.stretch) +
+                                     " off: cut with --compensate."
+                               : "The stretch of cloth and tapes moves it by " + in_mm(causes.stretch) + ".");
+    }
+    const auto best =
+        std::find_if(inflated.rounds.begin(), inflated.rounds.end(), [](const auto& each) { return each.is_best; });
+    if (inflated.rounds.size() > 1 && best != inflated.rounds.end())
+        says.push_back("Correcting the patterns brought it from " + in_mm(inflated.rounds.front().off.moved_rms) +
+                       " to " + in_mm(best->off.moved_rms) + " from the drawn places (root mean square).");
+}
+
+void say_lift(const Inflated& inflated, Sentences& says) {
+    const Air& air = inflated.load.air;
+    says.push_back(fmt::format("At {} C inside and {} C outside, {} m up, it carries {} kg beside itself ({} N).",
+                               shown(air.inside, 0), shown(air.outside, 0), shown(air.altitude, 0),
+                               shown(inflated.lift / gravity, 0), shown(inflated.lift, 0)));
+}
+
+void say_weakness(const Inflated& inflated, Sentences& says) {
+    for (const SafetyFactor& each : inflated.safety)
+        if (!each.ok())
+            says.push_back(fmt::format("Too weak: {}, factor {} where {:g} is asked ({}).", each.part,
+                                       shown(each.factor, 2), each.required, each.where));
+}
+
+void say_strength(const Inflated& inflated, Sentences& says) {
+    if (inflated.safety.empty() || !inflated.is_safe()) return;
+    const SafetyFactor& least = *std::min_element(
+        inflated.safety.begin(), inflated.safety.end(),
+        [](const SafetyFactor& a, const SafetyFactor& b) { return a.factor / a.required < b.factor / b.required; });
+    says.push_back(fmt::format("Strong enough; the least margin: {}, factor {} where {:g} is asked ({}).", least.part,
+                               shown(least.factor, 2), least.required, least.where));
+}
+
+/// Each on its own: shrinkage in the two directions and take-up, with how many tiles have them.
+void say_compensation(const CutPlan& plan, Sentences& says) {
+    const auto say = [&](const std::string& what, const auto& value_of) {
+        double least = 0, most = 0;
+        int count = 0;
+        for (const FlatTile& tile : plan.tiles) {
+            const double value = value_of(tile.tile.compensation);
+            if (value == 0) continue;
+            least = count == 0 ? value : std::min(least, value);
+            most = count == 0 ? value : std::max(most, value);
+            ++count;
+        }
+        if (count == 0) return;
+        const std::string range =
+            least == most ? shown(least / percent, 2) : shown(least / percent, 2) + " to " + shown(most / percent, 2);
+        says.push_back(fmt::format("{} of {} tiles {} cut longer for {}: {} %.", count, plan.tiles.size(),
+                                   count == 1 ? "is" : "are", what, range));
+    };
+    say("shrinkage along the warp", [](const Compensation& longer) { return longer.warp; });
+    say("shrinkage along the weft", [](const Compensation& longer) { return longer.weft; });
+    say("take-up of the seams", [](const Compensation& longer) {
+        return longer.chains.empty() ? 0.0 : *std::max_element(longer.chains.begin(), longer.chains.end());
+    });
+}
+
+void say_wrinkles(const Inflated& inflated, Sentences& says) {
+    constexpr double worth_saying = 0.005;
+    if (inflated.wrinkled < worth_saying && inflated.slack < worth_saying) return;
+    says.push_back(fmt::format("Of the cloth {} % is wrinkled and {} % slack.", shown(inflated.wrinkled / percent, 1),
+                               shown(inflated.slack / percent, 1)));
+}
+
+}  // namespace
+
+double deviation_limit(const Inflated& inflated) {
+    return deviation_share * inflated.drawn_height;
+}
+
+bool is_corrected(const CutPlan& plan) {
+    return plan.is_compensated || (plan.inflated && plan.inflated->rounds.size() > 1);
+}
+
+Sentences inflated_says(const CutPlan& plan) {
+    const Inflated& inflated = *plan.inflated;
+    if (!inflated.summary.usable()) return {"The inflation failed: " + inflated.summary.reason + "."};
+    Sentences says;
+    say_cloth(plan, says);
+    if (!inflated.stands()) {
+        says.push_back(fmt::format(
+            "It does not stand: at {} C inside and {} C outside, {} m up, the gas does not carry the cloth{}.",
+            shown(inflated.load.air.inside, 0), shown(inflated.load.air.outside, 0),
+            shown(inflated.load.air.altitude, 0),
+            inflated.volume > 0.5 * inflated.drawn_volume
+                ? ", " + shown(-inflated.lift / gravity, 1) + " kg are missing"
+                : ", and it falls in on itself"));
+        return says;
+    }
+    say_rest(inflated, says);
+    say_deviation(inflated, says);
+    say_weakness(inflated, says);
+    say_causes(plan, says);
+    say_strength(inflated, says);
+    say_lift(inflated, says);
+    say_wrinkles(inflated, says);
+    say_compensation(plan, says);
+    return says;
+}
+
+}  // namespace ripstop
