@@ -24,6 +24,7 @@ struct SolveSummary {
     std::string text() const;
 };
 
+/// The enumerator as text: `converged`.
 const char* name(Termination termination);
 
 }  // namespace ripstop

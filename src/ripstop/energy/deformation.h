@@ -6,22 +6,23 @@
 
 namespace ripstop {
 
-/// A triangle of the surface as mechanics knows it: the Gram matrix Bᵀ B of its edges b - a and c - a [m2]. Only lengths
-/// enter, so how the surface lies in space does not matter.
+/// A triangle of the surface as mechanics knows it: the Gram matrix Bᵀ B of its edges b - a and c - a [m2]. Only
+/// lengths enter, so how the surface lies in space does not matter.
 struct TriangleMetric {
     double aa = 0;  ///< |b - a|2
     double ab = 0;  ///< (b - a) · (c - a)
     double bb = 0;  ///< |c - a|2
 };
 
+/// The metric of a triangle in space.
 TriangleMetric triangle_metric(const Vec3& a, const Vec3& b, const Vec3& c);
 TriangleMetric triangle_metric(const Mat22& edges);  ///< of a triangle given by its edges b - a and c - a in a plane
 
 /// The edges of a triangle on the cloth: columns b - a and c - a [m]. det > 0 where its outside face is up.
 Mat22 flat_edges(const Triangles& triangles, const Points2& positions, int triangle);
 
-/// Metric of the surface in the axes of the cloth (x the warp, y the weft): C = D⁻ᵀ G D⁻¹ = Fᵀ F, F the map cloth -> space,
-/// G the metric, D the flat edges. Identity on an isometry. Requires det D != 0.
+/// Metric of the surface in the axes of the cloth (x the warp, y the weft): C = D⁻ᵀ G D⁻¹ = Fᵀ F, F the map cloth ->
+/// space, G the metric, D the flat edges. Identity on an isometry. Requires det D != 0.
 Mat22 cauchy_green(const TriangleMetric& metric, const Mat22& flat);
 
 /// Green strain E = (C - I) / 2, positive where the cloth must stretch. Requires det D != 0.

@@ -20,6 +20,7 @@ struct TapeElement {
 /// L [m] its length at rest, EA [N] its stiffness. The Hessian is positive semi-definite.
 TapeElement tape_element(double stiffness, double rest, const Vec3& a, const Vec3& b);
 
+/// The energy alone [J].
 double tape_energy(double stiffness, double rest, const Vec3& a, const Vec3& b);
 
 /// The force it pulls with: EA e l / L, 0 where slack [N].

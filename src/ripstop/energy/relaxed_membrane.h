@@ -5,6 +5,7 @@
 
 namespace ripstop {
 
+/// Vector and matrix over the three corners of a triangle in space.
 using Vec9 = Eigen::Matrix<double, 9, 1>;
 using Mat99 = Eigen::Matrix<double, 9, 9>;
 
@@ -15,7 +16,8 @@ struct SpaceElement {
     Mat99 hessian = Mat99::Zero();  ///< [N/m]
 };
 
-/// A triangle of cloth cut flat and moved in space: F = Ds D^-1 (3 x 2), E = (F^T F - I) / 2, energy = A psi_r(E) with A = det D / 2.
+/// A triangle of cloth cut flat and moved in space: F = Ds D^-1 (3 x 2), E = (F^T F - I) / 2, energy = A psi_r(E) with
+/// A = det D / 2.
 class RelaxedMembrane {
   public:
     /// `flat`: columns b - a and c - a on the cloth [m]. Requires det > 0.
@@ -28,8 +30,8 @@ class RelaxedMembrane {
 
     double energy(const TensionField& cloth, const Vec3& a, const Vec3& b, const Vec3& c) const;
 
-    /// Energy with its exact gradient. The Hessian is exact without a residual stiffness, and then positive semi-definite; with
-    /// one the share of the geometric stiffness that pushes is left out, so that it stays so:
+    /// Energy with its exact gradient. The Hessian is exact without a residual stiffness, and then positive
+    /// semi-definite; with one the share of the geometric stiffness that pushes is left out, so that it stays so:
     ///
     ///     H = A (B^T (dS/de) B + sum S_ij N_vi N_wj I),  S the `tension` alone
     SpaceElement element(const TensionField& cloth, const Vec3& a, const Vec3& b, const Vec3& c) const;

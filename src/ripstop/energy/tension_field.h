@@ -17,16 +17,16 @@ struct ClothResponse {
     double direction = 0;                               ///< of the tension where wrinkled, from the warp [rad]
 };
 
-/// Orthotropic St. Venant-Kirchhoff cloth that wrinkles instead of pushing: the relaxed energy (Pipkin 1986; Steigmann 1990).
-/// With e = (E11, E22, 2 E12), S = C e and psi = e·C e / 2,
+/// Orthotropic St. Venant-Kirchhoff cloth that wrinkles instead of pushing: the relaxed energy (Pipkin 1986; Steigmann
+/// 1990). With e = (E11, E22, 2 E12), S = C e and psi = e·C e / 2,
 ///
 ///     psi_r(e) = min over D >= 0 of psi(e + D) = max over S >= 0 of (S·e - S·C^-1 S / 2)
 ///     taut:      S = C e is positive semi-definite:   psi_r = psi
 ///     slack:     e is negative semi-definite:         psi_r = 0
 ///     wrinkled:  psi_r = max over phi of <e·m>+^2 / (2 m·C^-1 m),  m = (cos^2, sin^2, sin cos) of phi
 ///
-/// which is convex, once differentiable, and free of a parameter. `residual` adds that share of the unrelaxed energy psi:
-/// cloth then pushes a little, which ties down what hangs loose; its part of `tangent` is C times the share.
+/// which is convex, once differentiable, and free of a parameter. `residual` adds that share of the unrelaxed energy
+/// psi: cloth then pushes a little, which ties down what hangs loose; its part of `tangent` is C times the share.
 class TensionField {
   public:
     /// Requires a valid fabric (`require_valid`) and residual in [0, 1].

@@ -12,6 +12,7 @@ struct MembraneElement {
     Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();   ///< [N/m]
 };
 
+/// Which second derivative an element returns.
 enum class Curvature {
     exact,         ///< the Hessian as it is: may be indefinite anywhere but at rest
     semidefinite,  ///< its part without negative curvature, so that a Newton step descends
@@ -24,10 +25,10 @@ enum class Curvature {
 ///     W = ½ c11 E11² + c12 E11 E22 + ½ c22 E22² + ½ g (2 E12)²      [J/m2]
 ///     energy = A W,  A = det D / 2                                  [J]
 ///
-/// The unknowns are the flat corners: the surface is given, the cloth is sought. As a triangle loses its flat area C grows
-/// like 1 / det², so A W grows without bound: the energy itself keeps a pattern from turning over, provided that steps stay
-/// where it is finite. It is zero exactly on isometries and does not change when the cloth is shifted. Turning the cloth changes it,
-/// unless the fabric is isotropic: fix the grain.
+/// The unknowns are the flat corners: the surface is given, the cloth is sought. As a triangle loses its flat area C
+/// grows like 1 / det², so A W grows without bound: the energy itself keeps a pattern from turning over, provided that
+/// steps stay where it is finite. It is zero exactly on isometries and does not change when the cloth is shifted.
+/// Turning the cloth changes it, unless the fabric is isotropic: fix the grain.
 class WovenMembrane {
   public:
     /// Requires a valid fabric (`require_valid`).
@@ -36,8 +37,8 @@ class WovenMembrane {
     /// Energy of one triangle; +infinity where det D <= 0.
     double energy(const TriangleMetric& metric, const Mat22& flat) const;
 
-    /// Energy with its exact first and second derivative. Where det D <= 0 the energy is +infinity and the derivatives are
-    /// zero. With H = dD D⁻¹ and S the second Piola-Kirchhoff stress:
+    /// Energy with its exact first and second derivative. Where det D <= 0 the energy is +infinity and the derivatives
+    /// are zero. With H = dD D⁻¹ and S the second Piola-Kirchhoff stress:
     ///
     ///     d(A W)  = A (W I - C S) : H
     ///     d²(A W) = A (dE : c : dE + tr(S Hᵀ C H) + 2 (W - tr(C S)) det H),  dE = -sym(C H)

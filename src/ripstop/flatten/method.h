@@ -18,12 +18,13 @@ struct Method {
     const char* origin;  ///< what it comes from, a line for `ripstop methods`
     Flattening (*flatten)(const Tile& tile, const Fabric& fabric);  ///< a tile on its own
 
-    /// The tiles of an envelope together, on so many threads (0: one a core), for a method to which its seams matter; null
-    /// where each tile is flattened on its own. A tile's own fabric goes before `fabric`.
+    /// The tiles of an envelope together, on so many threads (0: one a core), for a method to which its seams matter;
+    /// null where each tile is flattened on its own. A tile's own fabric goes before `fabric`.
     std::vector<Flattening> (*flatten_together)(const Envelope& envelope, const Fabric& fabric, int threads,
                                                 const Progress& progress) = nullptr;
 };
 
+/// The table of methods, in the order in which `ripstop methods` lists them.
 std::span<const Method> methods();
 
 /// Throws InputError with the list of names where there is none such.

@@ -7,7 +7,7 @@
 
 namespace ripstop {
 
-/// A polygon is its corners in order (#P x 2); the last is joined to the first, which is not repeated.
+// A polygon is its corners in order (#P x 2); the last is joined to the first, which is not repeated.
 
 /// Area by the shoelace sum [m2], positive counter-clockwise. O(#P), as all here that say nothing else.
 double signed_area(const Points2& polygon);
@@ -46,20 +46,22 @@ struct SelfIntersections {
     Vec2 first = Vec2::Zero();  ///< at the lowest-numbered edge concerned
 };
 
-/// The pairs of edges that meet other than as neighbours at their common corner: crossings, touches, overlaps, and edges
-/// that fold back on the one before. A corner that lies on another edge or corner counts once. The decision is exact
-/// (`orient2d`), the place is rounded. Corners repeated in a row count as one. Sweep along the longer side of the bounding
-/// box: about O(#P log #P) for an outline of short edges, O(#P2) cheap box tests at worst.
+/// The pairs of edges that meet other than as neighbours at their common corner: crossings, touches, overlaps, and
+/// edges that fold back on the one before. A corner that lies on another edge or corner counts once. The decision is
+/// exact (`orient2d`), the place is rounded. Corners repeated in a row count as one. Sweep along the longer side of the
+/// bounding box: about O(#P log #P) for an outline of short edges, O(#P2) cheap box tests at worst.
 SelfIntersections self_intersections(const Points2& polygon);
 
+/// A circle in the plane [m].
 struct Circle {
     Vec2 centre = Vec2::Zero();
     double radius = 0;
 };
 
 /// The largest circle inside the polygon, its radius within `precision` [m] of the best: its centre is the pole of
-/// inaccessibility, where a label has the most room. Cells of a grid are split in four as long as they can beat the best.
-/// O(#P) a cell, some hundred cells at a precision of a hundredth of the size. A polygon without inside gives radius 0.
+/// inaccessibility, where a label has the most room. Cells of a grid are split in four as long as they can beat the
+/// best. O(#P) a cell, some hundred cells at a precision of a hundredth of the size. A polygon without inside gives
+/// radius 0.
 Circle largest_circle_inside(const Points2& polygon, double precision);
 
 }  // namespace ripstop

@@ -11,6 +11,7 @@ inline double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
+/// Area of a triangle [m2]; in the plane it is positive counter-clockwise.
 double signed_area(const Vec2& a, const Vec2& b, const Vec2& c);
 double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c);
 

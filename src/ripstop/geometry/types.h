@@ -4,6 +4,7 @@
 
 namespace ripstop {
 
+/// Points, directions and small matrices of the plane and of space, in double.
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Mat22 = Eigen::Matrix2d;

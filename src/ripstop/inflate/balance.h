@@ -14,8 +14,8 @@ namespace ripstop {
 ///
 ///     Pi(x) = sum A psi_r(E) + sum L EA <e>+^2 / 2 + weight - integral of p dV       [J]
 ///
-/// cloth (`TensionField`), tapes (`tape_element`), weight of both and of the valve, gas (`gas_element`). Of one sector, where the envelope
-/// has equal ones. The unknowns are the free directions of the nodes.
+/// cloth (`TensionField`), tapes (`tape_element`), weight of both and of the valve, gas (`gas_element`). Of one sector,
+/// where the envelope has equal ones. The unknowns are the free directions of the nodes.
 class Balance {
   public:
     /// `sewn` must outlive it. `threads` (0: one a core) do not change the result.
@@ -32,8 +32,8 @@ class Balance {
 
     double energy(const Points3& nodes) const;
     Eigen::VectorXd gradient(const Points3& nodes) const;
-    /// Energy, gradient and Hessian, the pattern's lower triangle. The Hessian of cloth and tapes is positive semi-definite, that
-    /// of the gas is not.
+    /// Energy, gradient and Hessian, the pattern's lower triangle. The Hessian of cloth and tapes is positive
+    /// semi-definite, that of the gas is not.
     double assemble(const Points3& nodes, Eigen::VectorXd& gradient, Eigen::VectorXd& values) const;
 
     /// The nodes moved by a step in the unknowns.
@@ -50,8 +50,8 @@ class Balance {
     double thrust_on_lids(const Points3& nodes) const;
     double weight() const;                      ///< of cloth, tapes and valve, all sectors [N]
     double volume(const Points3& nodes) const;  ///< within skin, caps and lids, all sectors [m3]
-    /// Masses with which explicit integration at a time step of 1 is stable: a node's stiffness by its elements unrelaxed and
-    /// with every tape taut, times `safety`.
+    /// Masses with which explicit integration at a time step of 1 is stable: a node's stiffness by its elements
+    /// unrelaxed and with every tape taut, times `safety`.
     Eigen::VectorXd fictitious_masses(const Points3& nodes, double safety) const;
 
     double angle() const { return angle_; }  ///< of a sector [rad]

@@ -7,6 +7,7 @@
 
 namespace ripstop {
 
+/// What `inflate` fills an envelope with, and how it solves.
 struct InflateOptions {
     LoadCase load = {};
     SewOptions sewing = {};
@@ -16,21 +17,25 @@ struct InflateOptions {
     Progress progress = {};
 };
 
-/// Sews the pieces (`sew`), fills them with gas and finds where everything is in balance (`find_equilibrium`); then compares with the
-/// drawing and reads off what cloth and tapes bear. p = extra + b (z - mouth plane), b of the air (`buoyancy`).
+/// Sews the pieces (`sew`), fills them with gas and finds the equilibrium (`find_equilibrium`). Then compares the shape
+/// with the drawing and reads off what cloth and tapes bear. The gauge pressure is p = extra + b (z - mouth plane), b
+/// of the air (`buoyancy`).
 ///
-/// Numerical failure is a value: `Inflated::summary` says so, and the figures are those of the last state. Throws InputError
-/// as `sew` and `buoyancy` do.
+/// Numerical failure is a value: `Inflated::summary` says so, and the figures are those of the last state. Throws
+/// InputError as `sew` and `buoyancy` do.
 Inflated inflate(const CutPlan& plan, const InflateOptions& options);
 
-/// What must hold whatever the shape: factors of CS 31HB.25 and 14 CFR 31.25 against the largest loads. Where seams end in a corner
-/// the tension of cloth without thickness has no bound, it only grows with the mesh: what counts of the cloth is the tension that
-/// 0.1 % of its area exceeds (1 m2 of 1,000), `Inflated::tension_max` is the largest there is.
+/// The safety factors of cloth, load tapes, ties and wires under their largest loads, by CS 31HB.25 and 14 CFR 31.25:
 ///
-///     factor = f_T f_age f_seam R / (n load):  n = 1.4; cloth f_T .5, f_age .5, f_seam .8; tapes f_age .5; wires 1
-///     required: the stricter of the two. Cloth, load tapes and ties 5 (envelope); wires 5 (14 CFR 31.25(c), not
-/// metallic; CS
-///               31HB.25 asks 2.25)
+///     factor = f_T f_age f_seam R / (n load),  R the strength, n = 1.4
+///     cloth: f_T 0.5, f_age 0.5, f_seam 0.8;  tapes: f_age 0.5;  wires: 1
+///
+/// Required is the stricter of the two rules: 5 for cloth, load tapes and ties, and 5 for wires, which are taken as not
+/// metallic (14 CFR 31.25(c); CS 31HB.25 asks 2.25).
+///
+/// In a corner where seams end the tension of cloth without thickness has no bound: it grows as the mesh gets finer.
+/// The load of the cloth is therefore the tension that 0.1 % of its area exceeds (1 m2 of 1,000).
+/// `Inflated::tension_max` is the largest tension of all.
 std::vector<SafetyFactor> safety_factors(const Inflated& inflated, const CutPlan& plan, const Rigging& rigging);
 
 }  // namespace ripstop

@@ -7,8 +7,8 @@
 
 namespace ripstop {
 
-/// Which points of an envelope are one, and which hang on others. Points start apart; each is joined to another or tied to several, and what
-/// is left is free: the nodes. A point never comes to hang on itself, however joints are added.
+/// Which points of an envelope are one, and which hang on others. Points start apart; each is joined to another or tied
+/// to several, and what is left is free: the nodes. A point never comes to hang on itself, however joints are added.
 class Joints {
   public:
     Joints(int points, int sectors);

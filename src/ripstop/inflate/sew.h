@@ -14,6 +14,7 @@ enum class RestState {
     as_drawn,   ///< as if every triangle had been cut as drawn
 };
 
+/// What `sew` adds to the pieces: tapes and ropes, symmetry, and the rest state.
 struct SewOptions {
     Rigging rigging = {};
     Symmetry symmetry = {};  ///< none unless given
@@ -21,12 +22,13 @@ struct SewOptions {
     double stiffer = 1;  ///< cloth and tapes are so much stiffer than they are
 };
 
-/// Sews the flat pieces of a plan into one rest state: the two sides of each seam are one line in space, the same place of the seam's curve on both
-/// (where the notches lie), so unequal lengths become ease. Sides that are meshed differently, and T-junctions, hang on the edges they meet.
-/// Diaphragms hang on the skin where their edge lies as drawn. A further sheet in a seam (`Seam::into`) is one line with it, and
-/// has gas on both sides as a diaphragm has (`find_inner_sheets`). Load tapes follow the seams that take one, shorter than the
-/// seam's curve by the rigging's `foreshortening` and, but for
-/// `RestState::as_drawn`, by the plan's `tape_factors`. Openings: the lowest is the mouth, the highest the crown.
+/// Sews the flat pieces of a plan into one rest state: the two sides of each seam are one line in space, the same place
+/// of the seam's curve on both (where the notches lie), so unequal lengths become ease. Sides that are meshed
+/// differently, and T-junctions, hang on the edges they meet. Diaphragms hang on the skin where their edge lies as
+/// drawn. A further sheet in a seam (`Seam::into`) is one line with it, and has gas on both sides as a diaphragm has
+/// (`find_inner_sheets`). Load tapes follow the seams that take one, shorter than the seam's curve by the rigging's
+/// `foreshortening` and, but for `RestState::as_drawn`, by the plan's `tape_factors`. Openings: the lowest is the
+/// mouth, the highest the crown.
 ///
 /// Throws InputError for tiles without flat positions or with flipped triangles (named), a diaphragm that is no tile or
 /// touches nothing, a tie that ends off the envelope, and where nothing could hold the envelope. O(#V).

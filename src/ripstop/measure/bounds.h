@@ -6,10 +6,10 @@
 
 namespace ripstop {
 
-/// The disc is centred where the tile is deepest, and as large as 360 straight lines from there fit into it; its edge is the
-/// polygon of straight lines on the surface between their ends. Where these do not see each other, or the lines have crossed
-/// (a fold or a sharp point in the disc), nothing is claimed: ratio 1. Against what the cloth is to be: the tile's
-/// compensation counts. O(#F log #F).
+/// The disc is centred where the tile is deepest, and as large as 360 straight lines from there fit into it; its edge
+/// is the polygon of straight lines on the surface between their ends. Where these do not see each other, or the lines
+/// have crossed (a fold or a sharp point in the disc), nothing is claimed: ratio 1. Against what the cloth is to be:
+/// the tile's compensation counts. O(#F log #F).
 Bounds measure_bounds(const Tile& tile);
 
 /// The largest ratio of principal stretches that threads strained and sheared within the tolerances can have:

@@ -6,8 +6,8 @@
 
 namespace ripstop {
 
-/// What one triangle of cloth goes through on its way into space: the map flat -> surface, F (2 x 2, in the plane of the
-/// triangle in space), and what follows from it.
+/// What one triangle of cloth goes through on its way into space: the map flat -> surface, F (2 x 2, in the plane of
+/// the triangle in space), and what follows from it.
 struct TriangleDistortion {
     double stretch_max = 1,
            stretch_min = 1;  ///< singular values of F, cloth -> space; infinite where the cloth has no area

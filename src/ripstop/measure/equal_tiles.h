@@ -19,15 +19,15 @@ struct Likeness {
              ///< meshed differently, or lie apart by more than 1e-9 m
 };
 
-/// Which tiles are the same cut: alike up to a turn and a shift, or up to a mirror too (rights and lefts), in surface, drawn
-/// edge lengths, corners, warp, fabric and compensation. Names and numbering of vertices do not matter.
+/// Which tiles are the same cut: alike up to a turn and a shift, or up to a mirror too (rights and lefts), in surface,
+/// drawn edge lengths, corners, warp, fabric and compensation. Names and numbering of vertices do not matter.
 ///
-/// Two tiles are the same surface where, after the rigid fit of their outlines (32 points a chain, least squares), no vertex
-/// of either is farther than `tolerance` from the other's triangles. Chains' lengths must agree to `tolerance`, the warp to
-/// `tolerance` at the tile's far end. Always compared with the first of a kind, so likeness does not creep.
+/// Two tiles are the same surface where, after the rigid fit of their outlines (32 points a chain, least squares), no
+/// vertex of either is farther than `tolerance` from the other's triangles. Chains' lengths must agree to `tolerance`,
+/// the warp to `tolerance` at the tile's far end. Always compared with the first of a kind, so likeness does not creep.
 ///
-/// Candidates are found by area, perimeter and number of chains: O(#tiles log #tiles) and, for each pair compared, about
-/// O(#F log #F) where the meshes correspond vertex by vertex, O(#V #F) otherwise.
+/// Candidates are found by area, perimeter and number of chains: O(#tiles log #tiles) and, for each pair compared,
+/// about O(#F log #F) where the meshes correspond vertex by vertex, O(#V #F) otherwise.
 std::vector<Likeness> find_equal_tiles(const std::vector<Tile>& tiles, double tolerance = 1e-4);
 
 }  // namespace ripstop

@@ -8,8 +8,8 @@
 
 namespace ripstop {
 
-/// The boundary vertices of a disk in order, counter-clockwise seen from outside (the surface lies to the left); starts at
-/// the lowest-numbered one.
+/// The boundary vertices of a disk in order, counter-clockwise seen from outside (the surface lies to the left); starts
+/// at the lowest-numbered one.
 ///
 /// A disk here is what can be laid flat in one piece: triangles with area, consistently oriented, edge- and
 /// vertex-manifold, connected, with exactly one boundary loop and no handle (Euler number 1), every vertex used.

@@ -8,8 +8,8 @@
 
 namespace ripstop {
 
-/// A point of the surface: a triangle and where it lies in it, in the frame of the triangle laid flat (`lay_flat`: corner 0
-/// at the origin, corner 1 on +x) [m].
+/// A point of the surface: a triangle and where it lies in it, in the frame of the triangle laid flat (`lay_flat`:
+/// corner 0 at the origin, corner 1 on +x) [m].
 struct SurfacePoint {
     int triangle = 0;
     Vec2 local = Vec2::Zero();
@@ -48,9 +48,9 @@ struct Sight {
     double hidden_by(const Vec2& point) const;
 };
 
-/// A disk's triangles laid flat, each in its own frame, with the motion from each to its neighbours: straight lines on the
-/// surface are straight lines in the plane of the triangles unfolded one after the other. Everything here is intrinsic, so
-/// sharp folds do no harm. Built once in O(#F log #F).
+/// A disk's triangles laid flat, each in its own frame, with the motion from each to its neighbours: straight lines on
+/// the surface are straight lines in the plane of the triangles unfolded one after the other. Everything here is
+/// intrinsic, so sharp folds do no harm. Built once in O(#F log #F).
 class UnfoldedSurface {
   public:
     /// Requires triangles with area and an edge-manifold mesh (`require_disk`).
@@ -69,17 +69,17 @@ class UnfoldedSurface {
 
     /// Goes straight on from `from` along `direction` (any length but zero, in the frame of its triangle) for `length`:
     /// the straightest geodesic, each triangle unfolded across the edge it is left by. Stops at the boundary. Through a
-    /// vertex it goes on in the triangles on one side of it, always the same for the same walk, and keeps its angle to that
-    /// side; along an edge it stays on it. Cost: the triangles crossed.
+    /// vertex it goes on in the triangles on one side of it, always the same for the same walk, and keeps its angle to
+    /// that side; along an edge it stays on it. Cost: the triangles crossed.
     Walk walk(const SurfacePoint& from, const Vec2& direction, double length) const;
 
     /// Every triangle that straight lines from `from` of at most `radius` reach, nearer ones before those behind them.
     ///
-    /// This is the logarithm of the surface about a point, exact, for all its neighbours in one go: `unfolded(p) -
-    /// from.local` is the direction and the straight distance to the point p of the triangle, provided `hidden_by` is 0.
-    /// A triangle is listed once for each gap it is seen through; on a flat surface a point of it lies in one of them, on a
-    /// curved one it may be seen round both sides of a vertex, or not at all.
-    /// Cost: the triangles seen.
+    /// This is the logarithm of the surface about a point, exact, for all its neighbours in one go:
+    /// `unfolded(p) - from.local` is the direction and the straight distance to the point p of the triangle, provided
+    /// `hidden_by` is 0. A triangle is listed once for each gap it is seen through; on a flat surface a point of it
+    /// lies in one of them, on a curved one it may be seen round both sides of a vertex, or not at all. Cost: the
+    /// triangles seen.
     std::vector<Sight> look_around(const SurfacePoint& from, double radius) const;
 
   private:

@@ -8,8 +8,8 @@
 
 namespace ripstop {
 
-/// Whether straight lines from a point meet any of many triangles: a tree of boxes over them. Building it is O(#F log #F), a line
-/// O(log #F) where few triangles lie in each other's boxes.
+/// Whether straight lines from a point meet any of many triangles: a tree of boxes over them. Building it is O(#F log
+/// #F), a line O(log #F) where few triangles lie in each other's boxes.
 class SightLines {
   public:
     explicit SightLines(const std::vector<const TriangleMesh*>& meshes);

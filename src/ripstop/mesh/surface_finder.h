@@ -8,8 +8,8 @@
 
 namespace ripstop {
 
-/// The nearest points of one surface, for callers that ask many surfaces about few points: a surface whose box is out of
-/// reach costs next to nothing, and what the others need is built at the first question.
+/// The nearest points of one surface, for callers that ask many surfaces about few points: a surface whose box is out
+/// of reach costs next to nothing, and what the others need is built at the first question.
 class SurfaceFinder {
   public:
     struct Found {

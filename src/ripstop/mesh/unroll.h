@@ -27,9 +27,9 @@ struct LaidTriangle {
     Mat22 turn = Mat22::Identity();
 };
 
-/// The mesh unrolled (#F): the middle triangle as `lay_flat` has it, each other one moved rigidly to lie beside the one from
-/// which `laying_order` reaches it. On a developable disk all triangles fit together and this is its isometry; elsewhere
-/// neighbours reached by different ways part. Requires a connected mesh of triangles with area. O(#F).
+/// The mesh unrolled (#F): the middle triangle as `lay_flat` has it, each other one moved rigidly to lie beside the one
+/// from which `laying_order` reaches it. On a developable disk all triangles fit together and this is its isometry;
+/// elsewhere neighbours reached by different ways part. Requires a connected mesh of triangles with area. O(#F).
 std::vector<LaidTriangle> unroll(const TriangleMesh& mesh, const Adjacency& adjacency);
 
 }  // namespace ripstop

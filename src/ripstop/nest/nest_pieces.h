@@ -9,6 +9,7 @@
 
 namespace ripstop {
 
+/// The roll, and how pieces may lie on it.
 struct NestOptions {
     std::optional<double> roll_width = {};  ///< [m]; else each fabric's own
     double gap = 0.005;                     ///< between outlines [m]
@@ -23,8 +24,8 @@ struct NestOptions {
     Progress progress = {};
 };
 
-/// Lays every piece `quantity` times, and its mirror image `quantity_mirrored` times, each with the drawing of the piece
-/// it becomes (`OwnPieces`), on the roll of its fabric and colour: the warp along it, +x or, where turning is
+/// Lays every piece `quantity` times, and its mirror image `quantity_mirrored` times, each with the drawing of the
+/// piece it becomes (`OwnPieces`), on the roll of its fabric and colour: the warp along it, +x or, where turning is
 /// allowed, -x; outlines at least `gap` apart and within the width; no piece over a join. A mirror image is cut as a
 /// mirrored outline with the outside of the cloth up, as every piece; where `may_flip`, any may lie face down instead,
 /// outline mirrored.
@@ -33,9 +34,9 @@ struct NestOptions {
 /// (`ContactTable`, `search_order`); then all slide together along the roll in rows a twenty-fourth as high. Pieces as
 /// cut have no holes. Sets of many kinds are laid some hundred kinds after the other.
 ///
-/// Refused with the reason, and the others laid: what is wider than the roll or longer than the last length of cloth, the only one that never ends. Throws
-/// InputError for a width, a gap or a length that is none, and for more than 50,000 pieces. The same set and options
-/// give the same markers.
+/// Refused with the reason, and the others laid: what is wider than the roll or longer than the last length of cloth,
+/// the only one that never ends. Throws InputError for a width, a gap or a length that is none, and for more than
+/// 50,000 pieces. The same set and options give the same markers.
 Markers nest_pieces(const PieceSet& set, const NestOptions& options = {});
 
 }  // namespace ripstop

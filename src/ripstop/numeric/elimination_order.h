@@ -6,8 +6,8 @@
 
 namespace ripstop {
 
-/// The unknowns in the order in which to eliminate them, so that the factor stays sparse: the approximate minimum degree
-/// ordering [Amestoy, Davis, Duff 1996], children before parents and subtree by subtree in the elimination tree.
+/// The unknowns in the order in which to eliminate them, so that the factor stays sparse: the approximate minimum
+/// degree ordering [Amestoy, Davis, Duff 1996], children before parents and subtree by subtree in the elimination tree.
 ///
 /// Unknowns that follow each other and meet exactly the same unknowns, such as the x and y of a vertex, are ordered as
 /// one, which is cheaper than one by one. About O(entries), deterministic.

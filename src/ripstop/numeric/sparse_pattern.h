@@ -8,12 +8,12 @@ namespace ripstop {
 
 /// Which unknowns of a symmetric system meet, listed group by group. A group is numbered by its place in the list.
 struct Couplings {
-    /// An element: all of its unknowns meet each other. Its entries are those of the element's own lower triangle row by
-    /// row, so entry (a, b), a >= b, is number a (a + 1) / 2 + b. Unknowns are distinct.
+    /// An element: all of its unknowns meet each other. Its entries are those of the element's own lower triangle row
+    /// by row, so entry (a, b), a >= b, is number a (a + 1) / 2 + b. Unknowns are distinct.
     int add_element(std::span<const int> unknowns);
 
-    /// A row, such as a constraint's: `row` meets itself (entry 0) and each of `columns` (entry 1 + j), but these do not
-    /// meet each other. Unknowns are distinct.
+    /// A row, such as a constraint's: `row` meets itself (entry 0) and each of `columns` (entry 1 + j), but these do
+    /// not meet each other. Unknowns are distinct.
     int add_row(int row, std::span<const int> columns);
 
     int count() const { return static_cast<int>(is_row.size()); }

@@ -27,15 +27,15 @@ enum class SolverKind {
 /// Solves A x = b for many matrices A of one sparse symmetric pattern: P A Pᵀ = L D Lᵀ, D diagonal, P a fill-reducing
 /// ordering (`elimination_order`), computed once.
 ///
-/// There is no pivoting. Simplicial: A must be positive definite, or quasi-definite: [H Jᵀ; J -δ] with H positive definite
-/// on its own and δ > 0, for which any order is stable as long as δ and H are not tiny beside J; constraint rows with a
-/// zero diagonal are refused or inaccurate. Supernodal: A must be positive definite, and asking whether it is costs at
-/// most the factorisation. Callers that need to know no more than that ask
+/// There is no pivoting. Simplicial: A must be positive definite, or quasi-definite: [H Jᵀ; J -δ] with H positive
+/// definite on its own and δ > 0, for which any order is stable as long as δ and H are not tiny beside J; constraint
+/// rows with a zero diagonal are refused or inaccurate. Supernodal: A must be positive definite, and asking whether it
+/// is costs at most the factorisation. Callers that need to know no more than that ask
 ///
 ///     solver.factorize(values) && solver.inertia().negative == 0
 ///
-/// which holds for both kinds. Deterministic: the same values give the same bytes (supernodal: on one kind of processor,
-/// for which the BLAS picks its code). One solver is used by one thread at a time.
+/// which holds for both kinds. Deterministic: the same values give the same bytes (supernodal: on one kind of
+/// processor, for which the BLAS picks its code). One solver is used by one thread at a time.
 class SymmetricSolver {
   public:
     explicit SymmetricSolver(const SparsePattern& pattern, SolverKind kind = SolverKind::automatic);
@@ -43,14 +43,14 @@ class SymmetricSolver {
     SymmetricSolver(SymmetricSolver&&) noexcept;
     SymmetricSolver& operator=(SymmetricSolver&&) noexcept;
 
-    /// Factorises the matrix whose lower triangle is `values` (`SparsePattern::entry_count`). False where a pivot is zero
-    /// or not finite, supernodal also where one is negative: nothing may be solved then.
+    /// Factorises the matrix whose lower triangle is `values` (`SparsePattern::entry_count`). False where a pivot is
+    /// zero or not finite, supernodal also where one is negative: nothing may be solved then.
     [[nodiscard]] bool factorize(const Eigen::VectorXd& values);
 
     /// Of the matrix last factorised; all zero where numbers were not finite or memory ran out. A pivot counts as zero
-    /// where it is below what the sum it came from can lose to rounding, whatever the scale of its row. Supernodal stops
-    /// at the first pivot that is not positive: one negative then stands for at least one eigenvalue that is negative or
-    /// zero, and what comes after it is not counted.
+    /// where it is below what the sum it came from can lose to rounding, whatever the scale of its row. Supernodal
+    /// stops at the first pivot that is not positive: one negative then stands for at least one eigenvalue that is
+    /// negative or zero, and what comes after it is not counted.
     Inertia inertia() const;
 
     /// x for one right-hand side, and for one in each column. Require that `factorize` said true.

@@ -12,6 +12,7 @@
 
 namespace ripstop {
 
+/// What `write_directory` writes and what it may replace.
 struct DirectoryOptions {
     bool force = false;                      ///< replace what stands in a directory that is not empty
     bool reproducible = false;               ///< leave `seconds` out of report.json: the same bytes on every run
@@ -23,11 +24,18 @@ struct DirectoryOptions {
     PieceFileOptions files = {};                               ///< how they are written
 };
 
-/// Writes the whole cut plan as `dir`: report.json, report.html (`html_report`, with the maps of `strains`), tiles.csv,
-/// seams.csv, bom.csv, flat/NAME.obj with flat/sewing.json
-/// (where every tile has flat positions), cut/ (`write_cut_files`) with pieces.json, pictures/NAME.svg, and inflated/envelope.obj where it was inflated. NAME is the tile's `file` in
-/// report.json. Tiles without flat positions have no OBJ and, made by nobody, no piece. All or nothing, as
-/// `write_whole_directory` does and throws; under `force` the old plan is replaced, and files in it that no plan has are kept.
+/// Writes the whole cut plan to the folder `dir`:
+///
+/// - report.json, and report.html (`html_report`) with the maps of `strains`
+/// - tiles.csv, seams.csv and bom.csv
+/// - flat/NAME.obj for each tile that has flat positions, and flat/sewing.json if all have them
+/// - cut/ (`write_cut_files`) with pieces.json
+/// - pictures/NAME.svg
+/// - inflated/envelope.obj if the plan was inflated
+///
+/// NAME is the tile's `file` in report.json. A tile without flat positions has neither OBJ nor piece. The folder is
+/// written whole or not at all, and errors are those of `write_whole_directory`. With `force` the old plan is replaced;
+/// files that belong to no plan are kept.
 void write_directory(const std::filesystem::path& dir, const CutPlan& plan, const PieceSet& pieces,
                      const DirectoryOptions& options = {}, const std::vector<StrainMap>& strains = {});
 

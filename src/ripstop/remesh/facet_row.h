@@ -10,23 +10,25 @@
 
 namespace ripstop {
 
-/// The smooth surface of a tile whose facets lie in a row, each bent from the next along one straight crease that runs from
-/// boundary to boundary: straps, sleeves, cones, tangent developables, one quad across or many. Such a polyhedron unrolls
-/// flat. Nothing is known of it across the row, so it is taken as ruled there: between two creases from side a to side b
+/// The smooth surface of a tile whose facets lie in a row, each bent from the next along one straight crease that runs
+/// from boundary to boundary: straps, sleeves, cones, tangent developables, one quad across or many. Such a polyhedron
+/// unrolls flat. Nothing is known of it across the row, so it is taken as ruled there: between two creases from side a
+/// to side b
 ///
 ///     S(u, v) = (1 - v) a(u) + v b(u)
 ///
-/// with a and b the cubics of the boundary on both sides (`BoundarySlopes`). The creases stay where they are and get smooth; of a
-/// cylinder, a cone and a tangent developable it is true to the fourth order of the facets' turn, and it bends one way only.
+/// with a and b the cubics of the boundary on both sides (`BoundarySlopes`). The creases stay where they are and get
+/// smooth; of a cylinder, a cone and a tangent developable it is true to the fourth order of the facets' turn, and it
+/// bends one way only.
 ///
-/// Side a runs along the boundary, side b against it, in the same cells: between two creases one, or as many as the sides
-/// have edges there. A place on the row is `along` in [0, cells] and `across` in [0, 1], from a to b.
+/// Side a runs along the boundary, side b against it, in the same cells: between two creases one, or as many as the
+/// sides have edges there. A place on the row is `along` in [0, cells] and `across` in [0, 1], from a to b.
 class FacetRow {
   public:
-    /// Nothing where the facets do not lie in a row. Triangles are one facet where they meet at less than 0.2 degrees, or at
-    /// less than half of what the sharpest other edge of the two does; a crease is straight within a thousandth of its
-    /// length; an end of the row is straight, or a tip; creases that fan out from a corner of the tile do so to the end.
-    /// `tile` must outlive it. O(#F log #F).
+    /// Nothing where the facets do not lie in a row. Triangles are one facet where they meet at less than 0.2 degrees,
+    /// or at less than half of what the sharpest other edge of the two does; a crease is straight within a thousandth
+    /// of its length; an end of the row is straight, or a tip; creases that fan out from a corner of the tile do so to
+    /// the end. `tile` must outlive it. O(#F log #F).
     static std::optional<FacetRow> find(const Tile& tile, const Adjacency& adjacency, const BoundarySlopes& slopes);
 
     Vec3 at(const MeshPlace& place) const;

@@ -32,6 +32,7 @@ struct MeshState {
     bool has_coarse_boundary(double length_tolerance) const;
 };
 
+/// Measures the mesh of a tile. O(#F).
 MeshState measure_mesh(const Tile& tile);
 
 /// The edges of `triangles` equilateral triangles of this area together [m].

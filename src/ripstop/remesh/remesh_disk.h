@@ -26,11 +26,12 @@ struct DiskRemesh {
 /// Triangulates a disk anew: its boundary runs straight from each of `places` to the next, its edges are about
 /// `edge_length` long, its other vertices lie on the old triangles. Edges in `creases` stay edges, split where they are
 /// longer. Isotropic remeshing after Botsch and Kobbelt [BK04]: edges split, collapsed and flipped, vertices moved
-/// along the surface, by CGAL's polygon mesh processing; then edges across the disk between two boundary vertices are split
-/// or flipped away, since no flattening can bend them.
+/// along the surface, by CGAL's polygon mesh processing; then edges across the disk between two boundary vertices are
+/// split or flipped away, since no flattening can bend them.
 ///
-/// Requires a disk (`require_disk`) with that boundary, at least three places in its order, none of them farther apart than
-/// 4/3 of the edge length. Throws std::runtime_error in words where no such mesh is found. About 0.1 s for 1,000 triangles.
+/// Requires a disk (`require_disk`) with that boundary, at least three places in its order, none of them farther apart
+/// than 4/3 of the edge length. Throws std::runtime_error in words where no such mesh is found. About 0.1 s for 1,000
+/// triangles.
 DiskRemesh remesh_disk(const TriangleMesh& mesh, const std::vector<int>& boundary,
                        const std::vector<BoundaryPlace>& places, const std::vector<std::array<int, 2>>& creases,
                        double edge_length);

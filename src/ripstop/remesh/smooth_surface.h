@@ -8,7 +8,8 @@
 
 namespace ripstop {
 
-/// The slopes of the curves that the boundary of a mesh follows: of each boundary edge, c'(0) and c'(1) of its cubic [m].
+/// The slopes of the curves that the boundary of a mesh follows: of each boundary edge, c'(0) and c'(1) of its cubic
+/// [m].
 struct BoundarySlopes {
     Points3 start, end;  ///< #boundary x 3
 };
@@ -19,9 +20,9 @@ struct BoundarySlopes {
 ///     b_111 = E + (E - V) / 2                                  E the mean of the six, V of the three corners
 ///
 /// Normals n are those of a cubic height function (a quadratic where the vertices do not determine it) through each
-/// vertex and fitted to its neighbours within some rings [CP05]; they differ from one side of a crease to the
-/// other, and a crease stays a polyline. Boundary edges follow the given cubics. Of a smooth surface sampled at distance
-/// h it is true to the fourth order of h; where triangles are in one plane it is that plane.
+/// vertex and fitted to its neighbours within some rings [CP05]; they differ from one side of a crease to the other,
+/// and a crease stays a polyline. Boundary edges follow the given cubics. Of a smooth surface sampled at distance h it
+/// is true to the fourth order of h; where triangles are in one plane it is that plane.
 class SmoothSurface {
   public:
     /// O(#F).

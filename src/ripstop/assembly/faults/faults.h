@@ -7,8 +7,8 @@
 
 namespace ripstop {
 
-/// Each of these names the faults of one kind and mends them in `tiles`, so that what follows from a fault is not named
-/// again: the search for seams is run anew on the mended tiles.
+// Each of these names the faults of one kind and mends them in `tiles`, so that what follows from a fault is not named
+// again: the search for seams is run anew on the mended tiles.
 
 /// Tiles that lie on one another, whatever their meshes and whichever side is up: of each such pair the later one goes.
 std::vector<EnvelopeIssue> remove_doubled(std::vector<Tile>& tiles, double tolerance);

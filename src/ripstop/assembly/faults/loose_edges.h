@@ -34,8 +34,8 @@ std::vector<LooseLoop> find_loops(const std::vector<Tile>& tiles, const std::vec
                                   std::vector<std::vector<int>>* runs_of_loop = nullptr,
                                   std::vector<std::vector<Vec3>>* corners_of_loop = nullptr);
 
-/// How much a loose edge turns on the cloth at a place: pi less the angles that the tiles fill there, as far as `reach` [m]
-/// about it. 0 on the rim of a tube, whatever its sides: they turn in space alone. O(#boundary vertices).
+/// How much a loose edge turns on the cloth at a place: pi less the angles that the tiles fill there, as far as `reach`
+/// [m] about it. 0 on the rim of a tube, whatever its sides: they turn in space alone. O(#boundary vertices).
 double turn_on_cloth(const std::vector<Tile>& tiles, const Vec3& place, double reach);
 
 }  // namespace ripstop

@@ -29,6 +29,7 @@ struct ChainCurve {
 /// O(#E); of a chain of one edge O(#F).
 ChainCurve make_chain_curve(const Tile& tile, const Chain& chain);
 
+/// Point, direction and arc length at a place of the curve.
 Vec3 point_at(const ChainCurve& curve, double at);
 Vec3 direction_at(const ChainCurve& curve, double at);  ///< unit length
 double station_at(const ChainCurve& curve, double at);  ///< arc length from the start, monotone in `at` [m]

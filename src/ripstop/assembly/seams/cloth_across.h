@@ -12,11 +12,11 @@ namespace ripstop {
 /// Tells the two edges of a strip from two edges that miss each other: straight across, from one place of a boundary to
 /// another, lies cloth.
 ///
-/// From the one place a walk goes over the triangles, in the plane that holds the other place and the surface's normal. It ends
-/// at the first boundary edge, or goes on in the next tile where seams are known and the edge is sewn. Cloth joins the two
-/// places where the walk ends at the other one within twice their distance: a channel that is open by half its width or more is
-/// a strip, a tube with a slit is not. In a gap the cloth lies on the far sides and the walk does not begin; in an overlap it
-/// runs on beneath the other edge.
+/// From the one place a walk goes over the triangles, in the plane that holds the other place and the surface's normal.
+/// It ends at the first boundary edge, or goes on in the next tile where seams are known and the edge is sewn. Cloth
+/// joins the two places where the walk ends at the other one within twice their distance: a channel that is open by
+/// half its width or more is a strip, a tube with a slit is not. In a gap the cloth lies on the far sides and the walk
+/// does not begin; in an overlap it runs on beneath the other edge.
 class ClothAcross {
   public:
     /// Keeps references to both.
@@ -26,14 +26,14 @@ class ClothAcross {
     /// Walks go on across these seams from now on.
     void cross(const std::vector<Seam>& seams);
 
-    /// Does cloth join the two places of a touch? None does where a tile is an outline without triangles. O(#triangles crossed), and O(#F log #F) once a tile. Not to be asked by
-    /// several threads at once.
+    /// Does cloth join the two places of a touch? None does where a tile is an outline without triangles. O(#triangles
+    /// crossed), and O(#F log #F) once a tile. Not to be asked by several threads at once.
     bool joins(const Touch& touch) const;
 
     bool in_one_tile(const Touch& touch) const;
 
-    /// How wide the tile of a chain is in the mean, twice its area over its boundary: of a strip its width, of a square half
-    /// its side [m].
+    /// How wide the tile of a chain is in the mean, twice its area over its boundary: of a strip its width, of a square
+    /// half its side [m].
     double width_at(int chain) const;
 
   private:

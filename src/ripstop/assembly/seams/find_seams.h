@@ -8,6 +8,7 @@
 
 namespace ripstop {
 
+/// How close edges must lie to be one seam.
 struct SeamOptions {
     double tolerance = 0.5 * millimetre;  ///< edges to be sewn together lie within this [m], > 0
 };
@@ -46,8 +47,8 @@ struct FoundSeams {
 /// (`order_sheets`).
 ///
 /// What of the others lies on a seam, and is sewn to nothing itself, is a further sheet of it (`Seam::into`), over at
-/// least a quarter of the shorter of its chain and the seam: a rib, a fin, a diaphragm. Edges of a tile of that seam itself,
-/// as the layers of a pleat, are none: two of them are a seam of their own. It has a record for each seam that
+/// least a quarter of the shorter of its chain and the seam: a rib, a fin, a diaphragm. Edges of a tile of that seam
+/// itself, as the layers of a pleat, are none: two of them are a seam of their own. It has a record for each seam that
 /// it lies on, and the length of that seam's curve, edge by edge where both have the same vertices, else by projection.
 ///
 /// Both sides are measured on one curve, so the sums of their parts agree. Where their vertices coincide (within 1e-6
@@ -60,16 +61,16 @@ struct FoundSeams {
 /// polyline, the sum of s (by which it is short) in place of |L_a - L_b|. For a chain of one edge, whose turn nobody
 /// sees, the turn of the surface's normal stands for phi, and the error may be as large as s.
 ///
-/// Two places of one tile that its own cloth joins straight across (`ClothAcross`), as at a tip or on the two edges of a
-/// narrow strip, are never sewn to each other.
+/// Two places of one tile that its own cloth joins straight across (`ClothAcross`), as at a tip or on the two edges of
+/// a narrow strip, are never sewn to each other.
 ///
 /// A `NearMiss` is what stays loose and runs along another loose edge at less than 20 tolerances or 5 % of the shorter
-/// chain (`Reach`), over at least a quarter of that chain: reported, never sewn. Edges of two tiles
-/// miss each other at less than the width of the narrower, those of one tile at less than a tenth of its width, and none that
-/// cloth joins straight across, seams and all.
+/// chain (`Reach`), over at least a quarter of that chain: reported, never sewn. Edges of two tiles miss each other at
+/// less than the width of the narrower, those of one tile at less than a tenth of its width, and none that cloth joins
+/// straight across, seams and all.
 ///
-/// Throws InputError for a tolerance that is not positive and finite, and where more than 40 chains have a median length
-/// below twenty tolerances, as in a file read with the wrong unit. About linear in the number of boundary edges:
+/// Throws InputError for a tolerance that is not positive and finite, and where more than 40 chains have a median
+/// length below twenty tolerances, as in a file read with the wrong unit. About linear in the number of boundary edges:
 /// some seconds for 5,000 tiles.
 FoundSeams find_seams(const std::vector<Tile>& tiles, const SeamOptions& options = {});
 

@@ -8,9 +8,9 @@
 
 namespace ripstop {
 
-/// What of the chains is sewn already, and what lies on a seam of two others: there further sheets are sewn in, so that no
-/// two of them make a seam of their own. `beside`: where chains lie on one another, whichever way they run; it must outlive
-/// the claims.
+/// What of the chains is sewn already, and what lies on a seam of two others: there further sheets are sewn in, so that
+/// no two of them make a seam of their own. `beside`: where chains lie on one another, whichever way they run; it must
+/// outlive the claims.
 class RunClaims {
   public:
     RunClaims(const std::vector<PlacedChain>& chains, const std::vector<Run>& beside, double tolerance);
@@ -31,8 +31,8 @@ class RunClaims {
     bool leave_free(const Run& run) const;
     /// Is nothing sewn where its chain a goes?
     bool leave_a_unsewn(const Run& run) const;
-    /// The parts of a run where nothing is taken yet: from touch to touch, and of one that competes (`order_sheets`) up to
-    /// where the others end, since these may end where neither of its chains has a vertex.
+    /// The parts of a run where nothing is taken yet: from touch to touch, and of one that competes (`order_sheets`) up
+    /// to where the others end, since these may end where neither of its chains has a vertex.
     std::vector<Run> free_parts(const Run& run) const;
 
   private:

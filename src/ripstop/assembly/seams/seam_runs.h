@@ -59,17 +59,17 @@ std::vector<Touch> find_touches(const std::vector<PlacedChain>& chains, double t
 /// one pair of chains and direction; runs of no length are left out.
 std::vector<Run> join_touches(const std::vector<PlacedChain>& chains, std::vector<Touch> touches, double tolerance);
 
-/// The part of a run between two places of its chain b, or of chain a: its ends lie between touches where they must. Nothing
-/// where the run does not reach there.
+/// The part of a run between two places of its chain b, or of chain a: its ends lie between touches where they must.
+/// Nothing where the run does not reach there.
 std::optional<Run> cut_run(const std::vector<PlacedChain>& chains, const Run& run, bool by_b, double low, double high);
 
 /// The same run seen from its other chain: a and b change places.
 Run seen_from_b(const Run& run);
 
 /// Which of the runs end as seams do, at both ends: where either chain ends, at the tip of a dart, where another of
-/// them begins, all round a loop, or at the last of vertices that coincide; or where the two chains come together again,
-/// at the next run on both no further off than the two are long, or at a corner of both no further off than twice its
-/// length. Edges that merely cross leave each other in mid-chain. `touches` as `find_touches` returns them.
+/// them begins, all round a loop, or at the last of vertices that coincide; or where the two chains come together
+/// again, at the next run on both no further off than the two are long, or at a corner of both no further off than
+/// twice its length. Edges that merely cross leave each other in mid-chain. `touches` as `find_touches` returns them.
 std::vector<bool> find_well_ended(const std::vector<PlacedChain>& chains, const std::vector<Touch>& touches,
                                   const std::vector<Run>& runs, double tolerance);
 

@@ -15,21 +15,22 @@ struct SheetOrder {
 
 /// Decides who of several sheets on an edge are the skin, whose seam it is, and sets `turn` and `rank` of the runs.
 ///
-/// Two runs compete where both lie on more than half of the shorter of them along one chain. Of those that do the lowest
-/// rank is the skin's:
+/// Two runs compete where both lie on more than half of the shorter of them along one chain. Of those that do the
+/// lowest rank is the skin's:
 ///
 ///     rank = sum over the two tiles of (20 if the project file names it as a diaphragm, less 3 if it is skin)
 ///          + cos(angle between the two sheets)
 ///
-/// A tile is skin by as much as one side of it sees the open and the other does not (`one_sidedness`: not at all to 0.5, wholly
-/// from 0.75; a rib that leans to its skin in the open hides up to half of what one side sees). The angle is that from the edge into one sheet to that into the other, so that straight on is -1 and folded
-/// flat 1, the mean along the run. Equal ranks go by length, then by the names of the tiles. Neither the order of the tiles nor the
-/// side of a further sheet that is called its outside plays a part: that sheet runs against one of the skin's two, and its
+/// A tile is skin by as much as one side of it sees the open and the other does not (`one_sidedness`: not at all to
+/// 0.5, wholly from 0.75; a rib that leans to its skin in the open hides up to half of what one side sees). The angle
+/// is that from the edge into one sheet to that into the other, so that straight on is -1 and folded flat 1, the mean
+/// along the run. Equal ranks go by length, then by the names of the tiles. Neither the order of the tiles nor the side
+/// of a further sheet that is called its outside plays a part: that sheet runs against one of the skin's two, and its
 /// mate is chosen after the skin's seam.
 ///
-/// Of runs of the same way, one that competes is a sign of a tile turned over only where three sheets meet and its rank is
-/// lower by 0.3 than that of every other: a rib runs the same way as one of the skin's sides, whichever side of it is up, and
-/// where two skins cross, the sheets that go straight on are none of one skin.
+/// Of runs of the same way, one that competes is a sign of a tile turned over only where three sheets meet and its rank
+/// is lower by 0.3 than that of every other: a rib runs the same way as one of the skin's sides, whichever side of it
+/// is up, and where two skins cross, the sheets that go straight on are none of one skin.
 ///
 /// O(#runs) and, of each chain, the square of the runs along it.
 SheetOrder order_sheets(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,

@@ -18,9 +18,8 @@ struct ChildEnd {
 using TakesLine = std::function<bool(const std::string& line)>;
 
 /// Runs a program to its end: `arguments[0]` is its path, or a name looked up in PATH; no shell reads them. Standard
-/// input is empty and standard output discarded; open files without FD_CLOEXEC are its own too. After `timeout`
-/// seconds it
-/// is killed. It is killed as well (on Linux) when this process ends before it, however that happens.
+/// input is empty and standard output discarded; open files without FD_CLOEXEC are its own too. After `timeout` seconds
+/// it is killed. It is killed as well (on Linux) when this process ends before it, however that happens.
 ChildEnd run_child(const std::vector<std::string>& arguments, double timeout, const TakesLine& takes_line = {});
 
 }  // namespace ripstop

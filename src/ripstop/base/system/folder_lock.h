@@ -5,8 +5,8 @@
 namespace ripstop {
 
 /// An advisory lock on a folder, shared by all processes on this file system; the system gives it back when its owner
-/// ends in
-/// whatever way. It follows the folder when that is renamed. Where the file system has no locks, it holds nothing.
+/// ends in whatever way. It follows the folder when that is renamed. Where the file system has no locks, it holds
+/// nothing.
 class FolderLock {
   public:
     explicit FolderLock(const std::filesystem::path& folder);  ///< waits until no other process holds it

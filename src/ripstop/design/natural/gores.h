@@ -33,7 +33,9 @@ NaturalShape design_shape(const EnvelopeDesign& design);
 ///
 /// Smooth: on the circle of radius r. Lobed: an arc of half-angle B between the tapes, in the plane of the meridian's
 /// normal:
+///
 ///     P = [r cos a, 0, z] + rho sin(u B) e_phi + rho (cos u B - cos B) n
+///
 /// with rho = r sin a / sin B and n = (cos th, 0, -sin th).
 Vec3 design_point(const EnvelopeDesign& design, const MeridianPoint& at, int gore, double u);
 

@@ -30,7 +30,9 @@ struct BodyCell {
 /// rise by about one a metre near it; that of an ellipsoid with radii r is k (k - 1) / q, k = |x / r|, q = |x / r^2|.
 ///
 /// Joined sharply the body is the least level d_i. Joined by a fillet of radius R it is
+///
 ///     R - sqrt(sum_i max(R - d_i, 0)^2)    (where some d_i < R, else the least)
+///
 /// which is round where two surfaces meet at a right angle and leaves what is R away from the other surface as it is.
 class SpecialBody {
   public:

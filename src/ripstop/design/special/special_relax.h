@@ -21,6 +21,7 @@ void straighten_creases(WorkSurface& surface, const SpecialBody& body);
 void relax_corners(WorkSurface& surface, const SpecialBody& body, const std::vector<BodyCurve>& curves, double edge);
 
 /// 1 for an equilateral triangle that faces outwards, 0 for one of no area, -1 for one turned over:
+///
 ///     4 sqrt(3) A . n / (sum of squared edge lengths), n the body's normal in its middle.
 double shape_quality(const SpecialBody& body, int face, const Vec3& a, const Vec3& b, const Vec3& c);
 

@@ -5,6 +5,7 @@
 
 namespace ripstop {
 
+/// When the symmetric Dirichlet iteration stops.
 struct DirichletOptions {
     int max_iterations = 100;  ///< Newton steps; >= 0
     double tolerance = 1e-10;  ///< stop where a step moves no vertex by more than this share of sqrt(area); > 0

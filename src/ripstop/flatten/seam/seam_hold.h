@@ -16,9 +16,9 @@ enum class SeamStart {
 /// `boundary_first`, which is taken as `arap`. Requires a disk.
 Eigen::VectorXd seam_start(const Tile& tile, SeamStart start);
 
-/// The minimum of `problem` at its lengths: Newton from `loose`, and where that fails, the edges led from the lengths they
-/// have there to those of the problem, in strides halved where one fails. Summary and certificate tell of all of it; where
-/// the edges could not be led all the way, of where they stand, with `iteration_limit`.
+/// The minimum of `problem` at its lengths: Newton from `loose`, and where that fails, the edges led from the lengths
+/// they have there to those of the problem, in strides halved where one fails. Summary and certificate tell of all of
+/// it; where the edges could not be led all the way, of where they stand, with `iteration_limit`.
 SeamSolution hold_lengths(SeamProblem& problem, SeamNewton& newton, const Eigen::VectorXd& loose,
                           const SeamNewtonOptions& options = {});
 

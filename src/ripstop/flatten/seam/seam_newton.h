@@ -33,13 +33,13 @@ struct SeamSolution {
 ///     [ H  Jᵀ ] [  d      ]     [ grad E ]
 ///     [ J  0  ] [ lambda' ] = - [   c    ]        H = Hessian of energy + lambda · length + mu · dense
 ///
-/// H + rho Jᵀ J has the pattern of H, so that is what is factorised: it is positive definite exactly where H is so along the
-/// constraints (rho large), which its pivots' signs certify. The system above is solved by a few multiplier updates
-/// lambda += rho (J d + c) with that one factorisation, each 1/rho closer; grain and area by a border of two columns.
-/// Where a pivot is negative the element Hessians are clamped, then a multiple of the identity is added. Steps stop short
-/// of the first triangle that would lose its area, then satisfy an l1 merit with a second-order correction. After a whole
-/// step with nothing clamped or added the same factorisation serves again (simplified Newton), as long as a step takes a
-/// decade off what is out of balance: a solve costs a tenth of a factorisation.
+/// H + rho Jᵀ J has the pattern of H, so that is what is factorised: it is positive definite exactly where H is so
+/// along the constraints (rho large), which its pivots' signs certify. The system above is solved by a few multiplier
+/// updates lambda += rho (J d + c) with that one factorisation, each 1/rho closer; grain and area by a border of two
+/// columns. Where a pivot is negative the element Hessians are clamped, then a multiple of the identity is added. Steps
+/// stop short of the first triangle that would lose its area, then satisfy an l1 merit with a second-order correction.
+/// After a whole step with nothing clamped or added the same factorisation serves again (simplified Newton), as long as
+/// a step takes a decade off what is out of balance: a solve costs a tenth of a factorisation.
 class SeamNewton {
   public:
     /// Analyses the problem's pattern once, for every `minimize`. Keeps a reference to the problem.
@@ -50,7 +50,8 @@ class SeamNewton {
     /// Begins with u, lambda and mu of `start`.
     SeamSolution minimize(const SeamSolution& start, const SeamNewtonOptions& options = {});
 
-    /// The step with edges held, factorised at a solution; null where no shift makes that possible. Valid until the next call.
+    /// The step with edges held, factorised at a solution; null where no shift makes that possible. Valid until the
+    /// next call.
     const SeamStep* system_at(const SeamSolution& solution);
 
   private:

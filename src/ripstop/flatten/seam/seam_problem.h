@@ -36,13 +36,15 @@ class SeamProblem {
     void set_lengths(const Eigen::VectorXd& lengths) { lengths_ = lengths; }
     /// What an edge's error is held against [m]: its length, at least 3e-5 of the outline, as positions are rounded.
     Eigen::VectorXd length_scales() const { return lengths_.cwiseMax(3e-5 * lengths_.sum()); }
-    /// Of each boundary vertex that is no corner: stiffness, in A^1.5 E, and turning at rest. Requires bending > 0 so far.
+    /// Of each boundary vertex that is no corner: stiffness, in A^1.5 E, and turning at rest. Requires bending > 0 so
+    /// far.
     void set_bending(const Eigen::VectorXd& bending, const Eigen::VectorXd& reference);
 
     double energy(const Eigen::VectorXd& u) const;  ///< +infinity where a triangle is flipped
 
     /// Gradient of the energy, and the Hessian of energy + sum lambda_i length_i + mu · dense + rho/2 sum length_i'^2,
-    /// which is what a Newton step solves with; written into `values`, the pattern's lower triangle. Returns the energy.
+    /// which is what a Newton step solves with; written into `values`, the pattern's lower triangle. Returns the
+    /// energy.
     double assemble(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda, const Eigen::VectorXd& mu, double rho,
                     Curvature curvature, Eigen::VectorXd& gradient, Eigen::VectorXd& values) const;
     Eigen::VectorXd gradient(const Eigen::VectorXd& u) const;

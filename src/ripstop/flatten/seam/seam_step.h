@@ -14,10 +14,10 @@ namespace ripstop {
 ///     [ J         ] [ lambda ] = - [ c ]        J rows of the edges, R of the grain (and the area)
 ///     [ R         ] [ mu     ]     [ r ]
 ///
-/// g the gradient, c and r the residuals at u. What is factorised is H + rho Jᵀ J, which has the pattern of H and is positive definite exactly where
-/// H is so along the edges' constraints (rho large); its pivots' signs certify that. The edges then take a few multiplier
-/// updates lambda += rho (J d + c), each bringing about a factor of 1e-5; R and the hold against turning are a border of
-/// two or three columns, solved in one pass with the first of them.
+/// g the gradient, c and r the residuals at u. What is factorised is H + rho Jᵀ J, which has the pattern of H and is
+/// positive definite exactly where H is so along the edges' constraints (rho large); its pivots' signs certify that.
+/// The edges then take a few multiplier updates lambda += rho (J d + c), each bringing about a factor of 1e-5; R and
+/// the hold against turning are a border of two or three columns, solved in one pass with the first of them.
 class SeamStep {
   public:
     /// Analyses the pattern. Keeps a reference to the problem.
@@ -26,9 +26,9 @@ class SeamStep {
     /// False: a free boundary, J is left out.
     void hold_edges(bool hold);
 
-    /// Factorises at u. Where the Hessian is not positive definite along the constraints, its elements are clamped and, if
-    /// that is not enough, a growing multiple of the identity is added; `near` rest the multiple goes first, as it may be
-    /// small and then hardly slows the convergence. False where no amount does.
+    /// Factorises at u. Where the Hessian is not positive definite along the constraints, its elements are clamped and,
+    /// if that is not enough, a growing multiple of the identity is added; `near` rest the multiple goes first, as it
+    /// may be small and then hardly slows the convergence. False where no amount does.
     bool factorize(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda, const Eigen::VectorXd& mu, bool near);
 
     double energy() const { return energy_; }                      ///< at the last u [J]
@@ -42,12 +42,12 @@ class SeamStep {
     /// The Newton step at the last u.
     Solution step() const;
 
-    /// The step that takes away forces g out of balance and residuals c, r met elsewhere, nearby; lambda and mu are what
-    /// it adds to the multipliers.
+    /// The step that takes away forces g out of balance and residuals c, r met elsewhere, nearby; lambda and mu are
+    /// what it adds to the multipliers.
     Solution correction(const Eigen::VectorXd& g, const Eigen::VectorXd& c, const Eigen::VectorXd& r) const;
 
-    /// How the tensions answer the lengths (#edges x #edges, symmetric): S = (J H⁻¹ Jᵀ)⁻¹ along R = 0, the stiffness of the
-    /// tile as its edges feel it. One solve an edge, and a dense inverse.
+    /// How the tensions answer the lengths (#edges x #edges, symmetric): S = (J H⁻¹ Jᵀ)⁻¹ along R = 0, the stiffness of
+    /// the tile as its edges feel it. One solve an edge, and a dense inverse.
     Eigen::MatrixXd edge_stiffness() const;
 
   private:

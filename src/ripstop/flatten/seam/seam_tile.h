@@ -9,8 +9,8 @@ namespace ripstop {
 /// exact first and second derivatives. In its own intervals' order (`TileStretch::intervals`).
 class SeamTile {
   public:
-    /// Flattens with free edges, which gives the seams the shape about which they bend. `bending` in A^1.5 E, > 0. Keeps
-    /// references to tile and stretch.
+    /// Flattens with free edges, which gives the seams the shape about which they bend. `bending` in A^1.5 E, > 0.
+    /// Keeps references to tile and stretch.
     SeamTile(const Tile& tile, const Fabric& fabric, const TileStretch& stretch, double bending);
 
     /// By how much each edge is longer than its target where all are free, as a ratio.
@@ -27,8 +27,8 @@ class SeamTile {
     /// Whether that was the Hessian itself, nothing clamped or added.
     bool exact() const { return exact_; }
 
-    /// Predicts from that factorisation, to second order, where h + change takes the tile; `attempt` goes a share of the way
-    /// there and comes to rest. The energy there, infinite where it does not come to rest. `accept` keeps it.
+    /// Predicts from that factorisation, to second order, where h + change takes the tile; `attempt` goes a share of
+    /// the way there and comes to rest. The energy there, infinite where it does not come to rest. `accept` keeps it.
     void aim(const Eigen::VectorXd& change);
     double attempt(double share);
     void accept();

@@ -26,10 +26,10 @@ struct SpringMassRun {
 ///
 ///     x_m = x + h/2 v,  v_m = v + h/2 a(x, v);   x <- x + h v_m,  v <- v + h a(x_m, v_m)
 ///
-/// The damper of a spring is tau k, tau = 2 damping / frequency bound, so the step h = step / frequency bound is inside the
-/// midpoint rule's stability region for every mode. Low modes are hardly damped that way: when the springs' energy starts
-/// to rise again the velocities are dropped, which ends one swing. The paper's stop, "the energy stops decreasing", is
-/// asked of whole swings, as within one it would fire at the first turning point.
+/// The damper of a spring is tau k, tau = 2 damping / frequency bound, so the step h = step / frequency bound is inside
+/// the midpoint rule's stability region for every mode. Low modes are hardly damped that way: when the springs' energy
+/// starts to rise again the velocities are dropped, which ends one swing. The paper's stop, "the energy stops
+/// decreasing", is asked of whole swings, as within one it would fire at the first turning point.
 ///
 /// Instability is caught by the total energy, which dampers can only lower: a step that raises it, or leaves finite
 /// numbers, is undone and redone from rest with half the step. Cost: two passes over the edges a step.

@@ -7,7 +7,8 @@
 
 namespace ripstop {
 
-/// Scales flat positions (#V x 2) so that their signed area is the surface's. Left as they are where that is not positive.
+/// Scales flat positions (#V x 2) so that their signed area is the surface's. Left as they are where that is not
+/// positive.
 void scale_to_area(const TriangleMesh& mesh, Points2& positions);
 
 /// Turns a flattening to its grain and says in its summary how it ended: `reason`, with the number of flipped triangles

@@ -24,15 +24,16 @@ struct WovenFit {
     double energy = 0;  ///< sum k (l - l0)^2 / 2 over the springs whose ends see each other [m2 x stiffness ratio]
 };
 
-/// The woven mesh of `spacing` fitted to the surface from `centre` with the warp along `warp` (in the frame of the centre's
-/// triangle): tendons, diagonals quadrant by quadrant, boundary propagation, energy diffusion [WTY05, section 3]. A grid
-/// position is taken once, and a place on the surface too: where fronts meet that went round a slit, they stop.
-/// Tendons are as long as the surface lets them, but no more than `max_nodes` nodes are placed.
+/// The woven mesh of `spacing` fitted to the surface from `centre` with the warp along `warp` (in the frame of the
+/// centre's triangle): tendons, diagonals quadrant by quadrant, boundary propagation, energy diffusion [WTY05, section
+/// 3]. A grid position is taken once, and a place on the surface too: where fronts meet that went round a slit, they
+/// stop. Tendons are as long as the surface lets them, but no more than `max_nodes` nodes are placed.
 WovenFit fit_woven_mesh(const UnfoldedSurface& surface, const SurfacePoint& centre, const Vec2& warp, double spacing,
                         int max_nodes, const WovenOptions& options);
 
-/// The same from crossings that lie on the surface already: of `start`, in its order, those that see a neighbour and crowd
-/// none are placed (the first in any case, and it stays where it is), then boundary propagation and energy diffusion.
+/// The same from crossings that lie on the surface already: of `start`, in its order, those that see a neighbour and
+/// crowd none are placed (the first in any case, and it stays where it is), then boundary propagation and energy
+/// diffusion.
 WovenFit settle_woven_mesh(const UnfoldedSurface& surface, const std::vector<WovenNode>& start, double spacing,
                            int max_nodes, const WovenOptions& options);
 

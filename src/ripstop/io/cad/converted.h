@@ -18,6 +18,7 @@ struct ConvertedFace {
     Attributes attributes = {};
 };
 
+/// An object of a CAD file with its faces, each meshed.
 struct ConvertedObject {
     std::string name = {};  ///< empty: none
     std::string type;       ///< `Solid`, `Shell`, `Brep`, …

@@ -7,8 +7,9 @@ namespace ripstop {
 
 /// A habit of writing patterns as DXF, as constants. All are ASCII, millimetres, CR LF, four decimals.
 ///
-/// `cam` draws contours on layers with names, for cutters and CAD. The others put each piece in a BLOCK, on the numbered
-/// layers of ANSI/AAMA-292 and of the (withdrawn) ASTM D6673-10, for garment CAD; docs/dialects.md says for which.
+/// `cam` draws contours on layers with names, for cutters and CAD. The others put each piece in a BLOCK, on the
+/// numbered layers of ANSI/AAMA-292 and of the (withdrawn) ASTM D6673-10, for garment CAD; docs/dialects.md says for
+/// which.
 struct DxfDialect {
     enum class NotchMark {
         line,         ///< a LINE from the cut line inwards, a slit

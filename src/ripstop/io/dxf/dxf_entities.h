@@ -14,8 +14,8 @@ struct DxfLayer {
     int colour;
 };
 
-/// Writes what a DXF of Release 10 to 12 is made of: group codes right-aligned, CR LF, coordinates in millimetres with four
-/// decimals, texts in ASCII without control codes. Everything is given in metres and radians.
+/// Writes what a DXF of Release 10 to 12 is made of: group codes right-aligned, CR LF, coordinates in millimetres with
+/// four decimals, texts in ASCII without control codes. Everything is given in metres and radians.
 class DxfEntities {
   public:
     explicit DxfEntities(std::ostream& out) : out_(out) {}
@@ -32,7 +32,8 @@ class DxfEntities {
     /// The TABLES section: line type CONTINUOUS, these layers, style STANDARD.
     void tables(const std::vector<DxfLayer>& layers);
 
-    /// A POLYLINE; corners that are the same as written are written once, one that is left with one point is not written.
+    /// A POLYLINE; corners that are the same as written are written once, one that is left with one point is not
+    /// written.
     void polyline(const char* layer, const Points2& corners, bool is_closed);
     void line(const char* layer, const Vec2& from, const Vec2& to);
     /// Centred on its middle; readers that ignore the alignment find the start of an average font's text in 10/20.

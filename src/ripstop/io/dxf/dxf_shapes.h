@@ -9,8 +9,7 @@
 namespace ripstop {
 
 /// Points in a row. Curves are sampled: no chord is farther from its curve than the chord error [file's units], and
-/// circles have
-/// at least a point a degree.
+/// circles have at least a point a degree.
 struct DxfShape {
     std::vector<Vec3> points;
     bool is_closed = false;
@@ -30,8 +29,7 @@ DxfShape dxf_polyline(const DxfEntity& head, DxfTagSpan tags, std::size_t& next,
 DxfShape dxf_spline(const DxfEntity& entity, double chord_error);
 
 /// From the plane of an entity to space: its axes by the arbitrary axis algorithm of the DXF reference from the
-/// extrusion
-/// direction (210, 220, 230). A rotation; the identity for what is drawn in space itself.
+/// extrusion direction (210, 220, 230). A rotation; the identity for what is drawn in space itself.
 Eigen::Matrix3d dxf_plane(const DxfEntity& entity);
 
 }  // namespace ripstop

@@ -9,9 +9,8 @@
 
 namespace ripstop {
 
-/// A place in a JSON file that `flatten` wrote, and what stands there. Every fault is an InputError that says where
-/// it is, what belongs
-/// there, and to flatten again: nobody writes such a file by hand.
+/// A place in a JSON file that `flatten` wrote, and what stands there. Every fault is an InputError that says where it
+/// is, what belongs there, and to flatten again: nobody writes such a file by hand.
 class PlanReader {
   public:
     /// `value` must outlive it. Throws unless it is an object.

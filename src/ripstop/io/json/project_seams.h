@@ -31,8 +31,8 @@ struct SeamRule {
     bool is_exact() const;
 };
 
-/// The types of the program with those of a project, `seam_types`, in place of or behind them. Throws InputError that begins
-/// with `place`.
+/// The types of the program with those of a project, `seam_types`, in place of or behind them. Throws InputError that
+/// begins with `place`.
 std::vector<SeamType> read_seam_types(const nlohmann::json& value, const std::string& place);
 
 /// The rules of a project, `seams`, their types looked up among `types`. Throws InputError that begins with `place`.

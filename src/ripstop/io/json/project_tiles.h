@@ -27,8 +27,8 @@ struct ProjectTile {
 /// An entry of a project's `tiles`. Throws InputError that begins with `place`.
 ProjectTile read_project_tile(const nlohmann::json& value, const std::string& place);
 
-/// The entry that decides for a tile among those of which `gives` holds; null if there is none. The entry with exactly the
-/// tile's name goes first; among patterns the later goes before the earlier.
+/// The entry that decides for a tile among those of which `gives` holds; null if there is none. The entry with exactly
+/// the tile's name goes first; among patterns the later goes before the earlier.
 const ProjectTile* deciding_entry(const std::vector<ProjectTile>& entries, const std::string& tile_name,
                                   bool (*gives)(const ProjectTile&));
 

@@ -8,8 +8,8 @@
 
 namespace ripstop {
 
-/// Takes corners out that a face names several times in a row (1 2 2 3) or comes back from at once (1 2 1 3), and faces with
-/// fewer than three left, with a remark. Requires indices that hold. Linear.
+/// Takes corners out that a face names several times in a row (1 2 2 3) or comes back from at once (1 2 1 3), and faces
+/// with fewer than three left, with a remark. Requires indices that hold. Linear.
 void mend_faces(MeshRecords& file);
 
 /// The corners of all triangles, three a triangle, and the face each triangle comes from.
@@ -19,8 +19,8 @@ struct TriangleList {
     std::map<std::size_t, std::string> faults;  ///< of faces that cannot be fanned: fanned from corner 0 all the same
 };
 
-/// Faces as fans of triangles (`fan_corner`). Corners in one place count once there: the triangles between them, and those of a
-/// polygon without area, have no area either and are left to `mend_mesh`.
+/// Faces as fans of triangles (`fan_corner`). Corners in one place count once there: the triangles between them, and
+/// those of a polygon without area, have no area either and are left to `mend_mesh`.
 TriangleList triangulated(const MeshRecords& file);
 
 }  // namespace ripstop

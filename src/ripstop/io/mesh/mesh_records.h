@@ -52,18 +52,19 @@ struct MeshRecords {
     double coordinate(double value, long place) const;
 };
 
-/// Adds the surfaces of a file to a model, with its remarks: each with the vertices its faces use, in the file's order; nothing is welded. The faces of one
-/// `surface` make one, or, where the file has its parts `apart`, each connected part of them: `NAME` where there is one, else
-/// `NAME_01`, `NAME_02`, … but for names that are taken. Surfaces come in the order of their numbers, parts of their first
-/// faces. Polygons are fanned (`fan_corner`). `drawn` is filled where every corner has a texture coordinate and each vertex
-/// one alone; `warp` where the faces have one; the attribute `material` where all faces of a surface have the same.
+/// Adds the surfaces of a file to a model, with its remarks: each with the vertices its faces use, in the file's order;
+/// nothing is welded. The faces of one `surface` make one, or, where the file has its parts `apart`, each connected
+/// part of them: `NAME` where there is one, else `NAME_01`, `NAME_02`, … but for names that are taken. Surfaces come in
+/// the order of their numbers, parts of their first faces. Polygons are fanned (`fan_corner`). `drawn` is filled where
+/// every corner has a texture coordinate and each vertex one alone; `warp` where the faces have one; the attribute
+/// `material` where all faces of a surface have the same.
 ///
-/// A face may name a corner several times in a row, as exporters write a triangle as a quad, and go back the way it came; what
-/// is left of it counts. Faces with fewer than three different corners are left out, with a remark. A polygon that cannot be
-/// fanned, since it folds or comes by a corner twice, is the `fault` of its surface alone.
+/// A face may name a corner several times in a row, as exporters write a triangle as a quad, and go back the way it
+/// came; what is left of it counts. Faces with fewer than three different corners are left out, with a remark. A
+/// polygon that cannot be fanned, since it folds or comes by a corner twice, is the `fault` of its surface alone.
 ///
-/// Throws InputError for an index beyond the vertices, for a warp on some faces of a surface only, and where there is no
-/// face. Linear in time and memory.
+/// Throws InputError for an index beyond the vertices, for a warp on some faces of a surface only, and where there is
+/// no face. Linear in time and memory.
 void make_surfaces(MeshRecords records, CadModel& model);
 
 /// The file's name without folder and without `extension` (with its dot, in lower case).

@@ -6,8 +6,8 @@
 
 namespace ripstop {
 
-/// Numbers for places of a surface: one in exactly the same place of the same surface (0 and -0 are one place) has the same
-/// number. A call costs constant time on average.
+/// Numbers for places of a surface: one in exactly the same place of the same surface (0 and -0 are one place) has the
+/// same number. A call costs constant time on average.
 class PlaceTable {
   public:
     /// The number of the place; `next` where it has none yet.

@@ -10,16 +10,16 @@
 
 namespace ripstop {
 
-/// The bytes of a Rhino archive (openNURBS, `.3dm`). Chunks inside chunks: a type code of 4 bytes, a length (4 bytes below
-/// version 50, 8 from there), that many bytes, the last four of them a checksum where the code says so.
+/// The bytes of a Rhino archive (openNURBS, `.3dm`). Chunks inside chunks: a type code of 4 bytes, a length (4 bytes
+/// below version 50, 8 from there), that many bytes, the last four of them a checksum where the code says so.
 struct RhinoArchive {
     std::string name;   ///< begins every message
     std::string bytes;  ///< the whole file
     int version = 0;    ///< 1 to 4, then 50, 60, 70, 80: ten times Rhino's
 };
 
-/// Reads a stream to its end and looks at the first 32 bytes. Throws InputError where they are no header of an archive, and
-/// for an archive newer than Rhino 8.
+/// Reads a stream to its end and looks at the first 32 bytes. Throws InputError where they are no header of an archive,
+/// and for an archive newer than Rhino 8.
 RhinoArchive read_rhino_archive(std::istream& in, const std::string& name);
 
 using RhinoId = std::array<std::uint8_t, 16>;  ///< a UUID as it stands in the file
@@ -66,7 +66,8 @@ class RhinoBytes {
     std::string_view view() const;  ///< what is left
     RhinoChunk chunk();             ///< the next one, without its checksum
 
-    /// A block of `size` bytes that may be deflated, checked against its checksum; `skip_buffer` steps over one of any size.
+    /// A block of `size` bytes that may be deflated, checked against its checksum; `skip_buffer` steps over one of any
+    /// size.
     std::string buffer(std::size_t size);
     void skip_buffer();
 

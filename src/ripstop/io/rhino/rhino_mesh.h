@@ -14,10 +14,10 @@ struct RhinoMesh {
     int joined = 0;          ///< vertices that were in one place with another
 };
 
-/// The surface of a mesh object: its vertices in double precision where the file has them so and they fit the single ones,
-/// those that a face uses, in their order. A quad becomes two triangles that face one way, along its shorter diagonal (the
-/// first where they are equal to 1e-6). Where the faces do not hang together (an unwelded mesh: each face with vertices of its
-/// own), vertices in one place are made one if that leaves fewer parts.
+/// The surface of a mesh object: its vertices in double precision where the file has them so and they fit the single
+/// ones, those that a face uses, in their order. A quad becomes two triangles that face one way, along its shorter
+/// diagonal (the first where they are equal to 1e-6). Where the faces do not hang together (an unwelded mesh: each face
+/// with vertices of its own), vertices in one place are made one if that leaves fewer parts.
 ///
 /// `writer`: RhinoTables::writer. Throws InputError where the data is cut short, and naming the object (`called`) for
 /// a face at a vertex that is not there and for coordinates that are not finite. O(#V log #V + #F).

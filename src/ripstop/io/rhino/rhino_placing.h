@@ -38,11 +38,12 @@ struct RhinoPlacing {
         {};  ///< blocks with a name whose user text `tile` names none of several
 };
 
-/// Follows every block of the model to the objects it is made of. An instance is called by its name, else by its user text
-/// `tile`, else by its definition with a number: `gore_01`, counted among those without a name beside it.
+/// Follows every block of the model to the objects it is made of. An instance is called by its name, else by its user
+/// text `tile`, else by its definition with a number: `gore_01`, counted among those without a name beside it.
 ///
-/// `tables` and `objects` must outlive the result. A block placed by no invertible affine map is
-/// lost. Throws InputError for a block that holds itself, blocks more than 50 deep, and more placed objects than 1000 and a quarter of the file's bytes.
+/// `tables` and `objects` must outlive the result. A block placed by no invertible affine map is lost. Throws
+/// InputError for a block that holds itself, blocks more than 50 deep, and more placed objects than 1000 and a quarter
+/// of the file's bytes.
 RhinoPlacing place_rhino_objects(const RhinoTables& tables, const std::vector<RhinoObject>& objects,
                                  const RhinoArchive& archive);
 

@@ -15,7 +15,8 @@ struct Sheet {
     std::vector<Vec2> shifts;    ///< one a piece
 };
 
-/// `shifts` empty: the pieces stay where they are. Throws InputError where there are neither none nor as many as pieces.
+/// `shifts` empty: the pieces stay where they are. Throws InputError where there are neither none nor as many as
+/// pieces.
 Sheet make_sheet(const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts);
 
 /// The grain arrow as strokes (4 x 2 or no row): tail, head, and the ends of the two barbs that meet at the head.

@@ -9,15 +9,16 @@ namespace ripstop {
 /// The whole of a file, read in one go. Throws InputError where the stream cannot be read or holds more than 2 GiB.
 std::string read_bytes(std::istream& in, const std::string& name);
 
-/// The same as text: without the byte order mark of UTF-8. Throws InputError for what is no text: UTF-16, or a zero byte.
+/// The same as text: without the byte order mark of UTF-8. Throws InputError for what is no text: UTF-16, or a zero
+/// byte.
 std::string text_of(std::string bytes, const std::string& name);
 
-/// The whole of a text file, read in one go. A byte order mark of UTF-8 is dropped. Throws InputError where the stream cannot
-/// be read, holds more than 2 GiB, or is no text: UTF-16, or a zero byte in it.
+/// The whole of a text file, read in one go. A byte order mark of UTF-8 is dropped. Throws InputError where the stream
+/// cannot be read, holds more than 2 GiB, or is no text: UTF-16, or a zero byte in it.
 std::string read_text(std::istream& in, const std::string& name);
 
-/// Walks the lines of a text, which must outlive it. A line ends with LF, CR LF, or, where the text has no LF at all, with
-/// CR; the last line needs no end.
+/// Walks the lines of a text, which must outlive it. A line ends with LF, CR LF, or, where the text has no LF at all,
+/// with CR; the last line needs no end.
 class Lines {
   public:
     explicit Lines(std::string_view text);
@@ -27,8 +28,8 @@ class Lines {
     std::string_view line() const { return line_; }
     long number() const { return number_; }  ///< of the line, from 1; of its first part where it is continued
 
-    /// The line together with the ones it is continued on by a backslash at its end; `next` goes on after them. Valid until
-    /// the next call.
+    /// The line together with the ones it is continued on by a backslash at its end; `next` goes on after them. Valid
+    /// until the next call.
     std::string_view joined();
 
   private:
@@ -42,7 +43,8 @@ class Lines {
     long taken_ = 0;
 };
 
-/// The next word of `rest`, between blanks (space, tab, CR, form feed, vertical tab); empty at the end. `rest` moves on.
+/// The next word of `rest`, between blanks (space, tab, CR, form feed, vertical tab); empty at the end. `rest` moves
+/// on.
 std::string_view next_word(std::string_view& rest);
 
 /// Without the blanks at both ends.

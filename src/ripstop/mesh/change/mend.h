@@ -23,6 +23,7 @@ struct MendedMesh {
     bool any() const { return joined + flat + doubled + unused + welded + closed > 0; }
 };
 
+/// How `mend_mesh` treats tips: narrow ends where two sides of the outline nearly meet.
 struct MendOptions {
     bool keep_tips = false;  ///< tips are neither welded nor closed
     double tip_width = 0;    ///< narrower tips are closed, in the mesh's unit

@@ -2,6 +2,7 @@
 
 namespace ripstop {
 
+/// How a triangle of cloth carries load.
 enum class ClothState {
     taut,      ///< pulled both ways
     wrinkled,  ///< pulled one way, folded across it

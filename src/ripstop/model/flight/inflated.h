@@ -59,14 +59,13 @@ struct SafetyFactor {
     bool ok() const { return factor >= required; }
 };
 
-/// Why an envelope does not take the drawn shape, by what changes when a cause is taken away [m, root mean square].
-/// They do not
-/// add up: one can make good what another does.
+/// Why an envelope does not take the drawn shape, cause by cause [m, root mean square]. The causes do not add up: one
+/// can make good what another does.
 struct Causes {
-    double shape =
-        0;  ///< cut without any error of a cloth that does not stretch: this shape cannot be held by gas pressure
-    double stretch = 0;   ///< what the real cloth and tapes, and their foreshortening, add to that
-    double patterns = 0;  ///< what the pieces as cut add; not a number where it is not known
+    /// Of pieces cut without error from cloth that does not stretch: gas pressure cannot hold the drawn shape.
+    double shape = 0;
+    double stretch = 0;   ///< added by the stretch of cloth and tapes and by the foreshortening of the tapes
+    double patterns = 0;  ///< added by the pieces as they are cut; not a number if it is not known
 };
 
 /// What a round of correcting the patterns came to (`compensate`).

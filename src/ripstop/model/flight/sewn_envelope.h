@@ -24,10 +24,13 @@ struct Place : std::vector<PlacePart> {
 /// Along which axes a node may go: x 1, y 2, z 4.
 enum class Freedom : unsigned char { nowhere = 0, x = 1, y = 2, xy = 3, vertical = 4, xz = 5, yz = 6, everywhere = 7 };
 
+/// True if a node with this freedom may move along the axis: 0 is x, 1 is y, 2 is z.
 inline bool may_move(Freedom freedom, int axis) {
     return (static_cast<unsigned>(freedom) >> axis & 1u) != 0;
 }
 
+/// What a tape does: a load tape lies in a seam, a wire runs from the mouth to the burner frame, a tie joins two points
+/// inside.
 enum class TapeKind { load, wire, tie };
 
 /// A straight piece of tape between two points.
@@ -40,8 +43,8 @@ struct SewnTape {
     int source = -1;       ///< load: the seam, in `CutPlan::seams`; tie: in `Rigging::ties`; wire: its number
 };
 
-/// The pieces joined along their seams: cloth at rest as it was cut, and how its points hang together in space. Heights are the
-/// drawing's; x and y are from the axis of symmetry, where there is one.
+/// The pieces joined along their seams: cloth at rest as it was cut, and how its points hang together in space. Heights
+/// are the drawing's; x and y are from the axis of symmetry, where there is one.
 struct SewnEnvelope {
     Points3 nodes;                 ///< #N x 3: as drawn [m]
     std::vector<Freedom> freedom;  ///< of each node

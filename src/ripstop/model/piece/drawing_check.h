@@ -29,6 +29,7 @@ struct DrawingContour {
     bool is_cut = true;                               ///< else sewn, or drawn
 };
 
+/// A layer of a pattern file and how many things of each kind lie on it.
 struct DrawingLayer {
     std::string name;
     int lines = 0, points = 0, texts = 0;

@@ -30,6 +30,7 @@ struct DrawnPoint {
     double angle = 0;   ///< [degrees], counter-clockwise
 };
 
+/// A text of a drawing.
 struct DrawnText {
     std::string layer;
     int group = -1;

@@ -27,8 +27,8 @@ struct Mate {
     std::string type = {};  ///< of the seam
 };
 
-/// An edge of a piece: the run of its sew line from one corner to the next, counter-clockwise. Corners are points of the sew
-/// line; an outline without corners is one edge that ends where it starts.
+/// An edge of a piece: the run of its sew line from one corner to the next, counter-clockwise. Corners are points of
+/// the sew line; an outline without corners is one edge that ends where it starts.
 struct PieceEdge {
     int first = 0;                 ///< in `PatternPiece::sew_line`: where it starts; it ends where the next edge starts
     double length = 0;             ///< of the edge as flattened, before any point of it was left out [m]
@@ -110,12 +110,13 @@ struct PatternPiece {
 /// How many the pattern cuts, as it is written on it: `cut 12 + 12 mirrored`; empty where it is itself alone.
 std::string cut_count(const PatternPiece& piece);
 
-/// Counts what each pattern cuts once more, where pieces were left out: of equal pieces the first is the pattern and the others
-/// are cut by it, turned over where they are its mirror image. A label that states the count states the new one, or is dropped
-/// where the piece is cut once.
+/// Counts what each pattern cuts once more, where pieces were left out: of equal pieces the first is the pattern and
+/// the others are cut by it, turned over where they are its mirror image. A label that states the count states the new
+/// one, or is dropped where the piece is cut once.
 void count_patterns(std::vector<PatternPiece>& pieces);
 
-/// All the pieces of an envelope, with what cutting and sewing them needs: what `export`, `nest` and the order work from.
+/// All the pieces of an envelope, with what cutting and sewing them needs: what `export`, `nest` and the order work
+/// from.
 struct PieceSet {
     std::string input;     ///< the file the envelope came from
     std::string revision;  ///< of the patterns

@@ -15,6 +15,7 @@ struct ChainAccuracy {
     double error() const { return flat_length / length - 1; }  ///< signed
 };
 
+/// How far a flattening is from the surface: lengths in m, areas in m2, errors as ratios.
 struct Accuracy {
     double area = 0;
     double flat_area = 0;
@@ -28,7 +29,8 @@ struct Accuracy {
     double boundary_error_max = 0;  ///< worst boundary edge, |L'/L - 1|
     std::vector<ChainAccuracy> chains;
 
-    /// Strain of the map cloth -> space, positive where the cloth must stretch: smallest and largest over the triangles.
+    /// Strain of the map cloth -> space, positive where the cloth must stretch: smallest and largest over the
+    /// triangles.
     double warp_strain_min = 0, warp_strain_max = 0;
     double weft_strain_min = 0, weft_strain_max = 0;
     double shear_max = 0;  ///< largest change of the right angle between the threads [rad]

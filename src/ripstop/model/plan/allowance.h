@@ -6,13 +6,13 @@
 
 namespace ripstop {
 
-/// How wide the cloth is cut beyond the sew line along each boundary edge of each tile [m] (#boundary a tile): the allowance
-/// of the seam the edge belongs to, of the chain's finish where it belongs to none, and the wider where it belongs to
-/// several, or to a seam with only a part of it. O(seams + boundary edges).
+/// How wide the cloth is cut beyond the sew line along each boundary edge of each tile [m] (#boundary a tile): the
+/// allowance of the seam the edge belongs to, of the chain's finish where it belongs to none, and the wider where it
+/// belongs to several, or to a seam with only a part of it. O(seams + boundary edges).
 std::vector<Eigen::VectorXd> edge_allowances(const CutPlan& plan);
 
-/// How much of each chain of each tile is in no seam [m] (#chains a tile), as drawn; less than a hundredth of a millimetre of
-/// an edge counts as none. O(seams + boundary edges).
+/// How much of each chain of each tile is in no seam [m] (#chains a tile), as drawn; less than a hundredth of a
+/// millimetre of an edge counts as none. O(seams + boundary edges).
 std::vector<Eigen::VectorXd> free_lengths(const CutPlan& plan);
 std::vector<Eigen::VectorXd> free_lengths(const Envelope& envelope);
 

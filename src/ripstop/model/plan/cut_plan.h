@@ -60,8 +60,8 @@ struct CutPlan {
     std::vector<Fabric> fabrics() const;
 };
 
-/// How many pieces are cut by each tile's pattern (`equal_to`), and how many by the pattern turned over. None by one that is
-/// equal to an earlier tile.
+/// How many pieces are cut by each tile's pattern (`equal_to`), and how many by the pattern turned over. None by one
+/// that is equal to an earlier tile.
 struct Quantity {
     int same = 0, mirrored = 0;
 };

@@ -6,9 +6,9 @@
 
 namespace ripstop {
 
-/// Where a seam's curve `along` [m] from its start lies on one of its sides. `tiles` are the envelope's; `second`: on side b,
-/// which runs against the curve. Parts of edges lie where the seam's other side is in space (a T-junction within an edge).
-/// O(#parts).
+/// Where a seam's curve `along` [m] from its start lies on one of its sides. `tiles` are the envelope's; `second`: on
+/// side b, which runs against the curve. Parts of edges lie where the seam's other side is in space (a T-junction
+/// within an edge). O(#parts).
 BoundaryPlace place_on_side(const std::vector<FlatTile>& tiles, const Seam& seam, bool second, double along);
 
 /// The same of one of a seam's sheets, `along` from the start of the seam that it lies in.

@@ -12,7 +12,8 @@ struct Notch {
     double drift = 0;  ///< side b less side a on the cloth, from the seam's start to here [m]
 };
 
-/// A seam walked on the cloth, both sides at once from its start: what the sewer finds when one is laid along the other.
+/// A seam walked on the cloth, both sides at once from its start: what the sewer finds when one is laid along the
+/// other.
 struct SeamWalk {
     double length = 0;           ///< of the seam's curve as drawn [m]
     double flat_a = 0;           ///< of side a on the cloth [m]

@@ -8,6 +8,7 @@
 
 namespace ripstop {
 
+/// The solids that a special shape is joined of (`SpecialPrimitive`).
 enum class PrimitiveKind { ellipsoid, torus, capsule, cone };
 
 /// A solid of which a special shape is joined. Its own z runs along `axis`; its own x is what of the world's +x is

@@ -4,11 +4,12 @@
 
 namespace ripstop {
 
-/// A woven cloth as an orthotropic membrane in its own axes, 1 along the warp and 2 along the weft. Stiffness is a force
-/// per width [N/m]: the thickness of cloth means nothing.
+/// A woven cloth as an orthotropic membrane in its own axes, 1 along the warp and 2 along the weft. Stiffness is a
+/// force per width [N/m]: the thickness of cloth means nothing.
 ///
 ///     S = C e,  e = (E11, E22, 2 E12),  C = [c11 c12 0; c12 c22 0; 0 0 g]
-///     c11 = E_warp / (1 - nu12 nu21),  c22 = E_weft / (1 - nu12 nu21),  c12 = nu12 c22 = nu21 c11,  nu21 = nu12 E_weft / E_warp
+///     c11 = E_warp / (1 - nu12 nu21),  c22 = E_weft / (1 - nu12 nu21),  c12 = nu12 c22 = nu21 c11
+///     nu21 = nu12 E_weft / E_warp
 struct Fabric {
     std::string name = "isotropic";
     std::string description;
@@ -30,8 +31,8 @@ struct Fabric {
     double c12() const { return poisson * c22(); }
 };
 
-/// Throws InputError that names `place` and the value unless every stiffness, mass, width and limit is positive and finite
-/// and nu12 nu21 < 1, which is what keeps the energy positive.
+/// Throws InputError that names `place` and the value unless every stiffness, mass, width and limit is positive and
+/// finite and nu12 nu21 < 1, which is what keeps the energy positive.
 void require_valid(const Fabric& fabric, const std::string& place);
 
 }  // namespace ripstop

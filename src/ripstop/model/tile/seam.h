@@ -8,8 +8,8 @@
 
 namespace ripstop {
 
-/// The part of a boundary edge that belongs to a seam. Where a seam ends within an edge (a T-junction), the edge belongs to
-/// two seams, a part each.
+/// The part of a boundary edge that belongs to a seam. Where a seam ends within an edge (a T-junction), the edge
+/// belongs to two seams, a part each.
 struct SeamPart {
     int edge = 0;       ///< of the tile's boundary: boundary[edge] to boundary[edge + 1]
     double length = 0;  ///< of the part, on the common seam curve [m]
@@ -30,12 +30,13 @@ struct SewnInto {
     bool backwards = false;  ///< this seam's start is the highest
 };
 
-/// Two runs of boundary that are sewn together. Both are measured on one curve, so their lengths agree however differently
-/// the two tiles are meshed. Side b runs against side a: the seam's start is where a's parts begin and b's end.
+/// Two runs of boundary that are sewn together. Both are measured on one curve, so their lengths agree however
+/// differently the two tiles are meshed. Side b runs against side a: the seam's start is where a's parts begin and b's
+/// end.
 ///
-/// Where three or more sheets meet on an edge they are one seam, kept as that of two of them, the skin, and one more record
-/// for each further sheet (a rib, a fin, a diaphragm) with `into`: its side a is the further sheet, its side b again that
-/// side of the skin's seam which runs against it. All are measured on the curve of the skin's seam.
+/// Where three or more sheets meet on an edge they are one seam, kept as that of two of them, the skin, and one more
+/// record for each further sheet (a rib, a fin, a diaphragm) with `into`: its side a is the further sheet, its side b
+/// again that side of the skin's seam which runs against it. All are measured on the curve of the skin's seam.
 struct Seam {
     std::string id;
     SeamSide a, b;                      ///< the same tile twice where it is sewn to itself

@@ -14,8 +14,8 @@ struct SeamSheet {
     bool backwards = false;          ///< its parts go from `to` to `from`
 };
 
-/// The sheets of each seam: a, b and the further ones in the order of their records. Nothing in the places of these records.
-/// The seams must outlive it. O(#seams).
+/// The sheets of each seam: a, b and the further ones in the order of their records. Nothing in the places of these
+/// records. The seams must outlive it. O(#seams).
 std::vector<std::vector<SeamSheet>> sheets_of_seams(const std::vector<Seam>& seams);
 
 /// What of a sheet's parts lies between two places of the seam's curve, in their order. O(#parts).

@@ -13,30 +13,30 @@
 
 namespace ripstop {
 
-/// A run of a tile's boundary from one corner to the next, corners included, counter-clockwise seen from outside. A tile
-/// without corners has one chain that ends where it starts.
+/// A run of a tile's boundary from one corner to the next, corners included, counter-clockwise seen from outside. A
+/// tile without corners has one chain that ends where it starts.
 struct Chain {
     std::vector<int> vertices;
     SeamType finish = default_hem();  ///< of what of it is in no seam
     int edge_count() const { return static_cast<int>(vertices.size()) - 1; }
 };
 
-/// The warp of a tile: a direction in space, laid onto the surface by projection (`lay_on_cloth`). `source` says where it
-/// comes from, for the report.
+/// The warp of a tile: a direction in space, laid onto the surface by projection (`lay_on_cloth`). `source` says where
+/// it comes from, for the report.
 struct Grain {
     Vec3 direction = Vec3::UnitX();  ///< unit length
     std::string source;
     Points3 field = {};  ///< #F x 3: of each triangle its own, of unit length; empty: `direction` for all
 };
 
-/// How the cloth is to be cut otherwise than drawn. Ratios: 0.005 is half a per cent longer. What shrinks in use is cut longer,
-/// what stretches shorter.
+/// How the cloth is to be cut otherwise than drawn. Ratios: 0.005 is half a per cent longer. What shrinks in use is cut
+/// longer, what stretches shorter.
 struct Compensation {
     double warp = 0, weft = 0;        ///< of the whole cloth, along its threads, each in (-0.5, 1)
     std::vector<double> chains = {};  ///< of the edges alone, beside warp and weft, chain by chain; missing ones 0
-    /// #F x 3: Green strain E11, E22, 2 E12 (warp, weft) that each triangle is to have where it lies as drawn, before `warp` and
-    /// `weft`: what it is stretched by in flight; empty: none. With it `edges` (#boundary): cloth a drawn length of each
-    /// boundary edge, the same on both sides of a seam, before the others.
+    /// #F x 3: Green strain E11, E22, 2 E12 (warp, weft) that each triangle is to have where it lies as drawn, before
+    /// `warp` and `weft`: what it is stretched by in flight; empty: none. With it `edges` (#boundary): cloth a drawn
+    /// length of each boundary edge, the same on both sides of a seam, before the others.
     Points3 strain = {};
     Eigen::VectorXd edges = {};
 
@@ -68,6 +68,7 @@ struct Tile {
     const Fabric& fabric_or(const Fabric& of_envelope) const { return fabric ? *fabric : of_envelope; }
 };
 
+/// How `make_tile` finds the corners and the warp of a tile.
 struct TileOptions {
     double corner_angle = 30 * degree;  ///< a boundary vertex that turns by more is a corner [rad]
     std::vector<Vec3> corners = {};     ///< if any: these instead, each the boundary vertex nearest to the point
@@ -80,16 +81,17 @@ struct TileOptions {
     Attributes attributes = {};
 };
 
-/// The tile of a mesh. Corners are where the boundary turns by more than `corner_angle` on the surface: pi less the sum of
-/// the triangle angles at the vertex, so a gentle curve in space is no corner. Throws InputError (`require_disk`; a warp
-/// that stands on the surface).
+/// The tile of a mesh. Corners are where the boundary turns by more than `corner_angle` on the surface: pi less the sum
+/// of the triangle angles at the vertex, so a gentle curve in space is no corner. Throws InputError (`require_disk`; a
+/// warp that stands on the surface).
 Tile make_tile(std::string name, TriangleMesh mesh, const TileOptions& options = {});
 
-/// How much the boundary turns at each of its vertices, on the surface: pi less the angles there [rad]. Positive turns left.
+/// How much the boundary turns at each of its vertices, on the surface: pi less the angles there [rad]. Positive turns
+/// left.
 Eigen::VectorXd surface_turning(const TriangleMesh& mesh, const std::vector<int>& boundary);
 
-/// The tile's longest direction: the axis of greatest second moment of its area, towards +z (else +y, else +x). Where there are
-/// several such, as all round a tube, that of the unrolled tile (`longest_axis_on_cloth`).
+/// The tile's longest direction: the axis of greatest second moment of its area, towards +z (else +y, else +x). Where
+/// there are several such, as all round a tube, that of the unrolled tile (`longest_axis_on_cloth`).
 Vec3 longest_axis(const TriangleMesh& mesh);
 
 /// The warp in the frame of each triangle (2 x #F): its part along the triangle, in the basis of the triangle laid flat

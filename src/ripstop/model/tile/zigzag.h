@@ -8,9 +8,9 @@
 
 namespace ripstop {
 
-/// A run of a tile's boundary that goes along the edges of a mesh where a smooth cut was meant: it turns left and right in
-/// turn, by teeth about as high as its edges are long. Each edge keeps its length on the cloth while the teeth fold like an
-/// accordion, so their sum says nothing of the seam.
+/// A run of a tile's boundary that goes along the edges of a mesh where a smooth cut was meant: it turns left and right
+/// in turn, by teeth about as high as its edges are long. Each edge keeps its length on the cloth while the teeth fold
+/// like an accordion, so their sum says nothing of the seam.
 struct Zigzag {
     int tile = 0;
     std::string tile_name;
@@ -39,10 +39,11 @@ struct ZigzagWalk {
 
 /// The zigzags of each tile, in the order of the tiles and their boundaries.
 ///
-/// A run lies between one neighbour's end and the next, and between corners that were given. Its turns of more than 6 degrees
-/// on the surface follow one another by at most six edges, at least four of them and at least 11 in 20 change the side, its
-/// teeth are at most a quarter as high as the whole is large, and its fair curve (`FairCurve`) stays within an edge of it. So a
-/// corner, a curve however coarse, and a hem whose scallops are many edges wide are none. O(#boundary).
+/// A run lies between one neighbour's end and the next, and between corners that were given. Its turns of more than 6
+/// degrees on the surface follow one another by at most six edges, at least four of them and at least 11 in 20 change
+/// the side, its teeth are at most a quarter as high as the whole is large, and its fair curve (`FairCurve`) stays
+/// within an edge of it. So a corner, a curve however coarse, and a hem whose scallops are many edges wide are none.
+/// O(#boundary).
 std::vector<Zigzag> find_zigzags(const std::vector<const Tile*>& tiles, const std::vector<Seam>& seams);
 std::vector<Zigzag> find_zigzags(const std::vector<Tile>& tiles, const std::vector<Seam>& seams);
 

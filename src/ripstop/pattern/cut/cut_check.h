@@ -17,16 +17,16 @@ struct CutFault {
 
 /// Holds the cut line of a piece to its sew line and allowances, however it was made:
 ///
-///     the cut line is one closed line, counter-clockwise, that neither crosses nor touches itself
-///     it winds once round every point of the sew line, and the sew line round none of it
-///     each place of an edge has the cut line at right angles to it at its allowance,
-///     further away only where the allowance of a part that is not apart (`SewContour::is_apart`: a corner that turns inward) covers
-///     it, and nearer only where `PatternPiece::met` says so, no nearer than it says, and at the ends of an edge, where
-///     hems are folded
+/// - The cut line is one closed line, counter-clockwise, that neither crosses nor touches itself.
+/// - It winds once round every point of the sew line, and the sew line round none of it.
+/// - Each place of an edge has the cut line at right angles to it at its allowance. The cut line is further away only
+///   where the allowance of a part that is not apart covers the place (`SewContour::is_apart`: a corner that turns
+///   inward). It is nearer only where `PatternPiece::met` says so, by no more than that, and at the ends of an edge,
+///   where hems are folded.
 ///
-/// to 0.06 mm, at places half an allowance apart and the points of both lines. An opening that is not cut, a notch
-/// that is filled in, a part of the sew line without cloth are breaches, one for each edge. A piece without edges or
-/// allowances is cut along its sew line, and passes. About O(length / allowance + n log n), and O(n) for each place
+/// Checked to 0.06 mm, at places half an allowance apart and at the points of both lines. An opening that is not cut, a
+/// notch that is filled in, a part of the sew line without cloth are breaches, one for each edge. A piece without edges
+/// or allowances is cut along its sew line, and passes. About O(length / allowance + n log n), and O(n) for each place
 /// that has not its allowance.
 std::vector<CutFault> check_cut_line(const PatternPiece& piece);
 

@@ -6,8 +6,8 @@
 
 namespace ripstop {
 
-/// A polygon (#P x 2, corners in order, at least three) with its edges in rows by height, so that a question about a point
-/// looks at few of them.
+/// A polygon (#P x 2, corners in order, at least three) with its edges in rows by height, so that a question about a
+/// point looks at few of them.
 class IndexedOutline {
   public:
     /// O(#P).
@@ -51,9 +51,10 @@ struct OutlineRelation {
     Reach overlap;  ///< where they cross: how deep the line of one reaches into the other
 };
 
-/// What reaches less than `tolerance` [m] beyond the other's line does not reach beyond it: pieces with a cut in common touch.
-/// Every corner and every run between two crossings is looked at where they meet, one corner where they do not. Requires
-/// outlines that do not cross themselves. About O(n log n) for n corners, and for those on the other's line the corners near.
+/// What reaches less than `tolerance` [m] beyond the other's line does not reach beyond it: pieces with a cut in common
+/// touch. Every corner and every run between two crossings is looked at where they meet, one corner where they do not.
+/// Requires outlines that do not cross themselves. About O(n log n) for n corners, and for those on the other's line
+/// the corners near.
 OutlineRelation relate(const IndexedOutline& first, const IndexedOutline& second, double tolerance);
 
 /// The sides that two outlines have in common: their length [m], and where the first begins.
@@ -62,9 +63,8 @@ struct CommonSide {
     Vec2 at = Vec2::Zero();
 };
 
-/// What of the line of `first` lies within `tolerance` [m] of edges of `second` along its whole length. O(n log n)
-/// for the n edges
-/// of both in the box that they share.
+/// What of the line of `first` lies within `tolerance` [m] of edges of `second` along its whole length. O(n log n) for
+/// the n edges of both in the box that they share.
 CommonSide common_side(const IndexedOutline& first, const IndexedOutline& second, double tolerance);
 
 /// How far the line of `first` reaches out of `second`.

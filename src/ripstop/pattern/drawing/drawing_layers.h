@@ -15,6 +15,7 @@ enum class LayerConvention { named, numbered, unknown };
 LayerConvention convention_of(const PatternDrawing& drawing);
 std::string convention_text(LayerConvention convention);
 
+/// What the lines of a layer are for.
 enum class LayerUse { cut, sew, grain, text, reference, data, other };
 LayerUse use_of(LayerConvention convention, const std::string& layer);
 

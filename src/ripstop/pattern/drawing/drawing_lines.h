@@ -26,11 +26,9 @@ struct FoundContour {
     Points2 points;
 };
 
-/// The contours of the drawing. Names those that are open, by how much and where, those that cross themselves and
-/// those that
-/// do not lie in a plane. Where no layers are known, an open line that goes round cloth outside of every contour is
-/// an outline
-/// left open; other open lines are counted and noted.
+/// The contours of the drawing. Names those that are open, by how much and where, those that cross themselves and those
+/// that do not lie in a plane. Where no layers are known, an open line that goes round cloth outside of every contour
+/// is an outline left open; other open lines are counted and noted.
 std::vector<FoundContour> find_contours(DrawingSurvey& survey, const std::vector<LayerLines>& layers);
 
 /// `(12.3, 4) mm`.

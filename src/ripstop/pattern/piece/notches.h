@@ -8,6 +8,7 @@
 
 namespace ripstop {
 
+/// How far apart notches are and how deep they are cut.
 struct NotchOptions {
     double straight_spacing = 0.75;  ///< on a straight seam, at most [m]
     double curved_spacing = 0.25;    ///< on a strongly curved one, at least [m]
@@ -22,9 +23,10 @@ struct SeamMark {
     int count = 1;     ///< 2: a double notch
 };
 
-/// Where a seam is marked: equally far apart in what its curve turns and runs, so more closely on curves. The first mark from
-/// where `direction` begins is double, so that a piece turned end for end does not fit; a seam with room for one mark has it
-/// off its middle. Without direction all are single, and a lone one in the middle. None lies within 1/8 of the spacing, or 30 mm, of the seam's ends, which are corners.
+/// Where a seam is marked: equally far apart in what its curve turns and runs, so more closely on curves. The first
+/// mark from where `direction` begins is double, so that a piece turned end for end does not fit; a seam with room for
+/// one mark has it off its middle. Without direction all are single, and a lone one in the middle. None lies within 1/8
+/// of the spacing, or 30 mm, of the seam's ends, which are corners.
 ///
 ///     marks divide  integral of ds / h(s),  h = clamp(turn / curvature, curved_spacing, straight_spacing)
 ///
@@ -32,8 +34,9 @@ struct SeamMark {
 std::vector<SeamMark> seam_marks(const std::vector<FlatTile>& tiles, const Seam& seam, const NotchOptions& options = {},
                                  MarkDirection direction = MarkDirection::from_start);
 
-/// The notches of every piece, in the order of `tiles`: those of its seams in their `mark_directions`, and a single one wherever on an edge, away from
-/// its corners, one seam ends and the next begins (a T-junction). A piece without edges has none.
+/// The notches of every piece, in the order of `tiles`: those of its seams in their `mark_directions`, and a single one
+/// wherever on an edge, away from its corners, one seam ends and the next begins (a T-junction). A piece without edges
+/// has none.
 std::vector<std::vector<PieceNotch>> make_notches(const CutPlan& plan, const std::vector<PieceOutline>& outlines,
                                                   const NotchOptions& options = {});
 

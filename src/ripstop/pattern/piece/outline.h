@@ -17,10 +17,10 @@ struct PieceOutline {
 /// The outlines of all pieces, in the order of the tiles; a tile without flat positions has an empty one, a
 /// flattening that is turned over a sew line without edges.
 ///
-/// An edge goes from one corner of the tile to the next, or to where the seam type or the allowance changes or a seam ends in a
-/// free edge; its points are
-/// boundary vertices, ends exact, with those left out that it does without at `chord_error` [m] (`simplified`). Its length is
-/// that of all its vertices. Mates stand in the order of the edge. O(#seams + #boundary log #boundary).
+/// An edge goes from one corner of the tile to the next, or to where the seam type or the allowance changes or a seam
+/// ends in a free edge; its points are boundary vertices, ends exact, with those left out that it does without at
+/// `chord_error` [m] (`simplified`). Its length is that of all its vertices. Mates stand in the order of the edge.
+/// O(#seams + #boundary log #boundary).
 std::vector<PieceOutline> make_outlines(const CutPlan& plan, double chord_error);
 
 }  // namespace ripstop

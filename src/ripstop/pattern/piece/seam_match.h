@@ -18,9 +18,9 @@ class SeamEnds {
   public:
     explicit SeamEnds(const CutPlan& plan);
 
-    /// The seams of `tile` against those of `pattern`, whose flat shape is the same (`mirrored`: turned over) up to a shift
-    /// and half a turn. Nothing unless each seam of the one ends where one of the other does, within a millimetre: else the
-    /// notches of the pattern are in the wrong places. O(square of the tile's #seams).
+    /// The seams of `tile` against those of `pattern`, whose flat shape is the same (`mirrored`: turned over) up to a
+    /// shift and half a turn. Nothing unless each seam of the one ends where one of the other does, within a
+    /// millimetre: else the notches of the pattern are in the wrong places. O(square of the tile's #seams).
     std::optional<std::vector<SeamMatch>> match(std::size_t tile, std::size_t pattern, bool mirrored) const;
 
   private:

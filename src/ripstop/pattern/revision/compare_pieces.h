@@ -14,8 +14,8 @@ namespace ripstop {
 /// (`fit_outline`); drawn lines of one name with the nearest of that name.
 std::vector<PieceChange> compare_pieces(const PieceSet& before, const PieceSet& after, double tolerance);
 
-/// The seam types of both sets, by name, that are sewn otherwise: allowance, rows, tape. One that only one set has shows in
-/// the edges that name it.
+/// The seam types of both sets, by name, that are sewn otherwise: allowance, rows, tape. One that only one set has
+/// shows in the edges that name it.
 std::vector<SeamTypeChange> compare_seam_types(const PieceSet& before, const PieceSet& after, double tolerance);
 
 }  // namespace ripstop

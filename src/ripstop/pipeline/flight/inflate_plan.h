@@ -4,6 +4,7 @@
 
 namespace ripstop {
 
+/// What `inflate_plan` fills a plan with, and what it works out beside the shape.
 struct InflatePlanOptions {
     LoadCase load = {};
     Rigging rigging = {};
@@ -13,8 +14,8 @@ struct InflatePlanOptions {
     Progress progress = {};
 };
 
-/// Sews, inflates and compares a plan (`inflate`), in one sector where it has equal ones (`find_symmetry`), and tells the causes of what it is
-/// off apart. Throws InputError as `inflate` does.
+/// Sews, inflates and compares a plan (`inflate`), in one sector where it has equal ones (`find_symmetry`), and tells
+/// the causes of what it is off apart. Throws InputError as `inflate` does.
 Inflated inflate_plan(const CutPlan& plan, const InflatePlanOptions& options);
 
 }  // namespace ripstop

@@ -8,7 +8,8 @@
 
 namespace ripstop {
 
-/// What the cloth of an envelope is to be: a target surface, which need not be the drawn one, and the strain that the cloth is to have on it.
+/// What the cloth of an envelope is to be: a target surface, which need not be the drawn one, and the strain that the
+/// cloth is to have on it.
 struct WantedCloth {
     std::vector<Points3> target;      ///< of each tile #V x 3 [m]
     std::vector<Points3> strain;      ///< of each tile #F x 3: E11, E22, 2 E12 along warp and weft
@@ -18,8 +19,8 @@ struct WantedCloth {
 /// The drawing itself, unstrained.
 WantedCloth drawn_cloth(const Envelope& envelope);
 
-/// Writes it into the tiles' compensation (`Compensation::strain`, `edges`), seen from the drawn surface. With C* = I + 2 E*
-/// of the wanted strain and C_A the metric of the target triangle in the axes of the drawn one:
+/// Writes it into the tiles' compensation (`Compensation::strain`, `edges`), seen from the drawn surface. With C* = I +
+/// 2 E* of the wanted strain and C_A the metric of the target triangle in the axes of the drawn one:
 ///
 ///     I + 2 E = C*^(1/2) C_A^-1 C*^(1/2)
 ///

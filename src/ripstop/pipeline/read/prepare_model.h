@@ -10,7 +10,7 @@
 
 namespace ripstop {
 
-/// What is done to a file's model before it is made tiles.
+// What is done to a file's model before it is made tiles.
 
 /// Mends the meshes of its surfaces (`mend_mesh`), `tip_width` in the file's unit. Drawn positions and warps go along,
 /// and are dropped where vertices that become one differ in them. A tip whose vertices are drawn apart is a dart and

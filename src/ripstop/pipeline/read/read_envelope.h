@@ -17,6 +17,7 @@
 
 namespace ripstop {
 
+/// How `read_envelope` understands a file.
 struct ReadOptions {
     std::optional<LengthUnit> unit = {};   ///< of the file's numbers, whatever the file says; else its own, else metres
     std::vector<std::string> only = {};    ///< globs of tile names to keep; all where empty

@@ -8,11 +8,12 @@ namespace ripstop {
 
 /// Adds to a check what its seams leave in doubt, as flattening judges it.
 ///
-/// A seam whose length the meshes leave open by more than the tolerance is the issue `uncertain`; value: that length [m]. Only
-/// where one is, the envelope is remeshed as flattening would remesh it, for that may make it certain: then it is no issue.
+/// A seam whose length the meshes leave open by more than the tolerance is the issue `uncertain`; value: that length
+/// [m]. Only where one is, the envelope is remeshed as flattening would remesh it, for that may make it certain: then
+/// it is no issue.
 ///
-/// Edges that zigzag (`find_zigzags`) go into `EnvelopeCheck::zigzags`, and the highest teeth into a note: whether their curve
-/// keeps its length only flattening tells.
+/// Edges that zigzag (`find_zigzags`) go into `EnvelopeCheck::zigzags`, and the highest teeth into a note: whether
+/// their curve keeps its length only flattening tells.
 void add_seam_doubts(EnvelopeCheck& check, const Envelope& envelope, const RemeshOptions& remesh);
 
 }  // namespace ripstop

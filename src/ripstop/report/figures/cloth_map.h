@@ -14,9 +14,9 @@ struct PageView {
     Vec2 at(const Vec2& p) const { return {origin.x() + scale * p.x(), origin.y() - scale * p.y()}; }
 };
 
-/// The triangles of a flat tile as SVG, each in the colour (`class_colour`) of the mean |edge length on the cloth / in space
-/// - 1| of its edges, a ratio, against `limit`; flipped ones black. At most one path a colour, so about 30 bytes a triangle.
-/// Requires a tile that is drawable (`is_drawable`).
+/// The triangles of a flat tile as SVG, each in the colour (`class_colour`) of its `mean_edge_error` against `limit`;
+/// flipped ones black. At most one path a colour, so about 30 bytes a triangle. Requires a tile that is drawable
+/// (`is_drawable`).
 std::string cloth_map(const FlatTile& tile, const PageView& view, double limit);
 
 /// Mean |edge length on the cloth / in space - 1| of the edges of a triangle.

@@ -4,8 +4,8 @@
 
 namespace ripstop {
 
-/// The paper's colours, pinned to a tolerance and not to the largest value: from blue (no error) over green and yellow to
-/// orange (at the tolerance); red is beyond it and nothing else is red.
+/// The paper's colours, pinned to a tolerance and not to the largest value: from blue (no error) over green and yellow
+/// to orange (at the tolerance); red is beyond it and nothing else is red.
 inline constexpr int colour_classes = 32;
 inline constexpr int beyond_class = colour_classes - 1;
 

@@ -8,8 +8,8 @@
 
 namespace ripstop {
 
-/// Arrays of whole numbers as bytes, for a page to read: little-endian, each array once however often it is asked for, so
-/// equal tiles share theirs. Every array starts at a multiple of 4 bytes.
+/// Arrays of whole numbers as bytes, for a page to read: little-endian, each array once however often it is asked for,
+/// so equal tiles share theirs. Every array starts at a multiple of 4 bytes.
 class PackedArrays {
   public:
     /// Where an array stands in `bytes`.
@@ -35,8 +35,8 @@ class PackedArrays {
     std::string bytes_;
 };
 
-/// Numbers as multiples of a step, which is a power of two times `finest` and the smallest that lets all of them fit into 16
-/// bits: equal maps get equal steps. What is not finite becomes the smallest number there is.
+/// Numbers as multiples of a step, which is a power of two times `finest` and the smallest that lets all of them fit
+/// into 16 bits: equal maps get equal steps. What is not finite becomes the smallest number there is.
 struct SteppedValues {
     double step = 0;
     std::vector<std::int16_t> values;

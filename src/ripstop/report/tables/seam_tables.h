@@ -7,8 +7,8 @@
 
 namespace ripstop {
 
-/// seams.csv: a line a seam, in the form of tiles.csv. Columns are keys of report.json; only the heads where the plan has no
-/// seams.
+/// seams.csv: a line a seam, in the form of tiles.csv. Columns are keys of report.json; only the heads where the plan
+/// has no seams.
 std::string seams_csv(const CutPlan& plan);
 
 /// How many seams agree and the worst mismatch and drift, with the seams that have them, and how many the meshes leave

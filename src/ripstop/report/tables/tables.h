@@ -7,8 +7,8 @@
 namespace ripstop {
 
 /// tiles.csv: a line a tile, UTF-8, `,` between, `.` decimals, LF; fields with a comma, quote or line end in quotes
-/// (RFC 4180). Columns are keys of report.json, plus `chain_error_max_pct`, the worst chain's with its sign, and `finding`,
-/// the first. A figure that is not finite is left empty.
+/// (RFC 4180). Columns are keys of report.json, plus `chain_error_max_pct`, the worst chain's with its sign, and
+/// `finding`, the first. A figure that is not finite is left empty.
 std::string tiles_csv(const CutPlan& plan);
 
 /// The table for a terminal: columns aligned, a row a tile in the order of the input. Above `max_rows` tiles only the

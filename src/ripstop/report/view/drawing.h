@@ -23,7 +23,8 @@ std::string svg_text(const Vec2& at, const std::string& content, const TextStyle
 
 std::string svg_stroke(const std::vector<Vec2>& points, const std::string& colour, double width);
 
-/// The colours of `class_colour` with the numbers 0, half of `limit` and `limit`, its unit behind it, and what is beyond.
+/// The colours of `class_colour` with the numbers 0, half of `limit` and `limit`, its unit behind it, and what is
+/// beyond.
 std::string colour_bar(const Vec2& at, const std::string& title, double limit, const std::string& unit);
 
 /// The longest of 1, 2, 5 times a power of ten metres that is at most `widest` on the page, at `scale` units a metre.

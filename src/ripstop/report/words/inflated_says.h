@@ -17,9 +17,9 @@ double deviation_limit(const Inflated& inflated);
 bool is_corrected(const CutPlan& plan);
 
 /// What the inflated shape says of the plan, a sentence each, in this order: did it come to rest; is it within
-/// `deviation_limit` of the drawn shape; what is too weak; can gas pressure hold the shape, are the patterns wrong, does the
-/// cloth stretch too far (each against that limit by itself, as far as the causes are known); is all strong enough; what it
-/// carries; does it wrinkle. Requires `plan.inflated`.
+/// `deviation_limit` of the drawn shape; what is too weak; can gas pressure hold the shape, are the patterns wrong,
+/// does the cloth stretch too far (each against that limit by itself, as far as the causes are known); is all strong
+/// enough; what it carries; does it wrinkle. Requires `plan.inflated`.
 std::vector<std::string> inflated_says(const CutPlan& plan);
 
 }  // namespace ripstop

@@ -17,8 +17,8 @@ std::vector<ProposedKind> proposed_kinds(const CutPlan& plan);
 /// `both halves can be made then`, …: what a tile's proposal comes to.
 std::string halves_words(const FlatTile& tile);
 
-/// What the designer may draw instead, a sentence each: the seams that would help most in tiles that cannot be made, and
-/// the neighbours that could be one tile, at most `max_rows` of either. Empty where nothing is proposed.
+/// What the designer may draw instead, a sentence each: the seams that would help most in tiles that cannot be made,
+/// and the neighbours that could be one tile, at most `max_rows` of either. Empty where nothing is proposed.
 std::string proposals_text(const CutPlan& plan, int max_rows = 12);
 
 }  // namespace ripstop
