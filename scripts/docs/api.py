@@ -373,7 +373,7 @@ def write_pages(root, out, work):
     api = Api(library, work / "xml", rooms)
     told = api.without_comment()
     if told:
-        print('\n'.join(told))
+        raise SystemExit("\n".join(told))
     folder = out / "api"
     folder.mkdir(parents=True)
     for room in rooms:
