@@ -1,6 +1,6 @@
 # `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
-.PHONY: setup build demo test bench bench-solve bench-seams bench-inflate dress-seams robustness matched accuracy accuracy-check guide field sanitize install \
-	format check clean
+.PHONY: setup build demo test bench bench-solve bench-seams bench-inflate dress-seams robustness matched accuracy accuracy-check guide docs field sanitize \
+	install format check clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
 
@@ -47,6 +47,11 @@ accuracy-check: build
 guide: build
 	node scripts/guide/make.mjs build/release/ripstop build/guide
 
+# build/docs: one site of guide, methods, formats, decisions and public headers, every link checked. Builds the program only
+# where nobody took the pictures of the guide yet.
+docs: $(if $(wildcard build/guide/pictures/*.png build/release/guide/pictures/*.png),build/.setup,build)
+	python3 scripts/docs/make.py build/release/ripstop
+
 # Thousands of made envelopes through check, flatten and cut lines; some minutes. FIELD=sleeve: those with that word alone.
 field: build/.setup
 	cmake --preset $(PRESET) -Wno-dev
@@ -72,6 +77,7 @@ check:
 	scripts/check_format.sh
 	python3 scripts/check_rooms.py src/ripstop
 	python3 scripts/check_names.py src/ripstop
+	python3 scripts/docs/check_links.py --sources .
 
 format:
 	scripts/check_format.sh --fix
