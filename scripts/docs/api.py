@@ -97,7 +97,7 @@ def element(node, anchors):
     if node.tag in MARKS:
         return MARKS[node.tag]
     if node.tag == "computeroutput" and len(node) == 0:
-        return f"<code>{anchors.link_name(node.text or '')}</code>"
+        return f"<code>{anchors.link_name(unescaped(node.text or ''))}</code>"
     if node.tag in ("verbatim", "preformatted"):
         return f"<pre>{html.escape(unescaped(node.text or '').rstrip(), quote=False)}</pre>"
     if node.tag == "programlisting":
