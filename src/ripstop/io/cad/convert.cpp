@@ -31,9 +31,8 @@ constexpr std::array<CadFormat, 6> formats = {{{".step", "STEP"},
 constexpr const char* say_where =
     "build it with gmsh and Open CASCADE (make setup, then make), or name it in RIPSTOP_CAD";
 
-/// A file without a name, which programs started from here may write and read: it is gone with the last of them,
-/// however they
-/// end.
+/// A temporary file without a name, which child processes can open too. The system deletes it when the last
+/// process that has it open ends, even after a crash.
 class Between {
   public:
     Between() {
@@ -45,7 +44,7 @@ class Between {
     ~Between() { ::close(descriptor_); }
     Between(const Between&) = delete;
     Between& operator=(const Between&) = delete;
-    /// For them and for this program.
+    /// A path that this process and its children can open.
     fs::path path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
   private:
@@ -57,7 +56,7 @@ fs::path beside_this_program() {
     return fs::read_symlink("/proc/self/exe", unknown).parent_path();
 }
 
-/// The first of them that is there; empty where none is.
+/// The first of `places` that exists; empty if none does.
 fs::path first_file(const std::vector<fs::path>& places) {
     std::error_code unknown;
     for (const fs::path& place : places)
@@ -75,7 +74,8 @@ fs::path find_rhino_script() {
         {fs::path(RIPSTOP_RHINO_SOURCE) / "convert.mjs", fs::path(RIPSTOP_RHINO_INSTALL) / "convert.mjs"});
 }
 
-/// What the child says is wrong: its last line, without its own name and those of the files it was given before it.
+/// The child's error message: the last line it wrote, without its own name and without the file names it was
+/// given.
 std::string reason_in(const std::string& complaints, const std::string& program,
                       const std::vector<std::string>& arguments) {
     const std::string_view text = std::string_view(complaints).substr(0, complaints.find_last_not_of("\r\n ") + 1);
@@ -86,7 +86,7 @@ std::string reason_in(const std::string& complaints, const std::string& program,
     return readable_name(line.substr(0, 400));
 }
 
-/// Lines of progress as the converters write them, `progress 12 160 face`: the 12th of 160.
+/// Parses the converters' progress lines: `progress 12 160 face` means face 12 of 160.
 TakesLine progress_lines(const Progress& progress) {
     return [&progress](const std::string& line) {
         std::istringstream words(line);
@@ -98,7 +98,7 @@ TakesLine progress_lines(const Progress& progress) {
     };
 }
 
-/// `name`: what to call the program in a message. Throws InputError unless it ended well.
+/// Runs a program to its end. `name` is what messages call it. Throws InputError if it fails.
 void require_run(const std::vector<std::string>& arguments, const std::string& name, const fs::path& file,
                  const MeshingOptions& options) {
     const double timeout = options.timeout;

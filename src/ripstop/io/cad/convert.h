@@ -10,42 +10,45 @@
 
 namespace ripstop {
 
-/// A polyline in a curve that turns by t between its vertices is short by t²/24 of its length: this turn [rad] keeps
-/// lengths within 0.01 %, a tenth of what seams are held to.
+/// The largest turn of an edge between two vertices [rad]. A polyline whose curve turns by t between vertices is
+/// shorter than the curve by t²/24 of its length. This turn keeps lengths within 0.01 %, a tenth of the tolerance
+/// on seams.
 inline constexpr double turn_of_accuracy = 0.04898979485566356;
 
-/// How the surfaces of a CAD become meshes and tiles. Where neither `chord_error` nor `edge_length` is given, edges
-/// turn by `turn_of_accuracy` at most and a tile is about twelve edges across.
+/// How CAD surfaces become meshes and tiles. If neither `chord_error` nor `edge_length` is set, edges turn by at
+/// most `turn_of_accuracy` and a tile is about twelve edges across.
 struct MeshingOptions {
-    std::optional<double> chord_error = {};  ///< how far a surface may lie off its triangles [m], instead of the turn
-    std::optional<double> edge_length = {};  ///< how long edges are at most [m]
-    double sewing_tolerance = 0.5 * millimetre;  ///< faces are sewn where their edges lie within it [m]
-    std::optional<double> metres_per_unit = {};  ///< of the file, whatever it says
+    std::optional<double> chord_error = {};      ///< largest distance of the surface from its triangles [m]; replaces
+                                                 ///< the limit on the turn
+    std::optional<double> edge_length = {};      ///< longest edge [m]
+    double sewing_tolerance = 0.5 * millimetre;  ///< faces are sewn if their edges lie within this distance [m]
+    std::optional<double> metres_per_unit = {};  ///< overrides the unit that the file states
     TilesAs tiles = TilesAs::faces;
-    double timeout = 1800;              ///< [s]
-    std::filesystem::path mesher = {};  ///< the `ripstop-cad` to run; empty: beside this program, else installed
-    Progress progress = {};             ///< told the share of faces that are meshed, and `face 12 of 160`
+    double timeout = 1800;              ///< limit on the run time [s]
+    std::filesystem::path mesher = {};  ///< the `ripstop-cad` to run; empty: the one beside this program, else the
+                                        ///< installed one
+    Progress progress = {};             ///< receives the share of faces that are meshed, and `face 12 of 160`
 };
 
-/// Throws InputError for lengths that are not positive.
+/// Throws InputError if a length is not positive.
 void require_sound(const MeshingOptions& options);
 
 /// The file formats that hold exact surfaces.
 struct CadFormat {
-    const char* extension;  ///< with its dot, in lower case
+    const char* extension;  ///< in lower case, with its dot
     const char* description;
 };
 std::span<const CadFormat> cad_formats();
 
-/// The surfaces of a STEP, IGES or BREP file, in the file's own numbers, by the program `ripstop-cad` in a process of
-/// its own. Throws InputError in one sentence where it is absent, refuses the file, crashes, does not end in time, or
-/// answers with something else.
+/// Reads the surfaces of a STEP, IGES or BREP file, in the file's own unit, by running `ripstop-cad` in its own
+/// process. Throws InputError with one sentence if that program is missing, refuses the file, crashes, times out
+/// or writes something else than a model.
 CadModel convert_cad(const std::filesystem::path& file, const MeshingOptions& options);
 
-/// Everything in a Rhino file of any version that openNURBS gives surfaces of, in the file's own numbers: by Node.js
-/// with rhino3dm, and `ripstop-cad` for what are NURBS. Without `ripstop-cad` surfaces are as Rhino had meshed them,
-/// and those it had not are named as left out. Every object is there in the file's order, without faces where none
-/// could be made. Throws InputError as above.
+/// Reads every object of a Rhino file, of any version, that openNURBS can turn into surfaces, in the file's own
+/// unit. Runs Node.js with rhino3dm, and `ripstop-cad` for NURBS surfaces. Without `ripstop-cad`, surfaces come as
+/// the meshes that Rhino stored, and surfaces without a stored mesh are listed as left out. The result has every
+/// object in the file's order; one that could not be meshed has no faces. Throws InputError as `convert_cad` does.
 ConvertedModel convert_rhino(const std::filesystem::path& file, const MeshingOptions& options);
 
 }  // namespace ripstop

@@ -52,7 +52,7 @@ json header_of(const ConvertedModel& model) {
     return header;
 }
 
-/// The arrays behind the header, taken one after the other.
+/// Reads the arrays behind the header, one after the other.
 class Arrays {
   public:
     Arrays(std::string_view bytes, const std::string& name) : rest_(bytes), name_(name) {}

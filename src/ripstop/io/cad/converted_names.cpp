@@ -27,7 +27,7 @@ std::string last_part(const std::string& layer) {
     return at == std::string::npos ? layer : layer.substr(at + 2);
 }
 
-/// A name that is not there yet.
+/// Returns `wanted`, or a variant of it that is not in `taken`; adds the result to `taken`.
 std::string unlike(const std::string& wanted, std::set<std::string>& taken) {
     std::string name = wanted;
     for (int i = 2; !taken.insert(name).second; ++i) name = wanted + "_" + std::to_string(i);
@@ -49,7 +49,7 @@ std::vector<std::string> names_of(const std::vector<ConvertedObject>& objects, c
     return names;
 }
 
-/// All faces in one, with vertices in the same place made one.
+/// Joins all faces into one mesh and merges vertices in the same place.
 TriangleMesh welded(const std::vector<ConvertedFace>& faces) {
     TriangleMesh all;
     for (const ConvertedFace& face : faces) {

@@ -7,7 +7,7 @@
 
 namespace ripstop {
 
-/// The number whose bytes stand at `at`, in the given order.
+/// The number stored at `at` in the given byte order.
 template <class Number>
 Number load(const char* at, std::endian order) {
     char bytes[sizeof(Number)];
@@ -19,7 +19,7 @@ Number load(const char* at, std::endian order) {
     return std::bit_cast<Number>(bytes);
 }
 
-/// Appends the bytes of a number, least first.
+/// Appends the bytes of a number, least significant first.
 template <class Number>
 void append_little_endian(std::string& text, Number number) {
     char bytes[sizeof(Number)];

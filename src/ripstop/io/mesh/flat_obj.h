@@ -6,8 +6,8 @@
 
 namespace ripstop {
 
-/// flat/NAME.obj: the tile in space (`v`, metres) and on the cloth (`vt`, metres), one each a vertex, and its triangles
-/// as `f v/vt` in the order of the input. Numbers read back to the same doubles.
+/// The text of flat/NAME.obj: for each vertex its position in space (`v`) and on the cloth (`vt`), both in metres,
+/// and the triangles as `f v/vt` in the order of the input. The numbers read back as the same doubles.
 std::string flat_obj(const FlatTile& tile);
 
 }  // namespace ripstop

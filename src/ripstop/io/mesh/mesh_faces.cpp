@@ -8,9 +8,9 @@
 namespace ripstop {
 namespace {
 
-/// The corners of a face that are left.
+/// Removes repeated corners and spikes from a face.
 void drop_repeated(std::vector<RecordedCorner>& round) {
-    std::size_t end = 0;  // of what is kept
+    std::size_t end = 0;  // of the part that is kept
     const auto vertex = [&round](std::size_t i) { return round[i].vertex; };
     for (std::size_t i = 0; i < round.size(); ++i) {
         const RecordedCorner corner = round[i];
@@ -20,7 +20,7 @@ void drop_repeated(std::vector<RecordedCorner>& round) {
         else
             round[end++] = corner;
     }
-    std::size_t begin = 0;  // the same over the face's start
+    std::size_t begin = 0;  // of the part that is kept
     while (end - begin > 1) {
         if (vertex(end - 1) == vertex(begin) || (end - begin > 2 && vertex(end - 2) == vertex(begin)))
             --end;
@@ -33,13 +33,13 @@ void drop_repeated(std::vector<RecordedCorner>& round) {
     round.erase(round.begin(), round.begin() + static_cast<std::ptrdiff_t>(begin));
 }
 
-/// From which corner a face is fanned, and why it cannot be.
+/// The corner from which a face is fanned, and the fault if it cannot be fanned.
 struct Fan {
     std::size_t apex = 0;
     std::string fault = {};
 };
 
-/// Room for the faces one after the other.
+/// Fans one face after the other and reuses its buffers.
 class Fanner {
   public:
     explicit Fanner(const MeshRecords& file) : file_(file) {}
@@ -56,7 +56,7 @@ class Fanner {
     }
 
   private:
-    /// The corners that lie elsewhere than those beside them.
+    /// Takes the corners of a face; of neighbours in the same place only the first.
     void take_places(const RecordedFace& face) {
         polygon_.clear();
         corner_.clear();
@@ -80,7 +80,8 @@ class Fanner {
         return std::adjacent_find(vertices_.begin(), vertices_.end()) != vertices_.end();
     }
 
-    /// Any triangle of the fan: those of a bow tie have some, though their sum has none.
+    /// True if any triangle of the fan has area. The triangles of a bow tie have area, although their signed sum
+    /// has none.
     bool has_area() const {
         for (std::size_t k = 1; k + 1 < polygon_.size(); ++k) {
             const Vec3 b = polygon_[k] - polygon_[0], c = polygon_[k + 1] - polygon_[0];

@@ -8,19 +8,20 @@
 
 namespace ripstop {
 
-/// Takes corners out that a face names several times in a row (1 2 2 3) or comes back from at once (1 2 1 3), and faces
-/// with fewer than three left, with a remark. Requires indices that hold. Linear.
+/// Removes corners that a face repeats at once (1 2 2 3) or returns to at once (1 2 1 3). Removes faces with fewer
+/// than three corners left and adds a remark. Requires valid indices. Linear.
 void mend_faces(MeshRecords& file);
 
-/// The corners of all triangles, three a triangle, and the face each triangle comes from.
+/// Three corners for each triangle, and the face that each triangle comes from.
 struct TriangleList {
     std::vector<std::size_t> corners;
     std::vector<std::size_t> faces;
-    std::map<std::size_t, std::string> faults;  ///< of faces that cannot be fanned: fanned from corner 0 all the same
+    std::map<std::size_t, std::string> faults;  ///< of faces that cannot be fanned properly; these are fanned from
+                                                ///< corner 0
 };
 
-/// Faces as fans of triangles (`fan_corner`). Corners in one place count once there: the triangles between them, and
-/// those of a polygon without area, have no area either and are left to `mend_mesh`.
+/// Fans every face into triangles (`fan_corner`). The choice of the fan ignores repeated corners in one place.
+/// Triangles between such corners, and those of a polygon without area, have no area; `mend_mesh` deals with them.
 TriangleList triangulated(const MeshRecords& file);
 
 }  // namespace ripstop

@@ -27,7 +27,7 @@ constexpr std::array<MeshFormat, 5> formats = {{
     {".3dm", "Rhino 2 to 8", read_rhino_3dm, nullptr},
 }};
 
-/// What people have and we do not read.
+/// Formats that people use and that we do not read.
 constexpr std::array<std::array<const char*, 2>, 14> other_formats = {{
     {".3ds", "3D Studio"},
     {".blend", "Blender"},
@@ -45,7 +45,7 @@ constexpr std::array<std::array<const char*, 2>, 14> other_formats = {{
     {".sldprt", "SolidWorks"},
 }};
 
-/// In lower case.
+/// The extension of a path, in lower case.
 std::string extension_of(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -54,7 +54,7 @@ std::string extension_of(const std::filesystem::path& path) {
 
 enum class Use { read, write };
 
-/// The format that the extension of a path names, of those that can be used so.
+/// The format that the extension of a path names, among those that support this use.
 const MeshFormat& format_of(const std::filesystem::path& path, Use use) {
     const std::string extension = extension_of(path);
     std::string known;

@@ -13,7 +13,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double largest_coordinate = 1e12;  // beyond it squares and products lose what they are compared with
+constexpr double largest_coordinate = 1e12;  // beyond it, squares and products lose the digits of what they are
+                                             // compared with
 constexpr int none = -1;
 
 void require_indices(const MeshRecords& file) {
@@ -28,7 +29,7 @@ void require_indices(const MeshRecords& file) {
         }
 }
 
-/// Renames the faces by the connected part they are in. A part lies in one surface.
+/// Names each face after the connected part it is in. A part lies in one surface.
 void name_parts(MeshRecords& file, const TriangleList& list) {
     TriangleMesh whole;
     whole.positions.resize(static_cast<Eigen::Index>(file.vertices.size()), 3);
@@ -65,14 +66,14 @@ void name_parts(MeshRecords& file, const TriangleList& list) {
     file.surfaces = std::move(names);
 }
 
-/// Makes surfaces of a file's corners, each with its own vertices. Keeps one table over all vertices of the file, so that
-/// many small surfaces cost no more than one large.
+/// Makes surfaces, each with its own vertices, from the corners of a file. One table over all vertices of the file
+/// serves all surfaces, so many small surfaces cost no more than one large one.
 class SurfaceMaker {
   public:
     SurfaceMaker(const MeshRecords& file, const TriangleList& list)
         : file_(file), list_(list), local_(file.vertices.size(), none) {}
 
-    /// `triangles` of the list.
+    /// Makes a surface of these triangles of the list.
     NamedMesh make(const std::string& name, const std::vector<std::size_t>& triangles) {
         const std::vector<int> used = number_vertices(triangles);
         NamedMesh surface{name, {}};
@@ -97,7 +98,7 @@ class SurfaceMaker {
     std::size_t vertex(std::size_t corner) const { return static_cast<std::size_t>(file_.corners[corner].vertex); }
     const RecordedFace& face(std::size_t triangle) const { return file_.faces[list_.faces[triangle]]; }
 
-    /// The vertices of the triangles in the file's order, numbered so in `local_`.
+    /// The vertices that these triangles use, in the file's order. Stores their new numbers in `local_`.
     std::vector<int> number_vertices(const std::vector<std::size_t>& triangles) {
         std::vector<int> used;
         for (const std::size_t t : triangles)

@@ -29,7 +29,7 @@ CadModel read_obj(std::istream& in, const std::string& name) {
 
 namespace {
 
-/// A record a row.
+/// Appends one record for each row.
 template <class Matrix>
 void add_rows(std::string& text, const char* key, const Matrix& rows) {
     for (Eigen::Index i = 0; i < rows.rows(); ++i) {

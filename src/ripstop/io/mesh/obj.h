@@ -8,38 +8,42 @@
 
 namespace ripstop {
 
-/// The surfaces and polylines of a Wavefront OBJ: `v`, `vt`, `f`, `l`, `o`, `g` and `usemtl` records; everything else
-/// is skipped.
+/// Reads the surfaces and polylines of a Wavefront OBJ file: `v`, `vt`, `f`, `l`, `o`, `g` and `usemtl` records.
+/// Skips all other records.
 ///
-/// Surfaces. The faces under one name are one surface, in the order of their first faces; a name that comes back goes
-/// on with its surface, and a name without faces is none. An `o` starts an object without group, a `g` a group in the
-/// object; the name is that of the object or of the group, `OBJECT/GROUP` where both are given and differ. A file in
-/// which no face has a name gives one surface for each connected part: `STEM` where there is one, else `STEM_01`,
-/// `STEM_02`, …, with STEM the file's name without folder and `.obj`; faces before the first name are one surface STEM.
+/// Surfaces. The faces with one name form one surface; surfaces are ordered by their first faces. A name that
+/// comes back continues its surface; a name without faces gives none. An `o` starts an object and ends the group,
+/// a `g` starts a group in the object. The name is that of the object or of the group, or `OBJECT/GROUP` if both
+/// are set and differ. If no face has a name, each connected part is a surface: `STEM` if there is only one, else
+/// `STEM_01`, `STEM_02`, …, where STEM is the file's name without its folder and `.obj`. If only some faces have
+/// no name, those before the first name form one surface STEM.
 ///
-/// Vertices. A surface has the vertices its faces use, in the file's order, and nothing is welded: vertices in one
-/// place may be the two sides of a closed dart. Polygons are fanned (`fan_corner`): from the first corner where convex.
-/// Indices count from 1, or from the end where negative; a face may come before its vertices. Weights and colours
-/// behind x y z are skipped. `drawn` is filled from `vt` where every corner has one and each vertex has one alone.
+/// Vertices. A surface has the vertices its faces use, in the file's order. Nothing is welded, because vertices in
+/// one place may be the two sides of a closed dart. Polygons are fanned (`fan_corner`), from the first corner if
+/// they are convex. Indices count from 1, or from the end if negative; a face may precede its vertices. Weights
+/// and colours after x y z are skipped. `drawn` is set from `vt` if every corner has one and each vertex has only
+/// one.
 ///
-/// Polylines. Each `l` is a curve with the name a face there would have and the attribute `layer`: the object, the
-/// group, or `OBJECT::GROUP`. One that starts at the vertex where the one before it ends, under the same name, goes on
-/// with it; one with a single point is left out with a remark.
+/// Polylines. Each `l` is a curve. It has the name that a face there would have, and the attribute `layer`: the
+/// object, the group, or `OBJECT::GROUP`. A polyline that starts at the vertex where the one before it ends, under
+/// the same name, continues it. A polyline with one point is left out with a remark.
 ///
-/// What is given by equations (`surf`, `curv`) is named in `unread`.
+/// Surfaces and curves given by equations (`surf`, `curv`) are listed in `unread`.
 ///
-/// Material. What `usemtl` says, as the attribute `material`, where all faces of a surface have the same.
+/// Material. The attribute `material` is the name that `usemtl` gives, if all faces of a surface have the same.
 ///
-/// Throws InputError `NAME:LINE: what was found, what was expected, what to do` for anything but finite coordinates
-/// below 1e12, indices that hold and faces of three or more different corners, and where there is no face at all.
-/// Linear in the file's size in time and memory.
+/// Throws InputError `NAME:LINE: what was found, what was expected, what to do` for a coordinate that is not
+/// finite or not below 1e12, for an index without a vertex, for a face with fewer than three different corners,
+/// and for a file without faces. Linear in the file's size in time and memory.
 CadModel read_obj(std::istream& in, const std::string& name);
 
-/// Each mesh as an object: `o`, `v`, `vt` where `drawn`, `f` with 1-based indices over the whole file. Numbers are
-/// the shortest that read back as they were, so that reading gives equal meshes where every vertex is used.
+/// Writes each mesh as an object: `o`, `v`, `vt` if it is `drawn`, and `f` with 1-based indices over the whole
+/// file. Each number is the shortest text that reads back as the same double, so reading returns equal meshes if
+/// every vertex is used.
 void write_obj(std::ostream& out, const std::vector<NamedMesh>& meshes);
 
-/// Each curve as an object of one polyline: `o`, `v`, `l`. `read_obj` gives the same curves beside a surface.
+/// Writes each curve as an object with one polyline: `o`, `v`, `l`. If the file also has a surface, `read_obj`
+/// returns the same curves.
 void write_obj_curves(std::ostream& out, const std::vector<NamedCurve>& curves);
 
 }  // namespace ripstop

@@ -15,7 +15,7 @@ namespace {
 constexpr int no_index = -1;
 constexpr std::size_t shown_objects = 6;
 
-/// Reads the records of the file, line by line.
+/// Parses the records of the file, line by line.
 class Parser {
   public:
     Parser(std::string_view text, const std::string& name) : lines_(text) {
@@ -88,7 +88,7 @@ class Parser {
         mesh_.remarks.push_back(text + (empty_.size() > shown_objects ? ", …" : ""));
     }
 
-    /// The place of a name in `names`, where it is put if it is new.
+    /// The index of a name in `names`; appends it if it is new.
     static int number_of(const std::string& name, std::map<std::string, int>& numbers,
                          std::vector<std::string>& names) {
         if (name.empty()) return no_index;
@@ -110,7 +110,8 @@ class Parser {
         mesh_.faces.push_back(face);
     }
 
-    /// Blender writes a polyline as its segments, a record each: what starts where the curve before it ends goes on with it.
+    /// Blender writes a polyline as one record for each segment, so a record that starts where the curve before it
+    /// ends continues that curve.
     void read_curve(std::string_view rest) {
         ObjCurve curve{name_or_stem(), object_, {}, lines_.number()};
         if (!group_.empty() && group_ != object_) curve.layer += (curve.layer.empty() ? "" : "::") + group_;
@@ -135,7 +136,7 @@ class Parser {
         file_.curves.push_back(std::move(curve));
     }
 
-    /// `v`, `v/vt`, `v//vn` or `v/vt/vn`; a slash with nothing behind it is tolerated.
+    /// Parses `v`, `v/vt`, `v//vn` or `v/vt/vn`. Tolerates a slash with nothing behind it.
     RecordedCorner corner(std::string_view word, const char* what) const {
         const char* at = word.data();
         const char* const end = at + word.size();
@@ -167,7 +168,7 @@ class Parser {
                 texture ? index(*texture, mesh_.textures.size(), "texture coordinate") : no_index};
     }
 
-    /// From 0. Positive indices are checked at the end, since the vertices may follow.
+    /// The index from 0. Positive indices are checked at the end, because the vertices may follow.
     int index(long given, std::size_t count, const char* what) const {
         const long from_zero = given > 0 ? given - 1 : given + static_cast<long>(count);
         if (given == 0 || from_zero < 0 || from_zero > std::numeric_limits<int>::max())
@@ -205,8 +206,8 @@ class Parser {
     MeshRecords& mesh_ = file_.mesh;
     std::string object_;
     std::string group_;
-    std::vector<std::string> empty_;  ///< objects
-    bool in_use_ = false;             ///< the object has something
+    std::vector<std::string> empty_;  ///< objects without faces
+    bool in_use_ = false;             ///< whether the object has any face or curve
     int surface_ = no_index;
     int material_ = no_index;
     std::map<std::string, int> surfaces_;

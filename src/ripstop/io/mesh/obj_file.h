@@ -8,15 +8,15 @@
 
 namespace ripstop {
 
-/// A polyline of the file: indices from 0 into its vertices.
+/// A polyline of the file, as indices from 0 into its vertices.
 struct ObjCurve {
     std::string name;
-    std::string layer;  ///< `OBJECT::GROUP`, or what there is of them
+    std::string layer;  ///< `OBJECT::GROUP`, or whichever of them is set
     std::vector<int> vertices;
     long line;  ///< where it starts
 };
 
-/// What an OBJ file says, before any surface is made of it.
+/// The contents of an OBJ file, before surfaces are made.
 struct ObjFile {
     MeshRecords mesh;
     std::vector<ObjCurve> curves = {};
@@ -24,7 +24,8 @@ struct ObjFile {
     std::vector<std::string> remarks = {};
 };
 
-/// The records of an OBJ file, as `read_obj` describes them; the indices of curves hold. Throws InputError.
+/// Parses the records of an OBJ file, as `read_obj` describes them. The indices of curves are valid. Throws
+/// InputError.
 ObjFile parse_obj(std::string_view text, const std::string& name);
 
 }  // namespace ripstop

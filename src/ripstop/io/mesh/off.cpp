@@ -15,7 +15,7 @@
 namespace ripstop {
 namespace {
 
-/// What the keyword says stands behind x y z, in this order.
+/// What follows x y z in a vertex line, in this order, according to the keyword.
 struct OffKind {
     bool normals = false;
     bool colours = false;
@@ -29,7 +29,7 @@ std::optional<long> whole(std::string_view word) {
     return value;
 }
 
-/// The kind a keyword names; nothing where it is none.
+/// The kind that a keyword names; empty if it names none.
 std::optional<OffKind> kind_of(std::string_view word, const MeshRecords& file, long place) {
     if (!word.ends_with("OFF")) return std::nullopt;
     word.remove_suffix(3);
@@ -76,7 +76,7 @@ class OffTextReader {
     }
 
   private:
-    /// Goes to the next line that says something.
+    /// Moves to the next line that is not blank or a comment.
     void next_line(const std::string& expected) {
         do {
             if (!lines_.next())
@@ -103,7 +103,7 @@ class OffTextReader {
         const double x = file_.coordinate(next_word(rest_), line), y = file_.coordinate(next_word(rest_), line);
         file_.vertices.emplace_back(x, y, file_.coordinate(next_word(rest_), line));
         if (!kind.textures) return;
-        std::string_view u, v;  // the last two words: how many a colour has varies
+        std::string_view u, v;  // the last two words, because the number of words of a colour varies
         for (std::string_view word = next_word(rest_); !word.empty(); word = next_word(rest_)) {
             u = v;
             v = word;
@@ -200,7 +200,7 @@ class BinaryReader {
     MeshRecords& file_;
 };
 
-/// Where the numbers of a binary file begin, behind its line `OFF BINARY`; nothing of a text.
+/// The offset of the numbers in a binary file, which follow the line `OFF BINARY`; empty for a text file.
 std::optional<std::size_t> binary_start(std::string_view bytes, const MeshRecords& file, OffKind& kind) {
     const std::size_t end = bytes.substr(0, 64).find('\n');
     if (end == std::string_view::npos) return std::nullopt;

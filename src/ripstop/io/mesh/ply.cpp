@@ -15,7 +15,7 @@
 namespace ripstop {
 namespace {
 
-/// What a property is to us, and where its value stands in a row; `corners` is the list.
+/// The meaning of a property, which is also the index of its value in a row; `corners` is the list.
 enum Role { x, y, z, u, v, tile, warp_x, warp_y, warp_z, role_count, corners, skipped };
 
 struct Spelling {
@@ -34,14 +34,14 @@ constexpr std::array<Spelling, 6> of_faces = {{{"warp_x", warp_x},
 constexpr std::array<std::string_view, 5> tile_names = {"tile", "tile_id", "label", "group", "object"};
 constexpr double end_of_strip = -1;
 
-/// An element's row: values by role, and the list of corners.
+/// The row of an element: values by role, and the list of corners.
 struct Row {
     std::array<double, role_count> values{};
     std::vector<double> list = {};
     long place = 0;
 };
 
-/// The roles of an element's properties; a role that is taken is not given twice.
+/// The roles of an element's properties. The first property with a role keeps it; later ones are skipped.
 class Plan {
   public:
     explicit Plan(const PlyElement& element) : roles_(element.properties.size(), skipped) {
@@ -96,7 +96,7 @@ class Reader {
             if (faces && !plan.has(corners) && element.count > 0)
                 file_.refuse(source_.place(),
                              "the faces have no list vertex_indices, expected one; export the surfaces as meshes");
-            if (element.properties.empty()) continue;  // nothing of it stands in the body, however many it has
+            if (element.properties.empty()) continue;  // such an element has no bytes in the body, whatever its count
             if (vertices) file_.vertices.reserve(source_.most(element));
             if (faces) file_.faces.reserve(source_.most(element));
             for (std::uint64_t i = 0; i < element.count; ++i) {

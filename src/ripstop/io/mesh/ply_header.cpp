@@ -79,7 +79,8 @@ class HeaderParser {
         throw InputError(name_ + ":" + std::to_string(header_.lines) + ": " + what);
     }
 
-    /// How the first line ends tells how all do: the body begins right behind the last of the header.
+    /// The end of the first line shows how all lines end. The body begins right behind the end of the last header
+    /// line.
     bool find_line_end() {
         const std::size_t end = bytes_.find_first_of("\r\n");
         if (end == std::string_view::npos || !trimmed(bytes_.substr(3, end - 3)).empty()) return false;
@@ -112,7 +113,7 @@ class HeaderParser {
         if (version != "1.0") refuse("found the version " + shown(version) + ", expected 1.0; export the file again");
     }
 
-    /// `comment unit mm` and `comment tile 3 G01P02`; any other is the writer's own.
+    /// Reads `comment unit mm` and `comment tile 3 G01P02`; ignores other comments.
     void read_comment(std::string_view rest) {
         const std::string_view key = next_word(rest);
         if (key == "unit" || key == "units") {

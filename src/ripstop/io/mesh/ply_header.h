@@ -18,12 +18,12 @@ std::size_t size_of(PlyType type);  ///< in a binary file [bytes]
 struct PlyProperty {
     std::string name;
     PlyType type;
-    std::optional<PlyType> count = {};  ///< a list: how its length is written
+    std::optional<PlyType> count = {};  ///< the type of a list's length; empty if it is no list
 };
 
 struct PlyElement {
     std::string name;
-    std::uint64_t count = 0;  ///< as the header says: not to be trusted
+    std::uint64_t count = 0;  ///< as the header states it; do not trust it
     std::vector<PlyProperty> properties = {};
 };
 
@@ -32,14 +32,15 @@ enum class PlyForm { ascii, little_endian, big_endian };
 struct PlyHeader {
     PlyForm form = PlyForm::ascii;
     std::vector<PlyElement> elements = {};
-    std::map<std::int64_t, std::string> names = {};  ///< of tiles, by their numbers
+    std::map<std::int64_t, std::string> names = {};  ///< names of tiles, by number
     std::optional<LengthUnit> unit = {};
     std::vector<std::string> remarks = {};
-    std::size_t size = 0;  ///< where the body begins [bytes]
+    std::size_t size = 0;  ///< offset of the body [bytes]
     long lines = 0;
 };
 
-/// The header of a PLY file, up to and with `end_header`. Throws InputError `NAME:LINE: …` for what is no header.
+/// Parses the header of a PLY file, up to and including `end_header`. Throws InputError `NAME:LINE: …` if it is
+/// malformed.
 PlyHeader read_ply_header(std::string_view bytes, const std::string& name);
 
 }  // namespace ripstop

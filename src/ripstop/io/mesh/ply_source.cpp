@@ -8,7 +8,7 @@ PlyText::PlyText(std::string_view bytes, const PlyHeader& header, const MeshReco
     : lines_(bytes.substr(header.size)), before_(header.lines), size_(bytes.size() - header.size), file_(file) {}
 
 std::size_t PlyText::most(const PlyElement& element) const {
-    const std::size_t least = 2 * element.properties.size();  // a digit and a blank each
+    const std::size_t least = 2 * element.properties.size();  // each value needs at least a digit and a blank
     return static_cast<std::size_t>(std::min<std::uint64_t>(element.count, (size_ + 1) / least));
 }
 

@@ -11,32 +11,32 @@
 
 namespace ripstop {
 
-/// The values in the body of an ascii PLY, an element a line; lines without a word are passed over.
+/// Reads the values in the body of an ascii PLY, one element per line. Skips blank lines.
 class PlyText {
   public:
-    /// `bytes`: the file, which must outlive it, as must the others.
+    /// `bytes` is the whole file. All arguments must outlive this object.
     PlyText(std::string_view bytes, const PlyHeader& header, const MeshRecords& file);
 
     long place() const { return before_ + lines_.number(); }
-    std::size_t most(const PlyElement& element) const;  ///< rows of it that the rest of the file can hold
+    std::size_t most(const PlyElement& element) const;  ///< how many rows of this element the rest of the file can hold
     void begin_row(const PlyElement& element);
     std::size_t length(const PlyProperty& list);
     double value(PlyType type);
     void skip(PlyType type, std::size_t count);
-    void end_row();  ///< refuses a line with more than the header names
-    void finish();   ///< refuses further elements
+    void end_row();  ///< refuses a line with more values than the header declares
+    void finish();   ///< refuses anything behind the last element
 
   private:
     std::string_view word();
 
     Lines lines_;
     std::string_view rest_;
-    long before_;  ///< lines of the header
+    long before_;  ///< number of header lines
     std::size_t size_;
     const MeshRecords& file_;
 };
 
-/// The same of a binary one.
+/// Reads the values in the body of a binary PLY.
 template <std::endian order>
 class PlyBytes {
   public:

@@ -25,13 +25,13 @@ std::uint32_t stated_count(std::string_view bytes) {
     return load<std::uint32_t>(bytes.data() + head_size, std::endian::little);
 }
 
-/// In any case; `keyword` is in lower.
+/// True if `word` is `keyword` in any case; `keyword` is in lower case.
 bool is(std::string_view word, std::string_view keyword) {
     const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
     return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), same);
 }
 
-/// A file that starts with `solid` may be binary all the same: then its length says so, or a zero in its first triangle.
+/// A binary file may also start with `solid`. Its length then reveals it, or a zero byte in its first triangle.
 bool is_binary(std::string_view bytes) {
     if (bytes.size() >= count_end && count_end + triangle_size * std::uint64_t{stated_count(bytes)} == bytes.size())
         return true;
@@ -42,7 +42,7 @@ bool is_binary(std::string_view bytes) {
     return rest.find('\0') != std::string_view::npos;
 }
 
-/// Makes faces of triangles without shared vertices.
+/// Makes faces from triangles that share no vertices, by merging equal corners.
 class Welder {
   public:
     explicit Welder(MeshRecords& file) : file_(file) {}
@@ -53,7 +53,7 @@ class Welder {
         file_.vertices.reserve(triangles / 2);
     }
 
-    /// Goes to the solid of that name.
+    /// Moves to the solid with this name.
     void enter(const std::string& name) {
         const auto [entry, is_new] = surfaces_.try_emplace(name, static_cast<int>(file_.surfaces.size()));
         surface_ = entry->second;
@@ -114,7 +114,7 @@ void read_binary(std::string_view bytes, MeshRecords& file, Welder& welder) {
     }
 }
 
-/// Reads the lines of an ascii STL; keywords in any case.
+/// Parses the lines of an ascii STL; keywords may be in any case.
 class StlTextReader {
   public:
     StlTextReader(std::string_view text, MeshRecords& file, Welder& welder)

@@ -8,22 +8,23 @@
 
 namespace ripstop {
 
-/// The surfaces of an STL, ascii or binary. A file as long as its count of triangles asks for is binary, also where it
-/// starts with `solid`.
+/// Reads the surfaces of an STL file, ascii or binary. A file is binary if its length matches its count of
+/// triangles, even if it starts with `solid`.
 ///
-/// Surfaces. STL knows triangles only: within a solid, corners in exactly one place are one vertex, in the order of
-/// their first triangles, so that a closed dart is sewn shut, and each connected part is a surface. It is called after
-/// its solid, `NAME` or `NAME_01`, `NAME_02`, …; a name that comes back goes on with its solid, one without a name is
-/// called after the file, as all of a binary file is. Normals are skipped, and triangles with two corners in one place
-/// are left out with a remark.
+/// Surfaces. STL has triangles only. Within a solid, corners in exactly the same place become one vertex, so a
+/// closed dart is sewn shut; vertices are ordered by their first triangles. Each connected part is a surface,
+/// called after its solid: `NAME`, or `NAME_01`, `NAME_02`, …. A name that comes back continues its solid. A solid
+/// without a name is called after the file, and so is all of a binary file. Normals are skipped. Triangles with
+/// two corners in one place are left out with a remark.
 ///
-/// Throws InputError `NAME:LINE: …`, or `NAME: byte N: …` of a binary file, for what is no STL, is cut short or has
-/// coordinates that are not finite and below 1e12, and where no triangle is left. Linear in time and memory.
+/// Throws InputError `NAME:LINE: …`, or `NAME: byte N: …` for a binary file, for a file that is no STL or is cut
+/// short, for a coordinate that is not finite or not below 1e12, and for a file that leaves no triangle. Linear in
+/// time and memory.
 CadModel read_stl(std::istream& in, const std::string& name);
 
-/// Ascii, each surface a solid: the only STL that keeps tiles apart and their names. Numbers are the shortest that read
-/// back as they were; readers in single precision round them to 7 digits. Neither shared vertices nor drawn positions
-/// are kept.
+/// Writes ascii, with each surface as a solid: only this form of STL keeps tiles apart and named. Each number is
+/// the shortest text that reads back as the same double; readers in single precision round it to 7 digits. Shared
+/// vertices and drawn positions are lost.
 void write_stl(std::ostream& out, const std::vector<NamedMesh>& meshes);
 
 }  // namespace ripstop

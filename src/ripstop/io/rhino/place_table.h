@@ -6,11 +6,11 @@
 
 namespace ripstop {
 
-/// Numbers for places of a surface: one in exactly the same place of the same surface (0 and -0 are one place) has the
-/// same number. A call costs constant time on average.
+/// Numbers the places of surfaces. Points in exactly the same place of the same surface get the same number; 0 and
+/// -0 are equal. A call takes constant time on average.
 class PlaceTable {
   public:
-    /// The number of the place; `next` where it has none yet.
+    /// The number of this place. A new place gets the number `next`.
     int number_of(const Vec3& place, int surface, int next);
 
   private:
@@ -22,7 +22,7 @@ class PlaceTable {
 
     void grow();
 
-    std::vector<Entry> entries_;  ///< open addressing; as many as a power of two
+    std::vector<Entry> entries_;  ///< open addressing; the size is a power of two
     std::size_t used_ = 0;
 };
 

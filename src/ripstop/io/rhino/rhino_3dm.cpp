@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t shown_names = 5;
 constexpr std::size_t free_elements = 1000000, elements_per_byte = 200;
 
-/// Names of meshes to which the same happened.
+/// The names of the meshes that one remark is about.
 struct Happened {
     std::vector<std::string> names = {};
     long count = 0;
@@ -37,7 +37,7 @@ std::string plural(long count, const std::string& one) {
     return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
-/// Why a kind of object is no surface here; nullptr for what nobody takes for a tile.
+/// Why an object of this type is no surface here; nullptr if nobody would take it for a tile.
 const char* reason_of(std::uint32_t type) {
     switch (type) {
         case rhino_brep:
@@ -63,7 +63,7 @@ TriangleMesh moved(const TriangleMesh& mesh, const Eigen::Affine3d& place) {
     return result;
 }
 
-/// Makes the model of the objects in their places.
+/// Builds the model from the placed objects.
 class Modeller {
   public:
     Modeller(const RhinoArchive& archive, const RhinoTables& tables) : archive_(archive), tables_(tables) {
@@ -105,7 +105,7 @@ class Modeller {
         return found->second;
     }
 
-    /// Blocks in blocks may ask for more than any file of this size can mean.
+    /// Limits the work: nested blocks can ask for more than any file of this size can mean.
     void spend(const RhinoPlaced& placed, Eigen::Index elements, const Attributes& attributes) {
         std::size_t cost = static_cast<std::size_t>(elements);
         for (const auto& [key, value] : attributes) cost += key.size() + value.size();

@@ -7,21 +7,22 @@
 
 namespace ripstop {
 
-/// What a Rhino model (`.3dm`, Rhino 2 to 8) holds: its meshes as surfaces, its curves as polylines, its layers and its
-/// unit.
+/// Reads a Rhino model (`.3dm`, Rhino 2 to 8): meshes become surfaces, curves become polylines; layers and the
+/// unit are read too.
 ///
-/// Left out, with a remark: what is hidden, on a hidden layer or on a layout, and what can be no tile (points, texts,
-/// dimensions, lights, …). Breps, surfaces, extrusions, SubDs, point clouds and blocks that lead nowhere are `unread`,
-/// each by its name; so is the whole of a file of Rhino 1.
+/// Hidden objects, objects on a hidden layer or a layout, and objects that cannot be a tile (points, texts,
+/// dimensions, lights, …) are left out with a remark. Breps, surfaces, extrusions, SubDs, point clouds and blocks
+/// without a definition are listed in `unread` by name; so is a whole file of Rhino 1.
 ///
-/// Blocks are followed to what they are made of, through blocks in blocks. An instance that mirrors turns the corners
-/// of its triangles round, so that the outside of a mirrored gore is its outside. Names: `rhino_surface_names`;
-/// attributes: `rhino_attributes`; vertices and triangles: `read_rhino_mesh`. Texture coordinates are no drawn
+/// Blocks are resolved recursively. An instance that mirrors also reverses the corners of its triangles, so the
+/// outside of a mirrored gore stays outside. For names see `rhino_surface_names`, for attributes
+/// `rhino_attributes`, for vertices and triangles `read_rhino_mesh`. Texture coordinates do not become drawn
 /// positions.
 ///
-/// Throws InputError `NAME: byte N: …` where the file is cut short or damaged, and naming the object for a mesh with
-/// faces at vertices that are not there, and for blocks in circles. Linear in the file's size but for blocks, which may
-/// make at most a million and 200 times the file's bytes of vertices, triangles and characters.
+/// Throws InputError `NAME: byte N: …` if the file is cut short or damaged. Throws InputError with the object's
+/// name for a mesh with an index without a vertex, and for a block that contains itself. Linear in the file's size
+/// except for blocks, which may produce at most a million plus 200 times the file's bytes of vertices, triangles
+/// and characters.
 CadModel read_rhino_3dm(std::istream& in, const std::string& name);
 
 }  // namespace ripstop

@@ -21,7 +21,7 @@ constexpr int first_with_long_chunks = 50;
 constexpr int newest = 89;
 constexpr std::uint32_t no_bytes = 0x80000000, has_checksum = 0x8000;
 constexpr std::size_t most_bytes = std::size_t{2} << 30;
-constexpr std::size_t deflate_ratio = 1100;  // deflate cannot do better than 1032 to 1
+constexpr std::size_t deflate_ratio = 1100;  // deflate compresses at most 1032 to 1
 
 std::string all_bytes(std::istream& in, const std::string& name) {
     std::string bytes;
@@ -54,7 +54,7 @@ void add_utf8(std::string& text, std::uint32_t c) {
     }
 }
 
-/// Half a pair of surrogates is no character: U+FFFD stands for it.
+/// An unpaired surrogate is no character; U+FFFD replaces it.
 std::string utf8_of(std::string_view utf16) {
     const auto unit = [&utf16](std::size_t i) {
         return static_cast<std::uint32_t>(static_cast<unsigned char>(utf16[i])) |

@@ -10,21 +10,23 @@
 
 namespace ripstop {
 
-/// The bytes of a Rhino archive (openNURBS, `.3dm`). Chunks inside chunks: a type code of 4 bytes, a length (4 bytes
-/// below version 50, 8 from there), that many bytes, the last four of them a checksum where the code says so.
+/// The bytes of a Rhino archive (openNURBS, `.3dm`). It consists of nested chunks. A chunk is a type code of 4
+/// bytes, a length (4 bytes below version 50, else 8) and that many bytes, the last four of which are a checksum
+/// if the code says so.
 struct RhinoArchive {
-    std::string name;   ///< begins every message
+    std::string name;   ///< every message begins with it
     std::string bytes;  ///< the whole file
-    int version = 0;    ///< 1 to 4, then 50, 60, 70, 80: ten times Rhino's
+    int version = 0;    ///< 1 to 4, then 50, 60, 70, 80: ten times Rhino's version
 };
 
-/// Reads a stream to its end and looks at the first 32 bytes. Throws InputError where they are no header of an archive,
-/// and for an archive newer than Rhino 8.
+/// Reads a stream to its end and checks the first 32 bytes. Throws InputError if they are not the header of an
+/// archive, or if the archive is newer than Rhino 8.
 RhinoArchive read_rhino_archive(std::istream& in, const std::string& name);
 
-using RhinoId = std::array<std::uint8_t, 16>;  ///< a UUID as it stands in the file
+using RhinoId = std::array<std::uint8_t, 16>;  ///< a UUID in the byte order of the file
 
-/// The bytes of "4ED7D4E4-E947-11d3-BFE5-0010830122F0": the first three numbers with their last byte first.
+/// The bytes of a UUID such as "4ED7D4E4-E947-11d3-BFE5-0010830122F0". Its first three numbers are stored least
+/// significant byte first.
 consteval RhinoId rhino_id(std::string_view text) {
     constexpr std::array<std::size_t, 16> order = {3, 2, 1, 0, 5, 4, 7, 6, 8, 9, 10, 11, 12, 13, 14, 15};
     RhinoId id{};
@@ -40,15 +42,15 @@ consteval RhinoId rhino_id(std::string_view text) {
 
 struct RhinoChunk;
 
-/// Bytes of an archive, read from the front. Whatever would reach over the end throws InputError `NAME: byte N: …`, so
-/// nothing is read that is not there, and nothing allocated that the file has no bytes for.
+/// Reads bytes of an archive from the front. A read beyond the end throws InputError `NAME: byte N: …`. Memory is
+/// allocated only for as many elements as the file has bytes for.
 class RhinoBytes {
   public:
-    explicit RhinoBytes(const RhinoArchive& archive);  ///< what follows the header
+    explicit RhinoBytes(const RhinoArchive& archive);  ///< starts behind the header
 
     bool empty() const { return at_ == end_; }
     std::size_t left() const { return end_ - at_; }
-    std::size_t position() const { return at_; }  ///< in the file
+    std::size_t position() const { return at_; }  ///< offset in the file
     int version() const { return archive_->version; }
     const std::string& name() const { return archive_->name; }
 
@@ -59,19 +61,20 @@ class RhinoBytes {
     double real();
     Vec3 point();
     RhinoId id();
-    std::string text();                   ///< UTF-16 in the file, UTF-8 here; control characters become `_`
-    std::size_t count(std::size_t each);  ///< of elements of `each` bytes, which must be there
-    RhinoBytes take(std::size_t size);    ///< the next bytes on their own
+    std::string text();                   ///< converts the file's UTF-16 to UTF-8; control characters become `_`
+    std::size_t count(std::size_t each);  ///< reads a count of elements of `each` bytes and checks that they fit
+    RhinoBytes take(std::size_t size);    ///< the next `size` bytes
     void skip(std::size_t size) { take(size); }
-    std::string_view view() const;  ///< what is left
+    std::string_view view() const;  ///< the bytes that are left
     RhinoChunk chunk();             ///< the next one, without its checksum
 
-    /// A block of `size` bytes that may be deflated, checked against its checksum; `skip_buffer` steps over one of any
-    /// size.
+    /// Reads a block of `size` bytes, deflated or not, and verifies its checksum. `skip_buffer` skips a block of
+    /// any size.
     std::string buffer(std::size_t size);
     void skip_buffer();
 
-    /// The version in front of a class's data: one byte, and two integers in an anonymous chunk, which is opened.
+    /// The version before the data of a class. `packed_version` reads it from one byte; `anonymous` opens an
+    /// anonymous chunk, which begins with it as two integers.
     struct Version {
         int major = 0, minor = 0;
     };
@@ -91,7 +94,7 @@ class RhinoBytes {
 
 struct RhinoChunk {
     std::uint32_t code = 0;
-    std::int64_t value = 0;  ///< of a chunk without bytes (the code's highest bit), else its length
+    std::int64_t value = 0;  ///< the value of a chunk without bytes (highest bit of the code set), else the length
     RhinoBytes body;
 };
 

@@ -17,9 +17,10 @@ constexpr RhinoId line_class = rhino_id("4ED7D4DB-E947-11d3-BFE5-0010830122F0"),
                   arc_class = rhino_id("CF33BE2A-09B4-11d4-BFFB-0010830122F0"),
                   joined_class = rhino_id("4ED7D4E0-E947-11d3-BFE5-0010830122F0");
 
-constexpr int deepest_curve = 16;       // of joined curves in joined curves
-constexpr double chord_error = 0.5e-3;  // of the curve's size: half of what is promised, for it is seen at middles only
-constexpr int most_pieces = 256;        // of a span of a NURBS curve
+constexpr int deepest_curve = 16;       // nesting of joined curves
+constexpr double chord_error = 0.5e-3;  // share of the curve's size; half of what is promised, because only
+                                        // midpoints are tested
+constexpr int most_pieces = 256;        // for each span of a NURBS curve
 constexpr std::size_t most_points = 20000;
 constexpr double most = 1e12;
 
@@ -38,14 +39,14 @@ Polyline read_polyline(RhinoBytes data) {
     return points;
 }
 
-/// The sagitta of an arc's n-th part against the arc's size is largest for the full circle, 0.0005 at n = 60; for a short arc of
-/// angle a it is a / (8 n^2), so that n may shrink with the root of the angle.
+/// The sagitta of one of n parts of an arc, relative to the arc's size, is largest for a full circle: 0.0005 at n
+/// = 60. For a short arc of angle a it is a / (8 n^2), so n may shrink with the square root of the angle.
 Polyline read_arc(RhinoBytes data) {
     data.packed_version();
     const Vec3 centre = data.point(), x = data.point(), y = data.point();
-    data.skip(7 * sizeof(double));  // z, equation of the plane
+    data.skip(7 * sizeof(double));  // z and the equation of the plane
     const double radius = data.real();
-    data.skip(9 * sizeof(double));  // points on it
+    data.skip(9 * sizeof(double));  // points on the plane
     const double from = data.real(), to = data.real();
     const double turn = std::abs(to - from);
     if (!(turn <= 2 * std::numbers::pi * (1 + 1e-9))) data.refuse("an arc of more than a full turn");
@@ -58,7 +59,7 @@ Polyline read_arc(RhinoBytes data) {
     return points;
 }
 
-/// A NURBS curve in homogeneous coordinates. openNURBS leaves out the first and the last knot.
+/// A NURBS curve in homogeneous coordinates. openNURBS omits the first and the last knot.
 struct Nurbs {
     int order = 0;
     std::vector<double> knots;  // #control + order - 2
@@ -67,7 +68,7 @@ struct Nurbs {
     int spans() const { return static_cast<int>(control.size()) - order + 1; }
     double knot(int i) const { return knots[static_cast<std::size_t>(i)]; }
 
-    /// By de Boor, in the given span; `t` between its knots.
+    /// Evaluates the curve in the given span by de Boor's algorithm; `t` lies between the span's knots.
     Vec3 at(int span, double t) const {
         std::vector<Eigen::Vector4d> p(control.begin() + span, control.begin() + span + order);
         for (int level = 1; level < order; ++level)
@@ -120,7 +121,7 @@ Polyline points_on(const Nurbs& nurbs) {
         if (!(to > from)) continue;
         int pieces = 1;
         const auto on_curve = [&](double i) { return nurbs.at(span, from + (to - from) * i / pieces); };
-        // A single piece may pass through its chord's middle all the same.
+        // A curve may pass through the middle of its chord by chance, so one piece is never enough.
         for (bool fine = nurbs.order == 2; !fine && pieces < most_pieces;) {
             pieces *= 2;
             fine = true;

@@ -17,7 +17,7 @@ namespace {
 constexpr RhinoId double_vertices_class = rhino_id("17F24E75-21BE-4a7b-9F3D-7F85225247E3");
 constexpr std::size_t float_point = 3 * sizeof(float), double_point = 3 * sizeof(double);
 constexpr unsigned first_writer_of_mapping_tags = 200606010;
-constexpr double largest_in_mesh = 1e12;  // as in every reader: what is larger is no coordinate
+constexpr double largest_in_mesh = 1e12;  // as in every reader: larger numbers are not coordinates
 
 using Quads = Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
@@ -32,7 +32,8 @@ Quads read_faces(RhinoBytes& data, std::size_t count) {
     for (Eigen::Index i = 0; i < faces.size(); ++i) {
         std::uint32_t corner = 0;
         std::memcpy(&corner, bytes.data() + i * width, static_cast<std::size_t>(width));
-        faces.data()[i] = static_cast<int>(corner);  // beyond the integers: negative, and refused with the others
+        faces.data()[i] = static_cast<int>(corner);  // an index beyond int becomes negative and is refused with
+                                                     // the others
     }
     return faces;
 }
@@ -45,7 +46,7 @@ Points3 points_of(std::string_view bytes) {
     return rows.template cast<double>();
 }
 
-/// Double vertices that are not the single ones to single precision belong to another state of the mesh.
+/// True if the double vertices round to the single ones. If they do not, they belong to another state of the mesh.
 bool fits(const Points3& fine, const Points3& coarse) {
     if (fine.rows() != coarse.rows()) return false;
     for (Eigen::Index v = 0; v < fine.rows(); ++v)
@@ -55,7 +56,7 @@ bool fits(const Points3& fine, const Points3& coarse) {
     return true;
 }
 
-/// Rhino 5 hangs them on the mesh: two counts and two checksums, then the points as they are.
+/// Rhino 5 attaches the double vertices to the mesh as user data: two counts, two checksums, the points.
 std::optional<Points3> double_vertices_beside(const RhinoClass& object) {
     const auto found = object.user_data.find(double_vertices_class);
     if (found == object.user_data.end()) return std::nullopt;
@@ -66,14 +67,14 @@ std::optional<Points3> double_vertices_beside(const RhinoClass& object) {
     return points_of<double>(data.take(double_point * count).view());
 }
 
-/// Rhino 6 and later keep them at the end of the mesh, behind what is of no use here.
+/// Rhino 6 and later store the double vertices at the end of the mesh, behind data that we skip.
 std::optional<Points3> double_vertices_within(RhinoBytes& data, int minor, unsigned writer) {
     if (minor < 7) return std::nullopt;
-    data.skip(sizeof(std::int32_t) + sizeof(RhinoId));  // whether the texture is turned, its mapping
+    data.skip(sizeof(std::int32_t) + sizeof(RhinoId));  // whether the texture is rotated, its mapping
     data.skip_buffer();                                 // surface parameters
     if (writer == 0 || writer >= first_writer_of_mapping_tags) data.chunk();
     data.skip(3);                       // manifold, oriented, solid
-    if (data.flag()) data.anonymous();  // polygons of several faces
+    if (data.flag()) data.anonymous();  // n-gons
     if (!data.flag()) return std::nullopt;
     RhinoBytes block = data.anonymous();
     const std::size_t count = block.natural();
@@ -112,7 +113,7 @@ void require_sound(const Points3& points, const Quads& faces, const RhinoBytes& 
             refuse("vertex " + std::to_string(v) + " has a coordinate that is not a number below 1e12");
 }
 
-/// The corner the two triangles of a quad are fanned from: 0 or 1.
+/// The corner, 0 or 1, from which a quad is fanned into two triangles.
 int fan_corner_of_quad(const Points3& points, const Eigen::Matrix<int, 1, 4>& quad) {
     const auto at = [&](int k) -> Vec3 { return points.row(quad[k & 3]); };
     const auto half = [&](int a, int b, int c) -> Vec3 { return (at(b) - at(a)).cross(at(c) - at(a)); };
@@ -125,7 +126,7 @@ int fan_corner_of_quad(const Points3& points, const Eigen::Matrix<int, 1, 4>& qu
     return (at(3) - at(1)).norm() < (1 - 1e-6) * (at(2) - at(0)).norm() ? 1 : 0;
 }
 
-/// A triangle is a quad whose last two corners are one.
+/// A triangle is stored as a quad with equal last corners.
 Triangles triangulated(const Points3& points, const Quads& faces, int& left_out) {
     Triangles triangles(2 * faces.rows(), 3);
     Eigen::Index count = 0;
@@ -173,7 +174,7 @@ RhinoMesh read_rhino_mesh(const RhinoClass& object, unsigned writer, const std::
     const std::size_t vertices = data.natural(), faces = data.natural();
     data.skip(10 * sizeof(double));     // texture and surface domains, scale
     data.skip(16 * sizeof(float) + 4);  // boxes, whether closed
-    if (data.flag()) data.chunk();      // how it was meshed
+    if (data.flag()) data.chunk();      // meshing parameters
     for (int i = 0; i < 4; ++i)
         if (data.flag()) data.chunk();  // curvature
     const Quads quads = read_faces(data, faces);

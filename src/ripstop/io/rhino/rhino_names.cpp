@@ -30,7 +30,7 @@ std::string groups_of(const RhinoPlaced& placed, const RhinoTables& tables) {
     return text;
 }
 
-/// `x, y, z` turned with the block; anything else stays, for whoever reads it to refuse.
+/// Rotates a direction `x, y, z` with the block. Returns any other text as it is; whoever reads it refuses it.
 std::string turned(const std::string& direction, const Eigen::Affine3d& place) {
     Vec3 found;
     std::string_view rest = direction;
@@ -55,7 +55,7 @@ std::string after(const std::string& path, const std::string& name) {
     return path.empty() || name.empty() ? path + name : path + "/" + name;
 }
 
-/// What the designer called it, after the blocks it is in; empty: nothing.
+/// The designer's name for an object, behind the names of the blocks around it; empty if it has none.
 std::string given_name(const RhinoPlaced& placed) {
     if (placed.named_by != nullptr) return after(placed.named_in, placed.named_by->text.at("tile"));
     const std::string own = own_name(*placed.object);

@@ -45,8 +45,8 @@ std::vector<int> read_groups(RhinoBytes& data) {
     return groups;
 }
 
-/// Rhino 5 and later: numbered items, those that are as usual left out. What follows the space of the object grows with
-/// every Rhino and is of no use here.
+/// Rhino 5 and later write numbered items and omit those with default values. The items behind the object's space
+/// grow with each Rhino version and are not needed here.
 void read_items(RhinoBytes data, RhinoObject& object) {
     enum Item {
         name = 1,
@@ -116,15 +116,15 @@ void read_items(RhinoBytes data, RhinoObject& object) {
         }
 }
 
-/// Rhino 2 to 4: everything, in one order.
+/// Rhino 2 to 4 write everything in a fixed order.
 void read_in_order(RhinoBytes data, int minor, RhinoObject& object) {
     object.id = data.id();
     object.layer = data.integer();
     data.skip(4 + 4 + 2 * sizeof(std::int16_t) + 2 * sizeof(double) + 4);  // material, colour, line, wires
     set_mode(object, data.byte());
-    data.skip(3);  // where colour, line and material come from
+    data.skip(3);  // sources of colour, line type and material
     object.name = data.text();
-    data.text();  // address
+    data.text();  // URL
     if (minor >= 1) object.groups = read_groups(data);
     if (minor >= 2) object.hidden = object.hidden || !data.flag();
     if (minor >= 3) data.skip(data.count(2 * sizeof(RhinoId)) * 2 * sizeof(RhinoId));  // display materials

@@ -8,23 +8,24 @@
 
 namespace ripstop {
 
-/// An object of an archive with what the designer said of it.
+/// An object of an archive and what the designer said about it.
 struct RhinoObject {
-    std::uint32_t type = 0;  ///< openNURBS's bit for its kind: `rhino_type_name`
+    std::uint32_t type = 0;  ///< openNURBS's bit for the object's type: `rhino_type_name`
     RhinoClass geometry;
     RhinoId id{};
     std::string name = {};
-    int layer = 0;  ///< index of a RhinoLayer
+    int layer = 0;  ///< the `index` of its RhinoLayer
     std::vector<int> groups = {};
     bool hidden = false;
-    bool in_definition = false;  ///< a part of a block, no object of its own
-    bool on_page = false;        ///< on a layout, not in the model
-    Attributes text = {};        ///< user text of the object's attributes and of its geometry; the former goes before
+    bool in_definition = false;  ///< whether it is part of a block definition and no object of the model
+    bool on_page = false;        ///< whether it is on a layout and not in the model
+    Attributes text = {};        ///< user text of the object's attributes and of its geometry; the former
+                                 ///< overrides the latter
 };
 
 RhinoObject read_rhino_object(RhinoBytes record);
 
-/// `Brep`, `SubD`, `Point`, …; `Object` for a kind this does not know.
+/// `Brep`, `SubD`, `Point`, …; `Object` for an unknown type.
 std::string rhino_type_name(std::uint32_t type);
 
 inline constexpr std::uint32_t rhino_point_cloud = 0x2, rhino_curve = 0x4, rhino_surface = 0x8, rhino_brep = 0x10,

@@ -29,7 +29,7 @@ struct Reference {
     Eigen::Affine3d place;
 };
 
-/// Nothing where the map makes what it places flat, or is none.
+/// Returns nothing if the transformation is not affine or not invertible.
 std::optional<Reference> read_reference(const RhinoObject& object) {
     RhinoBytes data = object.geometry.data;
     data.packed_version();
@@ -71,7 +71,7 @@ class Placer {
         return found;
     }
 
-    /// Names those beside each other: of the model, or of one definition.
+    /// Names the instances of one level: those of the model, or of one definition.
     void name_instances(const std::vector<const RhinoObject*>& beside) {
         std::map<std::string, std::vector<const RhinoObject*>> nameless;
         for (const RhinoObject* object : beside) {
@@ -161,10 +161,9 @@ class Placer {
         open_.pop_back();
     }
 
-    using Chain = std::vector<const RhinoObject*>;  // an instance with those it is in, the outermost first
+    using Chain = std::vector<const RhinoObject*>;  // an instance and those around it, outermost first
 
-    /// A user text `tile` of an instance is meant for what is placed there, and goes before that of the block's own
-    /// parts.
+    /// A user text `tile` of an instance names what is placed there. It overrides that of the block's own parts.
     void name_by_instances() {
         std::map<Chain, int> surfaces;
         for (const RhinoPlaced& placed : placing.placed)

@@ -15,8 +15,8 @@ bool is_surface(const std::string& type) {
     return type == "Brep" || type == "Surface" || type == "Extrusion" || type == "SubD";
 }
 
-/// The reader and the converter go through the file in the same order, so that the n-th surface of one is the n-th of the
-/// other where both count the same of each kind.
+/// The reader and the converter visit the file in the same order. So if both count the same number of surfaces of
+/// each type, the n-th surface of one is the n-th of the other.
 void take_names(ConvertedModel& model, const std::vector<UnreadObject>& unread) {
     std::vector<const UnreadObject*> known;
     for (const UnreadObject& object : unread)

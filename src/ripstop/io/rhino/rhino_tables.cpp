@@ -16,7 +16,7 @@ constexpr std::uint32_t writer_record = 0xA0000026, unit_record = 0x20008031, la
 constexpr std::uint32_t class_chunk = 0x00027FFA, class_id_chunk = 0x0002FFFB, class_data_chunk = 0x0002FFFC,
                         user_data_chunk = 0x00027FFD, user_data_header = 0x0002FFF9;
 
-/// openNURBS counts its units so. The scale of a unit of one's own stands in the file.
+/// The codes that openNURBS gives units. The file states the scale of a custom unit.
 constexpr int no_unit = 0, own_unit = 11;
 struct KnownUnit {
     const char* name;
@@ -59,7 +59,7 @@ std::optional<LengthUnit> read_unit(RhinoBytes record) {
         return LengthUnit{unit.name, unit.metres};
     }
     if (version < 102) return std::nullopt;
-    record.skip(3 * sizeof(double) + 2 * sizeof(std::int32_t));  // tolerances, how lengths are shown
+    record.skip(3 * sizeof(double) + 2 * sizeof(std::int32_t));  // tolerances, display of lengths
     const double metres = record.real();
     const std::string name = record.text();
     if (!std::isfinite(metres) || metres <= 0) return std::nullopt;
@@ -83,7 +83,7 @@ RhinoLayer read_layer(RhinoBytes record) {
     return layer;
 }
 
-/// Each layer under the names of those above it. Layers that are above themselves have no more above them.
+/// The path of each layer: the names of its ancestors and its own. A layer in a cycle gets no further ancestors.
 void find_paths(std::vector<RhinoLayer>& layers) {
     std::map<RhinoId, std::size_t> by_id;
     for (std::size_t i = 0; i < layers.size(); ++i)
@@ -105,9 +105,9 @@ void find_paths(std::vector<RhinoLayer>& layers) {
     }
 }
 
-/// The id, the number and the name of a component, each where it is given.
+/// Reads the id, index and name of a component, each of which may be missing.
 void read_component(RhinoBytes data, RhinoDefinition& definition) {
-    if (data.flag()) data.skip(sizeof(std::int32_t));  // what kind of component it is
+    if (data.flag()) data.skip(sizeof(std::int32_t));  // type of the component
     if (data.flag()) definition.id = data.id();
     if (data.flag()) data.skip(sizeof(RhinoId));  // its parent
     if (data.flag()) data.skip(sizeof(std::int32_t));
@@ -132,7 +132,7 @@ RhinoDefinition read_definition(RhinoBytes record) {
         data = data.anonymous();
         read_component(data.anonymous(component_chunk), definition);
         definition.linked = data.natural() == linked_definition;
-        data.anonymous();  // the unit of the file it was made in; the objects are in this one's
+        data.anonymous();  // the unit of the file it came from; the objects are in this file's unit
         for (int texts = 0; texts < 3; ++texts) data.text();
         data.skip(box_bytes);
         if (data.flag()) definition.objects = read_ids(data);
@@ -209,7 +209,7 @@ void read_rhino_user_data(RhinoBytes bytes, std::map<RhinoId, RhinoBytes>& user_
         if (item.code != user_data_chunk) return;
         const auto version = item.body.packed_version();
         RhinoId id{};
-        if (version.major == 1) {  // class, item, how often it was copied, transformation
+        if (version.major == 1) {  // ids of class and item, number of copies, transformation
             id = item.body.id();
             item.body.skip(sizeof(RhinoId) + sizeof(std::int32_t) + 16 * sizeof(double));
         } else if (version.major == 2) {

@@ -11,42 +11,42 @@
 namespace ripstop {
 
 struct RhinoLayer {
-    int index = 0;  ///< by which objects name it
+    int index = 0;  ///< how objects refer to it
     RhinoId id{}, parent{};
     std::string name;
-    std::string path;     ///< with the layers above: `a::b`
-    bool visible = true;  ///< it and every layer above
+    std::string path;     ///< its ancestors and its name: `a::b`
+    bool visible = true;  ///< whether it and every ancestor are visible
 };
 
-/// What a block is made of.
+/// The contents of a block.
 struct RhinoDefinition {
     RhinoId id{};
     std::string name;
     std::vector<RhinoId> objects;
-    bool linked = false;  ///< to another file: the objects are not in this one
+    bool linked = false;  ///< whether it refers to another file, so that this one lacks the objects
 };
 
-/// An instance of a class as it stands in an archive: its data, and what others hung on to it, by class.
+/// An instance of a class in an archive: its data, and the user data attached to it, by class.
 struct RhinoClass {
     RhinoId id{};
     RhinoBytes data;
     std::map<RhinoId, RhinoBytes> user_data = {};
 };
 
-/// The tables of an archive, in the file's order.
+/// The tables of an archive, each in the file's order.
 struct RhinoTables {
-    std::optional<LengthUnit> unit = {};  ///< none where the file says none
+    std::optional<LengthUnit> unit = {};  ///< empty if the file states none
     std::vector<RhinoLayer> layers = {};
     std::map<int, std::string> groups = {};
     std::vector<RhinoDefinition> definitions = {};
-    std::vector<RhinoBytes> objects = {};  ///< one record each
-    unsigned writer = 0;                   ///< the version of openNURBS that wrote the file; 0: not said
+    std::vector<RhinoBytes> objects = {};  ///< one record for each object
+    unsigned writer = 0;                   ///< version of openNURBS that wrote the file; 0: not stated
 };
 
-/// Walks an archive of Rhino 2 to 8. Throws InputError where it is cut short or damaged.
+/// Reads the tables of an archive of Rhino 2 to 8. Throws InputError if it is cut short or damaged.
 RhinoTables read_rhino_tables(const RhinoArchive& archive);
 
-/// The next class in `bytes`, and the user data in what follows a class or an object's attributes.
+/// Reads the next class in `bytes`, and the user data that follows a class or an object's attributes.
 RhinoClass read_rhino_class(RhinoBytes& bytes);
 void read_rhino_user_data(RhinoBytes bytes, std::map<RhinoId, RhinoBytes>& user_data);
 
