@@ -4,7 +4,7 @@
 
 namespace ripstop {
 
-/// A vertex, face or row number as the containers of the standard library take it. Requires i >= 0.
+/// Converts a vertex, face or row number to the index type of the standard containers. Requires i >= 0.
 constexpr std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }

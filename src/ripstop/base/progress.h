@@ -6,13 +6,14 @@
 
 namespace ripstop {
 
-/// Told how far a long task is: the share done in [0, 1] and what is being worked on. Called from one thread at a time.
+/// Receives the progress of a long task: the completed fraction in [0, 1] and the current step. Called from one
+/// thread at a time.
 using Progress = std::function<void(double fraction, const std::string& what)>;
 
-/// Counts the steps of a task that several threads do, and tells one at a time. `progress` must outlive it.
+/// Counts the steps that several threads complete and reports them one at a time. `progress` must outlive it.
 class StepCounter {
   public:
-    /// `from`: where the progress stands when the first of `count` steps begins.
+    /// `from`: the value of the progress when the first of `count` steps begins.
     StepCounter(double count, const Progress& progress, double from = 0)
         : count_(count), from_(from), progress_(progress) {}
     void done(const std::string& what, double steps = 1) {

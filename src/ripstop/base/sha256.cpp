@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-// Letters as in FIPS 180-4: H the state, K the round constants (section 4.2.2), W the message schedule (6.2.2).
+// Letters as in FIPS 180-4: H is the state, K the round constants (section 4.2.2), W the message schedule (6.2.2).
 constexpr std::array<std::uint32_t, 64> K = {
     0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
     0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
@@ -54,7 +54,7 @@ void hash_block(State& H, const char* block) {
     for (std::size_t i = 0; i < H.size(); ++i) H[i] += update[i];
 }
 
-/// Hashes what is left after the last whole block, padded, and spells the digest.
+/// Pads and hashes the bytes after the last whole block, and returns the digest in hexadecimal.
 std::string finished(State H, std::string_view rest, std::uint64_t total_bytes) {
     std::string tail(rest);
     tail += '\x80';

@@ -6,7 +6,7 @@
 
 namespace ripstop {
 
-/// The SHA-256 digest [FIPS 180-4] of the bytes, as 64 lower-case hexadecimal digits. The stream is read to its end,
+/// The SHA-256 digest [FIPS 180-4] of the bytes, as 64 lower-case hexadecimal digits. A stream is read to its end,
 /// block by block.
 std::string sha256(std::string_view bytes);
 std::string sha256(std::istream& in);

@@ -6,17 +6,18 @@ namespace ripstop {
 
 /// Why an iteration ended.
 enum class Termination {
-    failed,          ///< nothing usable came out; `SolveSummary::reason` says why
-    converged,       ///< the method's own test was met
+    failed,          ///< no usable result; `SolveSummary::reason` says why
+    converged,       ///< the method's own convergence test holds
     stagnated,       ///< no further decrease is possible at working precision
-    iteration_limit  ///< stopped by the limit; the result is usable but not at rest
+    iteration_limit  ///< stopped by the limit; the result is usable but has not converged
 };
 
-/// How a result came about. Born failed: a solver that forgets to fill it in is not believed.
+/// How an iterative result was computed. The default is `failed`, so a solver that forgets to fill it in is not
+/// trusted.
 struct SolveSummary {
     Termination termination = Termination::failed;
-    int iterations = 0;      ///< of the method's outer loop
-    int factorizations = 0;  ///< of sparse matrices, all attempts counted
+    int iterations = 0;      ///< iterations of the outer loop
+    int factorizations = 0;  ///< sparse factorizations, failed attempts included
     std::string reason = "not run";
 
     bool usable() const { return termination != Termination::failed; }

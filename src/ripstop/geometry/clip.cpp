@@ -5,7 +5,8 @@
 namespace ripstop {
 namespace {
 
-/// An end of what is left of a segment: how far along it, and the side it lies on (-1: none), where `bound` holds.
+/// An end of a clipped segment: its parameter `t` along the segment and, if it lies on a side of the box, the `axis`
+/// of that side (else -1) and its coordinate `bound`.
 struct End {
     double t = 0;
     int axis = -1;
@@ -18,7 +19,8 @@ struct End {
     }
 };
 
-/// Liang and Barsky: each side of the box moves the start on or the end back. False where nothing is left.
+/// Liang-Barsky clipping: each side of the box moves the start forward or the end back. Returns false if nothing is
+/// left.
 bool clip_segment(const Vec2& a, const Vec2& b, const Vec2& lower, const Vec2& upper, End& start, End& end) {
     start = {0};
     end = {1};

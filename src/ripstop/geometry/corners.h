@@ -6,8 +6,8 @@
 
 namespace ripstop {
 
-/// The corners of a closed line (#P x 2, the first point not repeated): the points, in order, where it turns by more
-/// than `turn` [rad], to either side. A point repeated in a row counts once, the first time. O(#P).
+/// The corners of a closed line (#P x 2, first point not repeated): the indices of points where it turns by more than
+/// `turn` [rad] to either side, in order. Of equal points in a row only the first counts. O(#P).
 std::vector<int> sharp_corners(const Points2& polygon, double turn);
 
 }  // namespace ripstop

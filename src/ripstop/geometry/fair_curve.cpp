@@ -12,17 +12,17 @@
 namespace ripstop {
 namespace {
 
-constexpr double first_reach = 2, reach = 3;  // mean edges
-constexpr double least_step = 0.05;           // mean edges: a tooth that goes back still comes after the one before
-constexpr double held = 1e6;                  // weight of the ends
-// Vertices that a closed chain is laid out beyond its round at either end: what an end does to the fit fades as
-// exp(-x / (2 r)), to 0.02 over eight r.
+constexpr double first_reach = 2, reach = 3;  // in mean edge lengths
+constexpr double least_step = 0.05;  // in mean edge lengths: keeps the order of vertices where a tooth turns back
+constexpr double held = 1e6;         // weight of the fixed ends
+// Vertices by which the layout of a closed chain overlaps itself at each end. The influence of an end on the fit
+// decays as exp(-x / (2 r)): to 0.02 over eight r.
 constexpr Eigen::Index lap = 24;
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// 1, sin(k x) / k, (1 - cos(k x)) / k^2 and (k x - sin(k x)) / k^3, true for small k x too: the first three are what
-/// the operator f''' + k^2 f' takes to zero, the fourth it takes to 1.
+/// 1, sin(k x) / k, (1 - cos(k x)) / k^2 and (k x - sin(k x)) / k^3, accurate for small k x too. The operator f''' +
+/// k^2 f' maps the first three to zero and the fourth to 1.
 Eigen::Vector4d basis(double k, double x) {
     const double z = k * x;
     if (std::abs(z) < 0.02) {
@@ -32,12 +32,12 @@ Eigen::Vector4d basis(double k, double x) {
     return {1, std::sin(z) / k, (1 - std::cos(z)) / (k * k), (z - std::sin(z)) / (k * k * k)};
 }
 
-/// The first and the last vertex stay where they are, are where the layout of a longer chain was cut off, or lie beside
-/// each other.
+/// The end conditions of a fit. `held`: the first and last vertex are fixed. `free`: they are where the layout of a
+/// longer chain was cut off. `joined`: they are adjacent.
 enum class Ends { held, free, joined };
 
-/// Rows of f''' + k^2 f' from four vertices in a row, each times the root of its share of the length.
-/// `cyclic`: the last step leads back to the first vertex.
+/// The operator f''' + k^2 f' as finite differences over four consecutive vertices, each row weighted by the root of
+/// its share of the length. `cyclic`: the last step leads back to the first vertex.
 Sparse operator_of(const Eigen::VectorXd& steps, double k, bool cyclic) {
     const Eigen::Index edges = steps.size(), count = cyclic ? edges : edges + 1, rows = cyclic ? edges : edges - 2;
     std::vector<Eigen::Triplet<double>> entries;
@@ -48,7 +48,8 @@ Sparse operator_of(const Eigen::VectorXd& steps, double k, bool cyclic) {
         const double size = x[3];
         Eigen::Matrix4d values;
         for (int j = 0; j < 4; ++j)
-            values.col(j) = basis(k * size, x[static_cast<std::size_t>(j)] / size - 0.5);  // of length one: well scaled
+            // scaled to unit length for conditioning
+            values.col(j) = basis(k * size, x[static_cast<std::size_t>(j)] / size - 0.5);
         const Eigen::Vector4d weights = values.fullPivLu().solve(Eigen::Vector4d(0, 0, 0, 1)) / (size * size * size);
         for (int j = 0; j < 4; ++j) entries.emplace_back(i, (i + j) % count, weights[j] * std::sqrt(size / 3));
     }
@@ -86,7 +87,7 @@ Eigen::VectorXd steps_of(const Points2& points) {
     return (points.bottomRows(last) - points.topRows(last)).rowwise().norm();
 }
 
-/// How much the polyline turns at each vertex [rad]; at its ends 0.
+/// The turning angle at each vertex [rad]; 0 at both ends.
 Eigen::VectorXd turns_of(const Points2& points) {
     Eigen::VectorXd turns = Eigen::VectorXd::Zero(points.rows());
     for (Eigen::Index i = 1; i + 1 < points.rows(); ++i) {
@@ -96,7 +97,8 @@ Eigen::VectorXd turns_of(const Points2& points) {
     return turns;
 }
 
-/// How sharply a chain bends on the whole [1/m]. The turns of an open one lie between the middles of its outer edges.
+/// The mean curvature of a chain [1/m]: its total turning over its length. In an open chain the length counts from
+/// the middle of the first edge to the middle of the last.
 double bending_of(const ChainLayout& chain) {
     const Eigen::Index edges = chain.lengths.size();
     if (chain.closed) return std::abs(chain.turns.sum()) / chain.lengths.sum();
@@ -104,7 +106,7 @@ double bending_of(const ChainLayout& chain) {
     return std::abs(chain.turns.segment(1, edges - 1).sum()) / (chain.lengths.sum() - outer);
 }
 
-/// The same of a first fit: of a closed chain of its one round, without what lies beyond.
+/// The mean curvature of a first fit [1/m]. In a closed chain only one round counts, without the overlap.
 double bending_of(const Points2& first_fit, bool closed) {
     const Eigen::VectorXd turns = turns_of(first_fit), steps = steps_of(first_fit);
     if (!closed) return bending_of(ChainLayout{steps, turns, false});
@@ -113,7 +115,8 @@ double bending_of(const Points2& first_fit, bool closed) {
     return std::abs(turns.segment(lap, count).sum()) / length;
 }
 
-/// The chain in the plane; of a closed one `lap` vertices more before its first and after that again.
+/// The chain laid out in the plane. A closed one starts `lap` vertices before its first vertex and ends `lap` after
+/// it.
 Points2 laid_out(const ChainLayout& chain) {
     const Eigen::Index count = chain.turns.size(), first = chain.closed ? -lap : 0;
     const Eigen::Index last = chain.closed ? count + lap : count - 1;
@@ -146,7 +149,7 @@ FairLine line_of(const ChainLayout& chain, const Points2& points, const Points2&
     FairLine line;
     for (Eigen::Index i = first; i < first + edges; ++i) {
         double turn = (turns[i] + turns[i + 1]) / 2;
-        if (i == 0 || i + 1 == chords.size()) turn *= 2;  // the one end that is known
+        if (i == 0 || i + 1 == chords.size()) turn *= 2;  // only one end of this edge has a turn
         line.length += chords[i] * (1 + turn * turn / 24);
         line.area_on_left += cross(fair.row(i + 1) - points.row(i), fair.row(i) - points.row(i + 1)) / 2;
     }

@@ -26,11 +26,11 @@ class Joiner {
         for (int i = 0; i < static_cast<int>(lines.size()); ++i) dangling_.push_back(dangles(i));
     }
 
-    /// Has it an end where no other line begins? A ring goes on with the others first.
+    /// Whether the line has an end at which no other line begins. A ring prefers lines that continue.
     bool is_dangling(int line) const { return dangling_[static_cast<std::size_t>(line)]; }
 
     JoinedLine from(int line) {
-        std::deque<LineEnd> chain{{line, false}};  // each enters at this end
+        std::deque<LineEnd> chain{{line, false}};  // each entry names the end at which the chain enters its line
         used_[static_cast<std::size_t>(line)] = true;
         const bool has_ends = lines_[static_cast<std::size_t>(line)].rows() > 1;
         const auto leaving = [](const LineEnd& entry) { return LineEnd{entry.line, !entry.is_last}; };
@@ -62,14 +62,14 @@ class Joiner {
         return points.row(end.is_last ? points.rows() - 1 : 0);
     }
 
-    /// A line there and back again, such as a single straight one, closes on nothing.
+    /// Whether the chain's two ends meet. A line with two points only returns along itself, so it closes nothing.
     bool closes(const std::deque<LineEnd>& chain) const {
         const Points2& first = lines_[static_cast<std::size_t>(chain.front().line)];
         const Vec2 end = at({chain.back().line, !chain.back().is_last});
         return (chain.size() > 1 || first.rows() > 2) && (end - at(chain.front())).norm() <= tolerance_;
     }
 
-    /// `visit(end, distance)` for every end within the tolerance.
+    /// Calls `visit(end, distance)` for every end within the tolerance.
     template <class Visit>
     void for_each_near(const Vec2& place, Visit&& visit) const {
         const auto [x, y] = cell(place);
@@ -123,7 +123,7 @@ class Joiner {
         for (const LineEnd& entry : chain) {
             const Points2& points = lines_[static_cast<std::size_t>(entry.line)];
             result.lines.push_back(entry.line);
-            // Where one begins as the other ends the place is there once.
+            // Two lines share the point where they meet: skip it the second time.
             for (Eigen::Index i = next > 0 ? 1 : 0; i < points.rows(); ++i)
                 result.points.row(next++) = points.row(entry.is_last ? points.rows() - 1 - i : i);
         }

@@ -15,7 +15,7 @@ Vec2 corner(const Points2& polygon, Eigen::Index i) {
     return polygon.row(i < polygon.rows() ? i : i - polygon.rows());
 }
 
-/// Does the segment p -> q meet the rectangle |x| <= half.x, |y| <= half.y? Clips it slab by slab.
+/// Whether the segment p -> q meets the rectangle |x| <= half.x, |y| <= half.y, by clipping to the two slabs.
 bool meets_rectangle(const Vec2& p, const Vec2& q, const Vec2& half) {
     double from = 0, to = 1;
     for (int k = 0; k < 2; ++k) {
@@ -42,7 +42,7 @@ double squared_distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& poi
 struct Cell {
     Vec2 centre;
     double half = 0;
-    double distance = 0;  ///< to the outline, negative outside
+    double distance = 0;  ///< signed distance to the outline, negative outside
     double best() const { return distance + half * std::sqrt(2.0); }
     bool operator<(const Cell& other) const { return best() < other.best(); }
 };
@@ -56,7 +56,7 @@ Cell make_cell(const Points2& polygon, const Vec2& centre, double half) {
 
 double signed_area(const Points2& polygon) {
     if (polygon.rows() < 3) return 0;
-    // Relative to a corner: far from the origin the shoelace terms would cancel.
+    // Coordinates relative to a corner: far from the origin the shoelace terms cancel.
     const Vec2 origin = polygon.row(0);
     double twice = 0;
     for (Eigen::Index i = 1; i + 1 < polygon.rows(); ++i)
@@ -65,7 +65,7 @@ double signed_area(const Points2& polygon) {
 }
 
 Vec2 area_centroid(const Points2& polygon) {
-    const Vec2 start = polygon.row(0);  // coordinates from a corner lose no digits far from the origin
+    const Vec2 start = polygon.row(0);  // coordinates relative to a corner keep their digits far from the origin
     Vec2 sum = Vec2::Zero();
     double area = 0;
     for (Eigen::Index i = 1; i + 1 < polygon.rows(); ++i) {
@@ -144,7 +144,7 @@ Circle largest_circle_inside(const Points2& polygon, double precision) {
     if (polygon.rows() < 3) return {};
     const Vec2 lower = polygon.colwise().minCoeff();
     const Vec2 size = Vec2(polygon.colwise().maxCoeff()) - lower;
-    // Square cells as wide as the polygon is thin, but no more than 64 of them in a row.
+    // Square cells as wide as the polygon's shorter side, but at most 64 in a row.
     const double cell = std::max(size.minCoeff(), size.maxCoeff() / 64);
     Cell best = make_cell(polygon, lower + size / 2, 0);
     if (!(cell > 0)) return {best.centre, 0};

@@ -10,7 +10,7 @@ int sign(double value) {
     return (value > 0) - (value < 0);
 }
 
-/// A sum of doubles kept without rounding: parts that do not overlap, smallest first.
+/// An exact sum of doubles: a floating-point expansion of non-overlapping parts, smallest first.
 class ExactSum {
   public:
     void add(double value) {

@@ -4,11 +4,11 @@
 
 namespace ripstop {
 
-/// The side of the line a -> b on which c lies: 1 left, -1 right, 0 exactly on it. Never wrong by rounding.
+/// The side of the line a -> b on which c lies: 1 left, -1 right, 0 exactly on it. The result is exact.
 ///
-/// The sign of (a - c) x (b - c). Where floating point is certain of it (the forward error bound of the two products,
-/// Shewchuk 1997) that is the answer; where not, the six products are summed exactly as an expansion of doubles. Exact
-/// for coordinates that are zero or between 1e-140 and 1e140 in size.
+/// It is the sign of (a - c) x (b - c). If the forward error bound of the two products (Shewchuk 1997) proves the
+/// floating-point result, that is returned; otherwise the six products are summed exactly as an expansion of doubles.
+/// Exact for coordinates that are zero or between 1e-140 and 1e140 in magnitude.
 int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 
 }  // namespace ripstop

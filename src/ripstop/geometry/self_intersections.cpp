@@ -32,8 +32,8 @@ bool lies_on(const Vec2& point, const Edge& edge, int side) {
     return side == 0 && (point.array() >= edge.lower().array()).all() && (point.array() <= edge.upper().array()).all();
 }
 
-/// Where two edges that are no neighbours meet. Each owns its start and not its end, so that a corner on another edge is
-/// found once and not for both edges that share it.
+/// The point where two non-adjacent edges meet. Each edge owns its start and not its end, so a corner on another edge
+/// is found once and not for both edges that share it.
 std::optional<Vec2> meeting(const Edge& e, const Edge& f) {
     const int f_from = orient2d(e.from, e.to, f.from), f_to = orient2d(e.from, e.to, f.to);
     if (f_from * f_to > 0) return std::nullopt;
@@ -50,7 +50,7 @@ std::optional<Vec2> meeting(const Edge& e, const Edge& f) {
     return std::nullopt;
 }
 
-/// Where the edge after `e` folds back onto it: at their common corner.
+/// The common corner of `e` and the next edge, if that folds back onto `e`.
 std::optional<Vec2> fold(const Edge& e, const Edge& next) {
     const bool back = orient2d(e.from, e.to, next.to) == 0 && (e.from - e.to).dot(next.to - e.to) > 0;
     return back ? std::optional<Vec2>(e.to) : std::nullopt;

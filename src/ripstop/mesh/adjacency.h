@@ -7,11 +7,11 @@
 
 namespace ripstop {
 
-/// Which triangle lies across an edge. Immutable, computed once from the triangles in O(#F log #F).
+/// Edge adjacency of triangles. Immutable, computed once from the triangles in O(#F log #F).
 ///
 /// Half-edge h = 3 t + k runs from corner k to corner k + 1 (mod 3) of triangle t, so it lies opposite corner k + 2.
-/// Holds for any triangle list: where more than two triangles share an edge, or two run along it in the same direction,
-/// the half-edges concerned count as boundary and `irregular_edges` lists the edge.
+/// Any triangle list is accepted: where more than two triangles share an edge, or two run along it in the same
+/// direction, their half-edges count as boundary and `irregular_edges` lists the edge.
 class Adjacency {
   public:
     explicit Adjacency(const Triangles& triangles, int vertex_count);
@@ -27,13 +27,13 @@ class Adjacency {
     static int previous(int half_edge) { return half_edge / 3 * 3 + (half_edge % 3 + 2) % 3; }
 
     int vertex_count() const { return static_cast<int>(outgoing_start_.size()) - 1; }
-    /// The half-edges that leave `vertex`, in increasing order: one a triangle at the vertex.
+    /// The half-edges that leave `vertex`, in increasing order: one per triangle at the vertex.
     std::vector<int> outgoing(int vertex) const;
 
-    /// One half-edge an undirected edge (#E), in increasing order; the boundary half-edge or the smaller twin.
+    /// One half-edge per undirected edge (#E), in increasing order: the boundary half-edge or the smaller twin.
     const std::vector<int>& edges() const { return edges_; }
 
-    /// Edges that break the manifold or the orientation, as (from, to).
+    /// The non-manifold or inconsistently oriented edges, as (from, to).
     const std::vector<std::array<int, 2>>& irregular_edges() const { return irregular_; }
 
   private:

@@ -6,7 +6,7 @@
 
 namespace ripstop {
 
-/// The number of the connected part each triangle belongs to (#F): parts share a vertex within, none between. Parts are
+/// The connected component of each triangle (#F). Triangles that share a vertex are connected. Components are
 /// numbered by their first triangle.
 std::vector<int> connected_parts(const TriangleMesh& mesh);
 

@@ -31,7 +31,7 @@ void require_sound_triangles(const TriangleMesh& mesh, const std::string& name) 
     }
 }
 
-/// A vertex where the triangles form more than one fan: two parts of the surface touch in a point.
+/// A vertex whose triangles form more than one fan: two parts of the surface touch at a point. -1 if there is none.
 int pinched_vertex(const Adjacency& adjacency) {
     for (int v = 0; v < adjacency.vertex_count(); ++v) {
         const std::vector<int> outgoing = adjacency.outgoing(v);

@@ -6,9 +6,9 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 constexpr int max_rounds = 100;
-constexpr double at_rest = 1e-12;  // of the largest entry of g
+constexpr double at_rest = 1e-12;  // relative to the largest entry of g
 
-/// The matrix with rows and columns of those that rest replaced by those of the identity times their diagonal.
+/// The matrix with the rows and columns of active unknowns reduced to their diagonal.
 Vector without(const SparsePattern& pattern, const Vector& values, const std::vector<bool>& rests) {
     Vector kept = values;
     for (int c = 0; c < pattern.size(); ++c)

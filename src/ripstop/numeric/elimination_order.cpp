@@ -25,8 +25,8 @@ std::uint64_t scrambled(int i) {
     return x ^ (x >> 31);
 }
 
-/// The group of each unknown, numbered without gaps. Neighbours in number belong together where the sums of scrambled
-/// numbers over what they meet agree: by chance hardly ever, and that would cost only fill.
+/// The group of each unknown, numbered without gaps. Consecutive unknowns with the same neighbours form a group,
+/// detected by equal sums of hashes over the neighbours. A collision is very unlikely and would only cost fill.
 std::vector<int> groups_of_twins(const SparsePattern& pattern) {
     std::vector<std::uint64_t> met(at(pattern.size()), 0);
     visit_entries(pattern, [&](int row, int column, int) {
@@ -38,7 +38,7 @@ std::vector<int> groups_of_twins(const SparsePattern& pattern) {
     return group;
 }
 
-/// Minimum degree on the graph of the groups.
+/// Minimum degree ordering of the graph of groups.
 std::vector<int> minimum_degree(const SparsePattern& pattern) {
     if (pattern.size() == 0) return {};
     using Matrix = Eigen::SparseMatrix<signed char>;
@@ -69,7 +69,7 @@ std::vector<int> minimum_degree(const SparsePattern& pattern) {
     return order;
 }
 
-/// The parent of each unknown in the elimination tree, -1 of a root [Liu 1986], from the upper triangle.
+/// The parent of each unknown in the elimination tree, -1 for a root [Liu 1986], from the upper triangle.
 std::vector<int> elimination_tree(const OrderedTriangle& upper) {
     const std::size_t size = upper.column_start.size() - 1;
     std::vector<int> parent(size, -1), ancestor(size, -1);
@@ -84,7 +84,7 @@ std::vector<int> elimination_tree(const OrderedTriangle& upper) {
     return parent;
 }
 
-/// Subtree after subtree, children in increasing order before their parent.
+/// Postorder: subtree by subtree, children in increasing order before their parent.
 std::vector<int> postorder(const std::vector<int>& parent) {
     const int size = static_cast<int>(parent.size());
     std::vector<int> child(parent.size(), -1), sibling(parent.size(), -1), stack, order;
@@ -129,7 +129,7 @@ OrderedTriangle renumbered(const SparsePattern& pattern, const std::vector<int>&
         return triangle == Triangle::upper ? std::pair(low, high) : std::pair(high, low);
     };
 
-    // bucketed by row, then, in that order, by column: rows come out increasing
+    // Sorts by row, then stably by column, so that rows increase within a column.
     std::vector<int> row_start(order.size() + 1, 0), column_start(order.size() + 1, 0);
     visit_entries(pattern, [&](int r, int c, int) {
         const auto [row, column] = place(r, c);

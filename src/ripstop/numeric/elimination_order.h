@@ -6,23 +6,23 @@
 
 namespace ripstop {
 
-/// The unknowns in the order in which to eliminate them, so that the factor stays sparse: the approximate minimum
-/// degree ordering [Amestoy, Davis, Duff 1996], children before parents and subtree by subtree in the elimination tree.
+/// A fill-reducing elimination order: the approximate minimum degree ordering [Amestoy, Davis, Duff 1996],
+/// postordered, so children precede parents and subtrees are contiguous in the elimination tree.
 ///
-/// Unknowns that follow each other and meet exactly the same unknowns, such as the x and y of a vertex, are ordered as
-/// one, which is cheaper than one by one. About O(entries), deterministic.
+/// Consecutive unknowns with the same neighbours, such as the x and y of a vertex, are ordered as one, which is
+/// cheaper. About O(entries), deterministic.
 std::vector<int> elimination_order(const SparsePattern& pattern);
 
-/// One triangle of a pattern after its unknowns are renumbered, column by column, rows increasing.
+/// One triangle of a pattern after its unknowns are renumbered, column by column with increasing rows.
 struct OrderedTriangle {
     std::vector<int> column_start;  ///< size + 1
     std::vector<int> rows;
-    std::vector<int> slots;  ///< where each entry's value lies in the values of the pattern it came from
+    std::vector<int> slots;  ///< index of each entry's value in the values of the original pattern
 };
 
 enum class Triangle { lower, upper };
 
-/// `order[k]` becomes number k. O(entries).
+/// The pattern after unknown `order[k]` is renumbered k. O(entries).
 OrderedTriangle renumbered(const SparsePattern& pattern, const std::vector<int>& order, Triangle triangle);
 
 }  // namespace ripstop

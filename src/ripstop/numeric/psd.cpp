@@ -10,11 +10,11 @@ namespace {
 using Eigen::Matrix4d;
 using Eigen::Vector4d;
 
-/// How many eigenvalues of a matrix are below zero (its LDLᵀ has as many negative pivots), and if it is one, a direction
-/// of negative curvature.
+/// The number of negative eigenvalues of a matrix (equal to the negative pivots of its LDLᵀ); if there is exactly
+/// one, also a direction of negative curvature.
 struct Signs {
     int negative = 0;
-    bool certain = true;  ///< false where a pivot is zero
+    bool certain = true;  ///< false if a pivot is zero
     Vector4d downhill = Vector4d::Zero();
 };
 
@@ -31,7 +31,7 @@ Signs signs(const Matrix4d& m, double shift) {
     Signs result;
     result.certain = d0 != 0 && d1 != 0 && d2 != 0 && std::isfinite(d3);
     result.negative = (d0 < 0) + (d1 < 0) + (d2 < 0) + !(d3 > 0);
-    // Lᵀ v = unit vector of the negative pivot, so that v · m v is this pivot.
+    // Lᵀ v is the unit vector of the negative pivot, so v · m v is this pivot.
     Vector4d& v = result.downhill;
     v[3] = !(d3 > 0);
     v[2] = (d2 < 0) - l32 * v[3];
@@ -40,8 +40,8 @@ Signs signs(const Matrix4d& m, double shift) {
     return result;
 }
 
-/// Cofactors of a symmetric matrix given by its lower triangle: its inverse times its determinant, defined and accurate
-/// where the matrix is singular, which is where Rayleigh's iteration needs it.
+/// The adjugate of a symmetric matrix given by its lower triangle: its inverse times its determinant. Unlike the
+/// inverse it is defined and accurate for a singular matrix, which is where the Rayleigh quotient iteration needs it.
 Matrix4d adjugate(const Matrix4d& m) {
     const double a = m(0, 0), b = m(1, 0), c = m(2, 0), d = m(3, 0);
     const double e = m(1, 1), f = m(2, 1), g = m(3, 1), h = m(2, 2), i = m(3, 2), j = m(3, 3);
@@ -65,8 +65,8 @@ Matrix4d adjugate(const Matrix4d& m) {
     return x;
 }
 
-/// The matrix without its only negative eigenvalue, by Rayleigh quotient iteration, which triples the digits a step.
-/// Nothing where it did not arrive there; that a negative eigenvalue was reached proves that it is the one.
+/// Removes the only negative eigenvalue of a matrix by Rayleigh quotient iteration, which triples the digits per
+/// step. Empty if it does not converge to a negative eigenvalue; one that it finds must be the only one.
 std::optional<Matrix4d> without_negative(const Matrix4d& m, Vector4d v, double size) {
     for (int iteration = 0; iteration < 8; ++iteration) {
         v /= v.norm();

@@ -8,8 +8,8 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// x = L⁻ᵀ D⁻¹ L⁻¹ x for several columns at once: each entry of L is read once for all of them. The sums of a column do not
-/// depend on its company.
+/// Computes x = L⁻ᵀ D⁻¹ L⁻¹ x for several columns at once, so that each entry of L is read once. The sums of a column
+/// do not depend on the other columns.
 template <int count>
 void solve_columns(const SparseMatrix& L, const Eigen::VectorXd& pivots, Eigen::Ref<Eigen::MatrixXd> x) {
     Eigen::Matrix<double, Eigen::Dynamic, count, count == 1 ? Eigen::ColMajor : Eigen::RowMajor> y = x;
@@ -75,7 +75,7 @@ class SimplicialFactor : public SymmetricFactor {
   private:
     const SparseMatrix& lower() const { return ldlt_.matrixL().nestedExpression(); }
 
-    // In natural order and with the upper triangle, SimplicialLDLT reads the matrix where it lies.
+    // With natural ordering and the upper triangle, SimplicialLDLT reads the matrix without a copy.
     Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> ldlt_;
     SparseMatrix ordered_;
     Eigen::VectorXd pivots_;

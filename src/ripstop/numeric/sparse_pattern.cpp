@@ -47,7 +47,7 @@ SparsePattern::SparsePattern(int size, const Couplings& couplings) {
         slot_start_.push_back(slot_start_.back() + (couplings.is_row[g] ? members : members * (members + 1) / 2));
     }
 
-    // The entries bucketed by column; until a column's turn comes, slots_ holds the entries' rows.
+    // Sorts the entries by column; slots_ holds their rows until the column is processed.
     slots_.resize(slot_start_.back());
     std::vector<std::size_t> bucket_start(columns + 1, 0);
     visit_entries(couplings, [&]([[maybe_unused]] int row, int column) {
@@ -63,7 +63,8 @@ SparsePattern::SparsePattern(int size, const Couplings& couplings) {
         entries[fill[static_cast<std::size_t>(column)]++] = entry++;
     });
 
-    std::vector<int> slot_of_row(columns, -1);  // of the current column: smaller values are left from earlier ones
+    std::vector<int> slot_of_row(columns, -1);  // slots of the current column; smaller values are stale, from earlier
+                                                // columns
     column_start_.assign(columns + 1, 0);
     for (std::size_t c = 0; c < columns; ++c) {
         const int first = static_cast<int>(rows_.size());

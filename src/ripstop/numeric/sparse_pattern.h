@@ -6,31 +6,31 @@
 
 namespace ripstop {
 
-/// Which unknowns of a symmetric system meet, listed group by group. A group is numbered by its place in the list.
+/// Lists which unknowns of a symmetric system are coupled, group by group. Groups are numbered in order of insertion.
 struct Couplings {
-    /// An element: all of its unknowns meet each other. Its entries are those of the element's own lower triangle row
-    /// by row, so entry (a, b), a >= b, is number a (a + 1) / 2 + b. Unknowns are distinct.
+    /// Adds an element: all its unknowns are coupled with each other. Its entries are the element's own lower
+    /// triangle row by row: entry (a, b), a >= b, has number a (a + 1) / 2 + b. Requires distinct unknowns.
     int add_element(std::span<const int> unknowns);
 
-    /// A row, such as a constraint's: `row` meets itself (entry 0) and each of `columns` (entry 1 + j), but these do
-    /// not meet each other. Unknowns are distinct.
+    /// Adds a row, such as a constraint's: `row` is coupled with itself (entry 0) and with each of `columns` (entry 1
+    /// + j), but the columns are not coupled with each other. Requires distinct unknowns.
     int add_row(int row, std::span<const int> columns);
 
     int count() const { return static_cast<int>(is_row.size()); }
 
     std::vector<int> start = {
-        0};  ///< group g is unknowns[start[g]] … unknowns[start[g + 1] - 1]; of a row, `row` first
+        0};  ///< group g is unknowns[start[g]] … unknowns[start[g + 1] - 1]; a row has `row` first
     std::vector<int> unknowns;
     std::vector<char> is_row;
 };
 
-/// The places of a sparse symmetric matrix that can be other than zero: its lower triangle, column by column, rows
-/// increasing, the whole diagonal always among them. Built once; afterwards an assembly is
+/// The sparsity pattern of a symmetric matrix: its lower triangle, column by column with increasing rows, the whole
+/// diagonal included. It is built once; every assembly is then
 ///
 ///     values.setZero();
 ///     for each group g:  for each entry k:  values[pattern.slots(g)[k]] += ...
 ///
-/// with no search, no sort and one order of the sums. Building takes O(entries of all groups).
+/// without a search or a sort, and with a fixed order of the sums. Building takes O(entries of all groups).
 class SparsePattern {
   public:
     SparsePattern(int size, const Couplings& couplings);
@@ -38,7 +38,7 @@ class SparsePattern {
     int size() const { return static_cast<int>(column_start_.size()) - 1; }
     int entry_count() const { return static_cast<int>(rows_.size()); }
 
-    /// Where each entry of a group lies in the values, in the group's own order.
+    /// The index of each entry of a group in the values, in the group's own order.
     std::span<const int> slots(int group) const {
         const auto g = static_cast<std::size_t>(group);
         return {slots_.data() + slot_start_[g], slots_.data() + slot_start_[g + 1]};
@@ -55,7 +55,7 @@ class SparsePattern {
     std::vector<int> slots_;
 };
 
-/// A x for the symmetric matrix whose lower triangle `values` holds.
+/// The product A x, where `values` is the lower triangle of the symmetric matrix A.
 Eigen::VectorXd product(const SparsePattern& pattern, const Eigen::VectorXd& values, const Eigen::VectorXd& x);
 
 }  // namespace ripstop

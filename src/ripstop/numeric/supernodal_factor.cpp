@@ -17,8 +17,8 @@ Function* loaded(const char* name) {
     return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
 }
 
-/// One thread in OpenBLAS, for the whole process: tiles are solved in parallel already, and sums must not depend on how
-/// many threads there are. The BLAS is chosen when the program is loaded, so it is asked for then.
+/// Limits OpenBLAS to one thread for the whole process: tiles are solved in parallel already, and sums must not
+/// depend on the number of threads. The BLAS is chosen at load time, so its function is looked up at run time.
 void keep_blas_to_one_thread() {
     static const bool done = [] {
         if (auto* const set = loaded<void(int)>("openblas_set_num_threads")) set(1);
@@ -27,8 +27,8 @@ void keep_blas_to_one_thread() {
     static_cast<void>(done);
 }
 
-/// While it lives, OpenMP starts no threads for the thread it was made on. CHOLMOD would, four for every large block, and
-/// nothing else keeps it from that; waking them costs more than they do.
+/// While it lives, OpenMP starts no threads for the thread that made it. CHOLMOD would start four for every large
+/// block, and has no option against it; waking them takes longer than their work.
 class WithoutOpenMp {
   public:
     WithoutOpenMp() {
@@ -103,7 +103,7 @@ class SupernodalFactor : public SymmetricFactor {
         Inertia count;
         if (state_ == State::failed) return count;
         if (state_ == State::indefinite) return {static_cast<int>(factor_->minor), 1, 0};
-        // a_kk = sum_i l_ki^2, the pivot l_kk^2 among them: the sizes of all terms add up to 2 a_kk
+        // a_kk = sum_i l_ki^2, and the pivot l_kk^2 is one of the terms: the magnitudes of all terms sum to 2 a_kk
         const Eigen::VectorXd pivot = pivots();
         for (Eigen::Index k = 0; k < pivot.size(); ++k) {
             const double diagonal = values_[lower_.column_start[static_cast<std::size_t>(k)]];
@@ -123,10 +123,10 @@ class SupernodalFactor : public SymmetricFactor {
   private:
     enum class State { failed, indefinite, usable };
 
-    /// Columns `first` … `first + width - 1` of L, a dense block: on top its triangle, below the rows `below`.
+    /// Columns `first` … `first + width - 1` of L as a dense block: its triangle on top, then the rows `below`.
     struct Block {
         int first, width, height;
-        const double* values;  ///< column by column, `height` apart
+        const double* values;  ///< column-major, columns `height` apart
         const int* below;      ///< height - width
 
         const double* column(int j) const { return values + static_cast<std::ptrdiff_t>(j) * height; }
@@ -151,8 +151,8 @@ class SupernodalFactor : public SymmetricFactor {
     template <int count>
     using Columns = Eigen::Matrix<double, Eigen::Dynamic, count, count == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
 
-    /// L Lᵀ x = x for several columns at once: L, which takes longer to fetch than to use, is read once for all of them.
-    /// CHOLMOD's own solve goes through the BLAS for every block, however small.
+    /// Solves L Lᵀ x = x for several columns at once. L takes longer to fetch than to use, so it is read once for all
+    /// of them. CHOLMOD's own solve calls the BLAS for every block, however small.
     template <int count>
     void solve_columns(Eigen::Ref<Eigen::MatrixXd> x) const {
         Columns<count> y = x;
@@ -165,7 +165,7 @@ class SupernodalFactor : public SymmetricFactor {
     template <int count>
     using Row = Eigen::Matrix<double, 1, count>;
 
-    /// Solves for the block's own unknowns and takes what they contribute from those below.
+    /// Solves for the unknowns of the block and subtracts their contribution from those below.
     template <int count>
     static void solve_block(const Block& block, Columns<count>& y, Columns<count>& sum) {
         const int below = block.height - block.width;
@@ -226,7 +226,7 @@ class SupernodalFactor : public SymmetricFactor {
         }
     }
 
-    /// The squares of L's diagonal.
+    /// The squared diagonal of L.
     Eigen::VectorXd pivots() const {
         Eigen::VectorXd result(static_cast<Eigen::Index>(factor_->n));
         for (int s = 0; s < block_count(); ++s) {
@@ -244,7 +244,7 @@ class SupernodalFactor : public SymmetricFactor {
     cholmod_common common_{};
     cholmod_sparse matrix_{};
     cholmod_factor* factor_ = nullptr;
-    int highest_ = 0;  // block
+    int highest_ = 0;  // rows of the highest block
     long entries_ = 0;
     State state_ = State::failed;
 };

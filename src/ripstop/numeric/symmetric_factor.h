@@ -8,18 +8,18 @@
 
 namespace ripstop {
 
-/// What `SymmetricSolver` needs of a factorisation. The unknowns are in the order of their elimination already.
+/// The factorisation interface behind `SymmetricSolver`. The unknowns are already in elimination order.
 class SymmetricFactor {
   public:
     virtual ~SymmetricFactor() = default;
-    virtual double* values() = 0;  ///< to be filled in before `factorize`: of the triangle it was made with
+    virtual double* values() = 0;  ///< values of the triangle it was made with; fill them in before `factorize`
     virtual bool factorize() = 0;
     virtual Inertia inertia() const = 0;
     virtual void solve_in_place(Eigen::Ref<Eigen::MatrixXd> x) const = 0;
     virtual long entries() const = 0;
 };
 
-/// A pivot a_kk - sum_i l_ki^2 d_i is nothing but rounding where it is below this share of its terms' sizes.
+/// A pivot a_kk - sum_i l_ki^2 d_i below this share of the magnitude of its terms is rounding error only.
 inline constexpr double pivot_rounding = 64 * 2.220446049250313e-16;
 
 /// L D Lᵀ, column by column (Eigen), from the upper triangle.

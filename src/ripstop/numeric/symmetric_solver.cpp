@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace {
 
-/// Entries of the lower triangle from which dense blocks pay for what they cost: docs/decisions/0002-cholmod.md.
+/// Number of entries in the lower triangle from which dense blocks pay off: docs/decisions/0002-cholmod.md.
 constexpr int supernodal_from = 75'000;
 
 bool wants_supernodal(const SparsePattern& pattern, SolverKind kind) {
@@ -20,7 +20,7 @@ bool wants_supernodal(const SparsePattern& pattern, SolverKind kind) {
 }  // namespace
 
 struct SymmetricSolver::Factor {
-    std::vector<int> order;  // the unknown eliminated k-th
+    std::vector<int> order;  // order[k] is the unknown eliminated k-th
     std::vector<int> slots;  // entry of the ordered triangle -> place in the caller's values
     std::unique_ptr<SymmetricFactor> factor;
     SolverKind kind = SolverKind::simplicial;

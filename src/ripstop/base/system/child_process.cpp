@@ -22,12 +22,12 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kept_complaints = 64 << 10;
 constexpr int step_ms = 20;
 
-/// What a child says on standard error.
+/// Collects what a child process writes to standard error.
 class Complaints {
   public:
     Complaints(int descriptor, const TakesLine& takes_line) : descriptor_(descriptor), takes_line_(takes_line) {}
 
-    /// Waits for something to read at most so long.
+    /// Reads once, after waiting at most `milliseconds` for input.
     void read(int milliseconds) {
         pollfd watched{open_ ? descriptor_ : -1, POLLIN, 0};
         if (::poll(&watched, 1, milliseconds) > 0) open_ = read_some();
@@ -42,7 +42,7 @@ class Complaints {
     }
 
   private:
-    /// Whatever is there now; false at the end of the stream.
+    /// Reads the bytes that are available now. Returns false at the end of the stream.
     bool read_some() {
         std::array<char, 4096> buffer;
         const ssize_t count = ::read(descriptor_, buffer.data(), buffer.size());
@@ -66,8 +66,8 @@ class Complaints {
     std::string line_, kept_;
 };
 
-/// Reads until the child has ended, which may be before the last holder of its standard error has: a program it left behind
-/// must not keep us.
+/// Reads until the child ends. The child may leave behind a program that keeps standard error open; this does not
+/// wait for it.
 ChildEnd await(pid_t child, Complaints& complaints, double timeout) {
     const auto deadline =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout));
@@ -91,13 +91,13 @@ ChildEnd await(pid_t child, Complaints& complaints, double timeout) {
     return end;
 }
 
-/// What the new process does; no memory is taken in it, for another thread may have held the lock on it.
+/// Runs in the new process. It allocates no memory: another thread may have held the allocator's lock at the fork.
 [[noreturn]] void become(char* const* words, int errors, int failure, pid_t parent) {
     sigset_t none;
     ::sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
 #ifdef __linux__
-    // A parent that ended before this call sends no signal any more.
+    // If the parent ended before this call, no signal follows: compare the parent's id.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent) ::_exit(0);
 #else
@@ -116,7 +116,7 @@ ChildEnd await(pid_t child, Complaints& complaints, double timeout) {
     ::_exit(127);
 }
 
-/// A pipe that no other program inherits, closed at the end.
+/// A pipe that no other program inherits; the destructor closes it.
 struct Pipe {
     Pipe() { failed = ::pipe2(ends.data(), O_CLOEXEC) != 0; }
     ~Pipe() {

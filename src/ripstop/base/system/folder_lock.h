@@ -4,12 +4,12 @@
 
 namespace ripstop {
 
-/// An advisory lock on a folder, shared by all processes on this file system; the system gives it back when its owner
-/// ends in whatever way. It follows the folder when that is renamed. Where the file system has no locks, it holds
-/// nothing.
+/// An advisory lock on a folder that all processes on this file system share. The system releases it when its owner
+/// ends, for whatever reason. The lock follows a folder that is renamed. It has no effect on a file system without
+/// locks.
 class FolderLock {
   public:
-    explicit FolderLock(const std::filesystem::path& folder);  ///< waits until no other process holds it
+    explicit FolderLock(const std::filesystem::path& folder);  ///< blocks until no other process holds it
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
@@ -18,7 +18,7 @@ class FolderLock {
     int descriptor_ = -1;
 };
 
-/// Whether a process, this one included, holds the lock of a folder. True if that cannot be told.
+/// Whether a process, this one included, holds the lock of a folder. Returns true if that is unknown.
 bool is_locked(const std::filesystem::path& folder);
 
 }  // namespace ripstop

@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-// A signal ends the whole process, so what it must remove is one list for the whole process.
+// A signal ends the whole process, so one list holds everything to remove.
 std::mutex guard;
 std::vector<std::filesystem::path>& watched() {
     static std::vector<std::filesystem::path> paths;
@@ -17,7 +17,7 @@ std::vector<std::filesystem::path>& watched() {
 
 void remove_now(const std::filesystem::path& path) {
     std::error_code ignored;
-    // Another thread may still write into it; a second pass takes what it added.
+    // Another thread may still write into the folder; a second pass removes what it added.
     for (int pass = 0; pass < 3 && std::filesystem::exists(path, ignored); ++pass)
         std::filesystem::remove_all(path, ignored);
 }

@@ -5,8 +5,8 @@
 
 namespace ripstop {
 
-/// A file or folder that must not outlive the work on it: a partial result, a temporary folder. The destructor removes
-/// it with all that it holds, and `remove_leftovers` does where a signal ends the process first. Nothing removes it
+/// A file or folder that must not outlive the work on it: a partial result or a temporary folder. The destructor
+/// removes it with its contents; if a signal ends the process first, `remove_leftovers` does. Nothing removes it
 /// after `kill -9`.
 class Leftover {
   public:
@@ -17,9 +17,9 @@ class Leftover {
 
     const std::filesystem::path& path() const { return path_; }
 
-    /// Runs `rename`, which gives the finished path its final name, and then stops watching the path. No signal ends
-    /// the process in between if the program handles it with `remove_leftovers`. If `rename` throws, the path is still
-    /// a leftover.
+    /// Runs `rename`, which gives the finished path its final name, then stops watching the path. If the program
+    /// handles signals with `remove_leftovers`, no signal ends the process in between. If `rename` throws, the path
+    /// stays a leftover.
     void finish(const std::function<void()>& rename);
 
   private:
@@ -27,8 +27,8 @@ class Leftover {
     bool is_watched_ = true;
 };
 
-/// Removes every leftover of this process, then blocks those who want to make or finish one: call it to end the
-/// process, from a thread of its own (it waits for a running `finish`), never from a signal handler.
+/// Removes every leftover of this process, then blocks threads that create or finish one. Call it to end the process,
+/// from a thread of its own (it waits for a running `finish`), never from a signal handler.
 void remove_leftovers();
 
 }  // namespace ripstop

@@ -3,7 +3,7 @@
 namespace ripstop {
 namespace {
 
-/// Where the character after the one at `i` begins.
+/// The index of the character after the one at `i` (UTF-8).
 std::size_t next_character(std::string_view text, std::size_t i) {
     ++i;
     while (i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80) ++i;
@@ -15,7 +15,8 @@ std::size_t next_character(std::string_view text, std::size_t i) {
 bool glob_match(std::string_view pattern, std::string_view text) {
     std::size_t p = 0;
     std::size_t t = 0;
-    std::size_t after_star = std::string_view::npos;  // what to match again, with the last star one character longer
+    std::size_t after_star = std::string_view::npos;  // where to resume in the pattern when the last star takes one
+                                                      // more character
     std::size_t star_end = 0;
     while (t < text.size()) {
         if (p < pattern.size() && pattern[p] == '*') {

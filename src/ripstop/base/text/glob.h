@@ -4,8 +4,8 @@
 
 namespace ripstop {
 
-/// Whether `text` as a whole is what `pattern` describes: `*` stands for any run of characters (also none, also `/`),
-/// `?` for one character (UTF-8), everything else for itself; upper and lower case differ. O(pattern x text) at worst.
+/// Whether `pattern` matches the whole `text`: `*` matches any run of characters (also none, also `/`), `?` matches
+/// one character (UTF-8), everything else matches itself. Case matters. O(pattern x text) at worst.
 bool glob_match(std::string_view pattern, std::string_view text);
 
 }  // namespace ripstop

@@ -6,11 +6,11 @@
 
 namespace ripstop {
 
-/// The finite number that `text` spells in full, with a decimal point whatever the locale; nothing for anything else
-/// (empty, trailing characters, nan, inf, out of range). A leading '+' is accepted.
+/// Parses the whole text as a finite number with a decimal point, whatever the locale. A leading '+' is accepted.
+/// Empty for anything else: no text, trailing characters, nan, inf, out of range.
 std::optional<double> parse_double(std::string_view text);
 
-/// `value` with `decimals` digits after the point, locale-free, never "-0.000".
+/// Formats `value` with `decimals` digits after the point, independent of the locale; never returns "-0.000".
 std::string format_fixed(double value, int decimals);
 
 /// The shortest text that reads back as exactly `value`.

@@ -9,7 +9,7 @@
 
 namespace ripstop {
 
-/// Throws InputError that names the option, its value and its range unless low <= value <= high (a NaN is not).
+/// Throws InputError unless low <= value <= high (NaN fails). The message names the option, its value and its range.
 inline void require_range(const std::string& option, double value, double low, double high, const std::string& unit) {
     if (value >= low && value <= high) return;
     const std::string end = unit.empty() ? "" : " " + unit;
@@ -17,12 +17,12 @@ inline void require_range(const std::string& option, double value, double low, d
                      format_shortest(low) + " and " + format_shortest(high) + end);
 }
 
-/// The same for an angle in radians that may run from 0 to `high` degrees; the message speaks of degrees.
+/// The same for an angle in radians between 0 and `high` degrees; the message gives degrees.
 inline void require_angle(const std::string& option, double value, double high) {
     if (!(value >= 0 && value <= high * degree)) require_range(option, value / degree, 0, high, "degrees");
 }
 
-/// Throws InputError that names the option and its value unless it is finite and greater than `low`.
+/// Throws InputError unless `value` is finite and greater than `low`. The message names the option and its value.
 inline void require_above(const std::string& option, double value, double low, const std::string& unit) {
     if (value > low && std::isfinite(value)) return;
     throw InputError("the " + option + " is " + format_shortest(value) + " " + unit + "; it must be greater than " +

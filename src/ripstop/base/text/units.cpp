@@ -22,7 +22,7 @@ double metres_per_unit(std::string_view unit) {
 
 double parse_length(std::string_view text, const std::string& what) {
     std::size_t split = text.find_first_not_of("+-.0123456789");
-    // 1e-3m: an exponent, where digits follow it; no unit begins so.
+    // In 1e-3m the letter e starts an exponent, since digits follow it; no unit starts with e and a digit.
     if (split != std::string_view::npos && (text[split] == 'e' || text[split] == 'E'))
         if (const std::size_t digits = text.find_first_not_of("+-", split + 1);
             digits != std::string_view::npos && text[digits] >= '0' && text[digits] <= '9')
