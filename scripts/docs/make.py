@@ -18,6 +18,7 @@ import yaml
 sys.dont_write_bytecode = True
 import api  # noqa: E402
 import check_links  # noqa: E402
+import schemas  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parent.parent
@@ -116,8 +117,9 @@ def pages_in(nav):
             yield from [value] if isinstance(value, str) else pages_in(value)
 
 
-def configuration(rooms):
+def configuration(rooms, of_schemas):
     config = yaml.safe_load((HERE / "mkdocs.yml").read_text())
+    next(entry["Formats"] for entry in config["nav"] if "Formats" in entry).extend(of_schemas)
     listed = [{"All headers": "api/index.md"}, *({room.name: f"api/{room.page}"} for room in rooms)]
     config["nav"].append({"API": listed})
     config["docs_dir"], config["site_dir"] = str(WORK / "pages"), str(SITE)
@@ -164,7 +166,7 @@ def main(program):
     copy_docs(Markdown(place_of_door), pages)
     (pages / "references.md").write_text(references())
     shutil.copytree(pictures(program), pages / "pictures")
-    config = configuration(rooms)
+    config = configuration(rooms, schemas.write_pages(ROOT / "docs", pages))
     check_nav(config)
     run_mkdocs(config)
     keep_search()
