@@ -7,8 +7,9 @@
 namespace ripstop {
 namespace {
 
-/// The smallest part that a triangle of the fan from `corner` has along `normal`; twice an area. Negative infinity where
-/// one faces against the one before it, as in a bow tie whose area vector is what its two wings leave.
+/// The smallest component along `normal` of the area vectors of the fan from `corner`, twice an area. Negative
+/// infinity if a triangle faces against the one before it, as in a bow tie, whose area vector is the difference of
+/// its two wings.
 double thinnest(const std::vector<Vec3>& polygon, std::size_t corner, const Vec3& normal, double tiny) {
     const std::size_t count = polygon.size();
     double smallest = std::numeric_limits<double>::infinity();

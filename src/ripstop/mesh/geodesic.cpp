@@ -15,7 +15,8 @@ Vec2 nearest_on_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
     return a + std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0) * ab;
 }
 
-/// The edge `half_edge` of one triangle, where its twin runs the other way along the same points.
+/// The rigid motion that takes the edge from -> to of one triangle to its twin in the neighbour's frame, which runs
+/// the other way.
 PlaneMotion motion_across(const Vec2& from, const Vec2& to, const Vec2& twin_from, const Vec2& twin_to) {
     const Vec2 here = (to - from).normalized();
     const Vec2 there = (twin_from - twin_to).normalized();
@@ -105,7 +106,8 @@ SurfacePoint UnfoldedSurface::nearest(const Vec3& point) const {
             }
         }
         const double distance = (position({t, local}) - point).norm();
-        if (distance >= best_distance - 1e-9 * f.corners[1].x()) continue;  // rounding must not choose among equals
+        // rounding must not decide between equal distances
+        if (distance >= best_distance - 1e-9 * f.corners[1].x()) continue;
         best_distance = distance;
         best = {t, local};
     }
@@ -113,10 +115,11 @@ SurfacePoint UnfoldedSurface::nearest(const Vec3& point) const {
 }
 
 Walk UnfoldedSurface::walk(const SurfacePoint& from, const Vec2& direction, double length) const {
-    // An edge that the walk leaves at less than this sine it runs along: rounding must not push it off a boundary edge.
+    // The walk runs along an edge if it leaves it at less than this sine: rounding must not push it off a boundary
+    // edge.
     constexpr double parallel = 1e-12;
     Walk gone{from, direction.normalized()};
-    const std::size_t step_limit = 64 + 16 * frames_.size();  // a walk that circles for ever is ended
+    const std::size_t step_limit = 64 + 16 * frames_.size();  // ends a walk that circles for ever
     std::size_t entered = 3;
     for (std::size_t step = 0; step < step_limit; ++step) {
         const Frame& f = frame(gone.end.triangle);
@@ -150,8 +153,8 @@ std::vector<Sight> UnfoldedSurface::look_around(const SurfacePoint& from, double
     const Frame& own = frame(from.triangle);
     Sight first;
     first.triangle = from.triangle;
-    // From a corner or an edge the rays along it would have no direction: the eye stands a little inside. Only what hides
-    // what depends on it; distances are measured from the point itself.
+    // Rays from a corner or an edge along that edge have no direction, so the eye is moved slightly inside. It only
+    // decides what is visible; distances are measured from the point itself.
     first.eye = from.local + 1e-6 * ((own.corners[0] + own.corners[1] + own.corners[2]) / 3 - from.local);
     sights.push_back(first);
 
@@ -178,7 +181,7 @@ std::vector<Sight> UnfoldedSurface::look_around(const SurfacePoint& from, double
         const auto apex = static_cast<std::size_t>(near.corner);
         const Vec2 ray = near.unfolded(frame(near.triangle).corners[apex]) - near.eye;
         const auto& [right, left] = near.between;
-        // Edge apex + 2 runs to the apex and is seen right of it, edge apex runs from it and is seen left of it.
+        // Edge apex + 2 ends at the apex and appears to its right; edge apex starts there and appears to its left.
         look_through(near, (apex + 2) % 3, right, cross(ray, left) > 0 ? ray : left);
         look_through(near, apex, cross(right, ray) > 0 ? ray : right, left);
     }

@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int leaf = 4;  // triangles
+constexpr int leaf = 4;  // triangles in a leaf
 
 Vec3 middle(const std::array<Vec3, 3>& triangle) {
     return (triangle[0] + triangle[1] + triangle[2]) / 3;
@@ -19,7 +19,7 @@ bool meets(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& inverse
     for (int axis = 0; axis < 3; ++axis) {
         double low = (box.min()[axis] - from[axis]) * inverse[axis],
                high = (box.max()[axis] - from[axis]) * inverse[axis];
-        if (std::isnan(low) || std::isnan(high)) continue;  // it runs within a face of the box
+        if (std::isnan(low) || std::isnan(high)) continue;  // the line runs within a face of the box
         if (low > high) std::swap(low, high);
         near = std::max(near, low);
         far = std::min(far, high);
@@ -27,7 +27,7 @@ bool meets(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& inverse
     return near <= far;
 }
 
-/// How far along the line the triangle is; nothing is infinity. After Moeller and Trumbore (1997).
+/// The distance along the line to the triangle; infinity if they do not meet. Moeller and Trumbore (1997).
 double distance(const std::array<Vec3, 3>& triangle, const Vec3& from, const Vec3& direction) {
     const double none = std::numeric_limits<double>::infinity();
     const Vec3 u = triangle[1] - triangle[0], v = triangle[2] - triangle[0], p = direction.cross(v);

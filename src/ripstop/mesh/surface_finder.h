@@ -8,8 +8,8 @@
 
 namespace ripstop {
 
-/// The nearest points of one surface, for callers that ask many surfaces about few points: a surface whose box is out
-/// of reach costs next to nothing, and what the others need is built at the first question.
+/// Finds nearest points on one surface, for callers that ask many surfaces about few points. A surface whose bounding
+/// box is out of reach costs almost nothing; the search structure of the others is built at the first query.
 class SurfaceFinder {
   public:
     struct Found {
@@ -22,7 +22,7 @@ class SurfaceFinder {
         for (int v = 0; v < mesh.vertex_count(); ++v) box_.extend(Vec3(mesh.positions.row(v)));
     }
 
-    /// Nothing where the surface is further than `reach` [m]. O(#F).
+    /// The nearest point; empty if the surface is further away than `reach` [m]. O(#F).
     std::optional<Found> nearest(const Vec3& point, double reach) {
         if (box_.exteriorDistance(point) > reach) return std::nullopt;
         const SurfacePoint at = surface().nearest(point);

@@ -6,7 +6,7 @@
 
 namespace ripstop {
 
-/// A triangulated surface: two arrays and nothing else. Connectivity is asked of `Adjacency`.
+/// A triangulated surface: two arrays and nothing else. `Adjacency` gives its connectivity.
 struct TriangleMesh {
     Points3 positions;    ///< #V x 3 [m]
     Triangles triangles;  ///< #F x 3, indices into positions, counter-clockwise seen from outside
@@ -16,18 +16,19 @@ struct TriangleMesh {
     Vec3 corner(int triangle, int k) const { return positions.row(triangles(triangle, k)); }
 };
 
-/// Area of one triangle, of each (#F), of all [m2].
+/// The area of one triangle, of each triangle (#F), and of the whole mesh [m2].
 double triangle_area(const TriangleMesh& mesh, int triangle);
 Eigen::VectorXd triangle_areas(const TriangleMesh& mesh);
 double surface_area(const TriangleMesh& mesh);
 
-/// (b - a) x (c - a) / 2 of one triangle [m2].
+/// The area vector (b - a) x (c - a) / 2 of one triangle [m2].
 Vec3 area_vector(const TriangleMesh& mesh, int triangle);
 
-/// Sum of the triangles' area vectors, (b - a) x (c - a) / 2: points outward on average; zero on a closed surface [m2].
+/// The sum of the triangles' area vectors (b - a) x (c - a) / 2 [m2]: it points outward on average and is zero on a
+/// closed surface.
 Vec3 area_vector(const TriangleMesh& mesh);
 
-/// The axis-aligned box round all vertices, used or not; empty without any.
+/// The axis-aligned bounding box of all vertices, used or not; empty if there are none.
 Eigen::AlignedBox3d box_of(const TriangleMesh& mesh);
 
 /// Area-weighted centre of the surface [m].

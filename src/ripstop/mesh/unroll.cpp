@@ -7,12 +7,12 @@
 namespace ripstop {
 namespace {
 
-/// Corner k of a triangle laid by `lay_flat`.
+/// Corner k of a triangle laid flat by `lay_flat`.
 Vec2 laid_corner(const Mat22& flat, int k) {
     return k == 0 ? Vec2(Vec2::Zero()) : Vec2(flat.col(k - 1));
 }
 
-/// The turn that takes the direction of `from` to that of `to`.
+/// The rotation from the direction of `from` to that of `to`.
 Mat22 turn_between(const Vec2& from, const Vec2& to) {
     const Vec2 direction = Vec2(from.dot(to), cross(from, to)).normalized();
     Mat22 turn;
@@ -38,7 +38,7 @@ std::vector<LayingStep> laying_order(const Adjacency& adjacency, int seed) {
 
 int middle_triangle(const TriangleMesh& mesh) {
     const Vec3 centre = centroid(mesh);
-    const double equal = 1e-9 * bounding_diagonal(mesh);  // rounding must not choose among equals
+    const double equal = 1e-9 * bounding_diagonal(mesh);  // rounding must not decide between equal distances
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (int t = 0; t < mesh.triangle_count(); ++t) {

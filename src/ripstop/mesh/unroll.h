@@ -7,29 +7,30 @@
 
 namespace ripstop {
 
-/// A triangle laid beside those before it: its corner `corner` is the new one.
+/// A triangle placed next to an earlier one: `corner` is its new corner.
 struct LayingStep {
     int triangle = 0;
     int corner = 0;
 };
 
-/// The triangles one by one outward from `seed`, each across an edge of one before it; the first is the seed. #F steps
-/// on a connected mesh.
+/// The triangles in breadth-first order from `seed`, each with the corner that is new when it is placed across an
+/// edge of an earlier one; the seed is first. #F steps on a connected mesh.
 std::vector<LayingStep> laying_order(const Adjacency& adjacency, int seed);
 
-/// The triangle nearest the area centre: the seed. Among those equally near, the lowest.
+/// The seed for unrolling: the triangle nearest the area centroid, the lowest if several are equally near.
 int middle_triangle(const TriangleMesh& mesh);
 
-/// Where a triangle lies in the plane: the point x of `lay_flat` (corner 0 at the origin, corner 1 on +x) at
-/// `origin + turn x`.
+/// The placement of a triangle in the plane: the point x of `lay_flat` (corner 0 at the origin, corner 1 on +x) lies
+/// at `origin + turn x`.
 struct LaidTriangle {
     Vec2 origin = Vec2::Zero();
     Mat22 turn = Mat22::Identity();
 };
 
-/// The mesh unrolled (#F): the middle triangle as `lay_flat` has it, each other one moved rigidly to lie beside the one
-/// from which `laying_order` reaches it. On a developable disk all triangles fit together and this is its isometry;
-/// elsewhere neighbours reached by different ways part. Requires a connected mesh of triangles with area. O(#F).
+/// Unrolls the mesh (#F): the middle triangle is placed as by `lay_flat`, each other one rigidly beside the one from
+/// which `laying_order` reaches it. On a developable disk all triangles fit together, and the result is its isometry;
+/// elsewhere neighbours that are reached by different paths separate. Requires a connected mesh of triangles with
+/// area. O(#F).
 std::vector<LaidTriangle> unroll(const TriangleMesh& mesh, const Adjacency& adjacency);
 
 }  // namespace ripstop

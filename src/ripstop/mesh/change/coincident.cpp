@@ -9,7 +9,8 @@ namespace {
 
 constexpr int none = -1;
 
-/// `number[v]`: where v goes; numbers go up along the vertices that are the first of theirs.
+/// The mesh with vertex v renumbered `number[v]`; numbers increase along the vertices that are the first of their
+/// number.
 TriangleMesh renumbered(const TriangleMesh& mesh, const std::vector<int>& number, int count) {
     TriangleMesh result{Points3(count, 3), mesh.triangles};
     for (int v = mesh.vertex_count() - 1; v >= 0; --v)

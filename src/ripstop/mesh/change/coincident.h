@@ -6,16 +6,15 @@
 
 namespace ripstop {
 
-/// Of each point the first that lies in its place (equal coordinates, bit by bit but for the sign of zero). O(#V log
+/// The first point at the place of each point (equal coordinates, bit by bit except for the sign of zero). O(#V log
 /// #V).
 std::vector<int> first_in_place(const Points3& points);
 
-/// The mesh with vertices in one place (`first_in_place`) made one, the first of each kept, in their order; triangles
-/// as they were. O(#V log #V + #F).
+/// Merges vertices at the same place (`first_in_place`) and keeps the first of each, in order. Triangles keep their
+/// number and order. O(#V log #V + #F).
 TriangleMesh join_coincident(const TriangleMesh& mesh);
 
-/// The mesh without the vertices that no triangle uses; the others in their order. Requires indices that hold. O(#V +
-/// #F).
+/// Removes vertices that no triangle uses and keeps the others in order. Requires valid indices. O(#V + #F).
 TriangleMesh drop_unused(const TriangleMesh& mesh);
 
 }  // namespace ripstop

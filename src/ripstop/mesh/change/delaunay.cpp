@@ -15,10 +15,11 @@
 namespace ripstop {
 namespace {
 
-constexpr int outside = -1;  // the corner at infinity of the triangle beyond an edge of the hull
+constexpr int outside = -1;  // the vertex at infinity of a ghost triangle beyond a hull edge
 constexpr double shift = 1e-9;
 
-/// Counter-clockwise; `outside` is the last corner if any. No point right of `reach` lies in its circle.
+/// A triangle, counter-clockwise; in a ghost triangle `outside` is the last corner. Its circle holds no point right
+/// of `reach`.
 struct Cell {
     std::array<int, 3> corner;
     double reach;
@@ -33,7 +34,7 @@ class Triangulation {
 
     const Points2& points() const { return at_; }
 
-    /// Every triangle of the points' convex hull.
+    /// All triangles of the points' convex hull.
     std::vector<std::array<int, 3>> triangulate() {
         std::vector<int> order(static_cast<std::size_t>(at_.rows()));
         std::iota(order.begin(), order.end(), 0);
@@ -45,7 +46,7 @@ class Triangulation {
     }
 
   private:
-    /// Between -1 and 1, the same for every run.
+    /// Pseudo-random number between -1 and 1, the same in every run.
     static double noise(Eigen::Index seed) {
         auto x = static_cast<std::uint64_t>(seed) + 0x9e3779b97f4a7c15u;
         x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -76,7 +77,8 @@ class Triangulation {
         active_.push_back({{a, b, c}, reach});
     }
 
-    /// Does the circle through the corners go round the point? Of the cell beyond the hull: is it beyond that edge?
+    /// Whether the circumcircle of the cell contains the point; for a ghost triangle, whether the point lies beyond
+    /// its edge.
     bool holds(const Cell& cell, int p) const {
         const auto [a, b, c] = cell.corner;
         if (c == outside) return orient2d(point(a), point(b), point(p)) > 0;
@@ -89,7 +91,7 @@ class Triangulation {
     }
 
     void insert(int p) {
-        std::set<std::pair<int, int>> rim;  // of the cells that hold the point
+        std::set<std::pair<int, int>> rim;  // boundary of the cavity: the cells whose circles contain the point
         std::vector<Cell> others;
         for (const Cell& cell : active_) {
             if (cell.reach < point(p).x()) {

@@ -4,12 +4,12 @@
 
 namespace ripstop {
 
-/// The triangles of the Delaunay triangulation of points in the plane that lie inside an outline, counter-clockwise:
-/// the first `outline` points in their order are its corners, counter-clockwise, the others lie inside. Nothing (0 x 3)
-/// where the triangulation does not have every edge of the outline, as where a point lies nearer to one than half its
-/// length and within the circle over it. Points on one circle are told apart by a shift of 1e-9 of the size.
+/// The triangles of a Delaunay triangulation that lie inside an outline, counter-clockwise. The first `outline`
+/// points are the corners of the outline, counter-clockwise; the others lie inside. Returns 0 x 3 if the
+/// triangulation lacks an edge of the outline, for instance because a point lies in the circle over that edge. Ties
+/// between cocircular points are broken by shifts of 1e-9 of the size.
 ///
-/// Bowyer and Watson's insertion, from left to right: about O(#points^1.5).
+/// Bowyer-Watson insertion from left to right: about O(#points^1.5).
 Triangles delaunay_inside(const Points2& points, int outline);
 
 }  // namespace ripstop

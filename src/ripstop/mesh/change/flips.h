@@ -4,7 +4,7 @@
 
 namespace ripstop {
 
-/// Triangles of a flat layout (#V x 2) that lie face down or have no area, or whose corners are not finite.
+/// The number of triangles of a flat layout (#V x 2) that are flipped, have no area or have non-finite corners.
 int count_flipped(const Triangles& triangles, const Points2& positions);
 
 }  // namespace ripstop

@@ -18,13 +18,14 @@
 namespace ripstop {
 namespace {
 
-constexpr double no_edge = 1e-9;    // of a triangle's longest edge: its ends are one place
-constexpr double no_height = 1e-6;  // of the longest edge: the corner across lies on it
-constexpr double inside = 1e-3;     // of the longest edge: as far from its ends
-constexpr int most_rounds = 50;     // of needles that become needles again
+constexpr double no_edge = 1e-9;    // relative to a triangle's longest edge: shorter edges count as one place
+constexpr double no_height = 1e-6;  // relative to the longest edge: a corner lower than this lies on it
+constexpr double inside = 1e-3;     // relative to the longest edge: least distance of that corner from the ends
+constexpr int most_rounds = 50;     // limit for needles that become needles again
 constexpr double tip_angle = 150 * degree;
 constexpr double tip_defect = 10 * degree;
-constexpr double narrower = 0.999;  // of a width: tips of just that width are all kept, however they are rounded
+constexpr double narrower = 0.999;  // factor on the width: tips of exactly that width are all kept, whatever their
+                                    // rounding
 
 bool is_disk(const TriangleMesh& mesh) {
     try {
@@ -35,7 +36,7 @@ bool is_disk(const TriangleMesh& mesh) {
     }
 }
 
-/// The edge a triangle has no height over; -1: it has some.
+/// The edge over which a triangle has no height; -1 if there is none.
 int needle_edge(const TriangleMesh& mesh, int triangle) {
     for (int k = 0; k < 3; ++k) {
         const Vec3 a = mesh.corner(triangle, k), along = mesh.corner(triangle, (k + 1) % 3) - a;
@@ -67,7 +68,7 @@ void note(MendedMesh& mended, int& count, const Vec3& place) {
     ++count;
 }
 
-/// Which vertex each one becomes.
+/// Union-find over vertices.
 class Joined {
   public:
     explicit Joined(int count) : to_(static_cast<std::size_t>(count)) { std::iota(to_.begin(), to_.end(), 0); }
@@ -85,7 +86,7 @@ class Joined {
     std::vector<int> to_;
 };
 
-/// Leaves the triangles for which `stays` holds.
+/// Keeps the triangles for which `stays` holds.
 template <class Stays>
 void keep_triangles(MendedMesh& mended, Stays&& stays) {
     Eigen::Index kept = 0;
@@ -98,7 +99,7 @@ void keep_triangles(MendedMesh& mended, Stays&& stays) {
     mended.triangle.resize(static_cast<std::size_t>(kept));
 }
 
-/// Puts each vertex in the place of its first, and drops the triangles that have one twice.
+/// Replaces each vertex by the first of its set and removes triangles that then use a vertex twice.
 void join(MendedMesh& mended, const Joined& joined) {
     for (int& v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) v = joined(v);
     for (int& v : mended.becomes) v = joined(v);
@@ -158,7 +159,7 @@ bool joins(const Adjacency& adjacency, int a, int b) {
     return leads(a, b) || leads(b, a);
 }
 
-/// Mends needles that do not touch each other; true: there was one.
+/// Mends needles that do not touch each other. Returns true if there was one.
 bool mend_needles_once(MendedMesh& mended) {
     TriangleMesh& mesh = mended.mesh;
     const Adjacency adjacency(mesh.triangles, mesh.vertex_count());
@@ -226,7 +227,7 @@ MendedMesh mended_of(const TriangleMesh& mesh, bool all_places) {
     return mended;
 }
 
-/// The sum of the triangles' angles at each vertex.
+/// The sum of the triangle angles at each vertex.
 std::vector<double> angle_sums(const TriangleMesh& mesh) {
     std::vector<double> angle(static_cast<std::size_t>(mesh.vertex_count()), 0);
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -236,7 +237,7 @@ std::vector<double> angle_sums(const TriangleMesh& mesh) {
     return angle;
 }
 
-/// Does to a disk that was mended what `tips` says of its tips.
+/// Applies the changes of tips in `tips` to a disk that was mended before.
 void take_tips(MendedMesh& mended, MendedMesh&& tips) {
     if (!tips.any()) return;
     if (!mended.any()) mended.place = tips.place;
@@ -275,14 +276,14 @@ MendedMesh weld_tips(const TriangleMesh& mesh) {
     const std::size_t count = loop.size();
     const auto at = [&](std::size_t i) -> Vec3 { return mesh.positions.row(loop[i % count]); };
     const auto angle_of = [&](std::size_t i) { return angle[static_cast<std::size_t>(loop[i % count])]; };
-    const auto cracked = [&](std::size_t i) {  // a crack of one edge, its tip behind i
+    const auto cracked = [&](std::size_t i) {  // an open edge pair at i whose tip is vertex i + 1
         const double edge = std::min((at(i + 1) - at(i)).norm(), (at(i + 2) - at(i + 1)).norm());
         return (at(i + 2) - at(i)).norm() <= no_height * edge;
     };
     MendedMesh mended = as_given(mesh);
     Joined joined(mesh.vertex_count());
     for (std::size_t i = 0; i < count; ++i) {
-        if (!cracked(i) || cracked(i + count - 2)) continue;  // the first crack of a tip
+        if (!cracked(i) || cracked(i + count - 2)) continue;  // continue only at the first crack of a tip
         std::size_t last = i;
         double sum = angle_of(i);
         bool flat = true;
@@ -330,7 +331,7 @@ MendedMesh close_tips(const TriangleMesh& mesh, double width) {
     if (mended.closed == 0) return mended;
     join(mended, joined);
     drop_unused_vertices(mended);
-    mended.flat = 0;  // its triangles went with the tip
+    mended.flat = 0;  // its triangles were removed with the tip
     return is_disk(mended.mesh) ? mended : as_given(mesh);
 }
 

@@ -6,51 +6,52 @@
 
 namespace ripstop {
 
-/// A mesh mended, and what was done to it.
+/// A mended mesh and what was changed in it.
 struct MendedMesh {
     TriangleMesh mesh;
-    std::vector<int> vertex;        ///< of each vertex: the one it is in the mesh as given
-    std::vector<int> triangle;      ///< of each triangle: the one it is, or takes the place of
-    std::vector<int> becomes = {};  ///< of each vertex as given: which one it is now; -1: it is gone
-    int joined = 0;                 ///< vertices that lay in one place with another
-    int flat = 0;                   ///< triangles without area that are gone
-    int doubled = 0;                ///< triangles that were there twice, either way up
-    int unused = 0;                 ///< vertices of no triangle
-    int welded = 0;                 ///< vertices of a tip that each triangle there had for itself
-    int closed = 0;                 ///< tips narrower than `MendOptions::tip_width`
-    Vec3 place = Vec3::Zero();      ///< where the first of this was
+    std::vector<int> vertex;        ///< input vertex of each vertex
+    std::vector<int> triangle;      ///< input triangle of each triangle, or the one it replaces
+    std::vector<int> becomes = {};  ///< vertex that each input vertex has become; -1: removed
+    int joined = 0;                 ///< vertices merged with another at the same place
+    int flat = 0;                   ///< triangles without area, removed
+    int doubled = 0;                ///< triangles given twice, either way up
+    int unused = 0;                 ///< vertices that no triangle uses, removed
+    int welded = 0;                 ///< vertices merged at tips where each triangle had its own copy
+    int closed = 0;                 ///< tips narrower than `MendOptions::tip_width`, closed
+    Vec3 place = Vec3::Zero();      ///< place of the first change
 
     bool any() const { return joined + flat + doubled + unused + welded + closed > 0; }
 };
 
 /// How `mend_mesh` treats tips: narrow ends where two sides of the outline nearly meet.
 struct MendOptions {
-    bool keep_tips = false;  ///< tips are neither welded nor closed
-    double tip_width = 0;    ///< narrower tips are closed, in the mesh's unit
+    bool keep_tips = false;  ///< neither weld nor close tips
+    double tip_width = 0;    ///< tips narrower than this are closed, in the mesh's unit
 };
 
-/// Mends what a mesh exporter leaves behind and no designer means, as every CAD does on import. A disk (`require_disk`)
-/// without needles keeps its vertices and triangles bit by bit, but for a tip.
+/// Mends defects that mesh exporters leave and no designer means, as CAD programs do on import. A disk
+/// (`require_disk`) without needles keeps its vertices and triangles bit by bit, except at tips.
 ///
-/// - Vertices that a triangle without area joins become one (edges below 1e-9 of the triangle's longest), and the
-///   triangle goes: the row of vertices at a pole.
-/// - A needle, a corner of which lies within 1e-6 of the longest edge of that edge, gives its area to the triangle
-///   beyond it: the two are divided the other way. At the boundary it goes.
-/// - Triangles given twice, either way up, and vertices of no triangle go.
-/// - Where that gives no disk, all vertices in one place are joined, if that does: a mesh in which each triangle, or
-///   each patch of texture, has vertices of its own.
-/// - A tip that each of its triangles has for itself is welded (`weld_tips`), one narrower than `tip_width` is closed
-///   (`close_tips`).
+/// - An edge below 1e-9 of its triangle's longest edge is collapsed and the triangle is removed, such as at a pole.
+/// - A needle is a triangle with a corner within 1e-6 of the longest edge of that edge. It is removed by an edge flip
+///   with
+/// the triangle beyond that edge, or deleted at the boundary.
+/// - Triangles given twice, either way up, and unused vertices are removed.
+/// - If the result is no disk, all vertices at the same place are merged, provided that this gives a disk: a mesh in
+///   which
+/// each triangle, or each patch of texture, has its own vertices.
+/// - A tip of which each triangle has its own copy is welded (`weld_tips`); a tip narrower than `tip_width` is closed
+/// (`close_tips`).
 ///
-/// A mesh that is no disk even so comes back as far as it could be mended; the caller's `require_disk` says what is
-/// left. O(#F log #F).
+/// A mesh that cannot be made a disk is returned as far as it was mended; the caller's `require_disk` reports the
+/// rest. O(#F log #F).
 MendedMesh mend_mesh(const TriangleMesh& mesh, const MendOptions& options = {});
 
-/// Joins the copies of a tip: vertices in one place (within 1e-6 of the edges there) that follow each other along the
-/// boundary with one vertex between, where the triangles' angles at the place add up to less than 150 degrees, so that
-/// the boundary turns a corner there, and those round the vertex between to 360 within 30. The cracks between the
-/// triangles of a fan are so; a dart that is closed in space is not: it is longer than an edge, begins at a straight
-/// edge or takes away an angle. Requires a disk; what comes back is one.
+/// Merges the copies of a tip: vertices at the same place (within 1e-6 of the edges there) with one vertex between
+/// consecutive copies along the boundary. The triangle angles at the place must add up to less than 150 degrees, so
+/// that the boundary turns a corner there, and those round each vertex between to 360 within 30. The cracks between
+/// the triangles of a fan are like this. A dart that is closed in space is not: it is longer than an edge, begins at
+/// a straight edge or removes an angle. Requires a disk and returns one.
 MendedMesh weld_tips(const TriangleMesh& mesh);
 
 /// Replaces each tip narrower than `width` by the midpoint of its ends. A tip is a run of boundary edges that is

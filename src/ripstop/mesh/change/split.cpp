@@ -28,7 +28,7 @@ Eigen::VectorXd snapped(const TriangleMesh& mesh, const Eigen::VectorXd& field, 
     return result;
 }
 
-/// The point of an edge on the line, the same from both of its triangles.
+/// The point where the line crosses an edge, bit for bit the same from both triangles.
 Corner crossing(int u, int v, const Eigen::VectorXd& field) {
     const int a = std::min(u, v), b = std::max(u, v);
     return {a, b, field[a] / (field[a] - field[b])};
@@ -39,7 +39,7 @@ Vec3 position(const TriangleMesh& mesh, const Corner& at) {
     return a + at.share * (b - a);
 }
 
-/// The part of triangle t where the field has this sign; empty where it has none.
+/// The part of triangle t where the field has this sign; empty if there is none.
 Piece part_of_triangle(const TriangleMesh& mesh, int t, const Eigen::VectorXd& field, double sign) {
     Piece piece;
     bool inside = false;
@@ -52,7 +52,7 @@ Piece part_of_triangle(const TriangleMesh& mesh, int t, const Eigen::VectorXd& f
     return inside ? piece : Piece();
 }
 
-/// Collects the triangles of a half and numbers its vertices.
+/// Collects the triangles of one half and numbers its vertices.
 class Half {
   public:
     explicit Half(const TriangleMesh& mesh) : mesh_(mesh) {}
@@ -60,7 +60,7 @@ class Half {
     void add(const Piece& piece) {
         if (piece.size() == 3) triangles_.push_back({number(piece[0]), number(piece[1]), number(piece[2])});
         if (piece.size() != 4) return;
-        // The shorter diagonal makes the better triangles.
+        // The shorter diagonal gives better triangles.
         const auto length = [&](std::size_t i, std::size_t k) {
             return (position(mesh_, piece[i]) - position(mesh_, piece[k])).squaredNorm();
         };
@@ -114,7 +114,7 @@ EdgeKey key(const MeshHalf& half, int u, int v) {
     return {from.a, from.b, to.a, to.b};
 }
 
-/// The run of the half's boundary that is the other's too, the other way round; empty unless it is one run.
+/// The boundary run that a half shares with the other half, which has it in reverse; empty unless it is a single run.
 std::vector<int> common_run(const MeshHalf& half, const MeshHalf& other) {
     std::set<EdgeKey> theirs;
     const std::size_t m = other.boundary.size(), n = half.boundary.size();
@@ -144,7 +144,7 @@ std::optional<MeshSplit> split_mesh(const TriangleMesh& mesh, const Eigen::Vecto
         left.add(above);
         right.add(below);
         if (!above.empty() || !below.empty()) continue;
-        // All of it lies on the line: it goes where it mostly was.
+        // The snapped triangle lies on the line entirely: its unsnapped mean decides the side.
         const double mean = field[mesh.triangles(t, 0)] + field[mesh.triangles(t, 1)] + field[mesh.triangles(t, 2)];
         const auto corner = [&](int k) { return Corner{mesh.triangles(t, k), mesh.triangles(t, k), 0}; };
         (mean >= 0 ? left : right).add({corner(0), corner(1), corner(2)});

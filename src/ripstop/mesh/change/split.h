@@ -7,8 +7,8 @@
 
 namespace ripstop {
 
-/// Where a vertex of a half comes from: on the edge from a to b of the whole, at this share of it; a vertex of the
-/// whole has a = b.
+/// The source of a vertex: on the edge from a to b of the whole mesh, at this fraction; a vertex of the whole has a =
+/// b.
 struct SplitVertex {
     int a = 0, b = 0;
     double share = 0;
@@ -16,24 +16,24 @@ struct SplitVertex {
     bool operator==(const SplitVertex& other) const = default;
 };
 
-/// One of the two parts that a cut leaves.
+/// One of the two halves of a cut mesh.
 struct MeshHalf {
     TriangleMesh mesh;
-    std::vector<SplitVertex> source;  ///< of each vertex
-    std::vector<int> boundary;        ///< as `require_disk` gives it
-    std::vector<int> cut;             ///< its vertices on the cut, from the cut's start to its end
+    std::vector<SplitVertex> source;  ///< source of each vertex
+    std::vector<int> boundary;        ///< boundary vertices in order, as by `require_disk`
+    std::vector<int> cut;             ///< vertices on the cut, from its start to its end
 };
 
-/// A disk cut in two: left of the cut, looking along it from outside, and right of it.
+/// The halves of a cut disk: left and right of the cut, as seen along it from outside.
 struct MeshSplit {
     MeshHalf left, right;
 };
 
-/// Cuts a disk along the line where `field` (#V, linear within triangles) is zero; the left half is where it is
-/// positive. Triangles are split on the line, so the halves lie on the whole, their areas add up to its own and both
-/// have the same points on the cut, bit for bit. Where the line passes a vertex at less than `snap` of an edge it goes
-/// through it: no slivers, at the price of a line that is straight only to that share of an edge. Nothing where the
-/// line does not divide the disk into two. O(#F log #F).
+/// Cuts a disk along the zero line of `field` (#V, linear in each triangle); the left half is where it is positive.
+/// Triangles are split on the line, so the halves lie on the surface, their areas add up and both have the same
+/// points on the cut, bit for bit. Where the line passes a vertex at less than `snap` of an edge, it goes through the
+/// vertex: this avoids slivers, but the line is straight only to that fraction of an edge. Empty if the line does not
+/// divide the disk into two. O(#F log #F).
 std::optional<MeshSplit> split_mesh(const TriangleMesh& mesh, const Eigen::VectorXd& field, double snap = 0.03);
 
 }  // namespace ripstop

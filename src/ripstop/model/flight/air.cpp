@@ -15,7 +15,7 @@ double buoyancy(const Air& air) {
     if (!(air.inside > air.outside))
         throw InputError("the inside temperature is " + format_shortest(air.inside) + " C, not above the outside " +
                          format_shortest(air.outside) + " C: there is no lift; give a hotter inside");
-    constexpr double gas = 287.053;  // of dry air [J/(kg K)]
+    constexpr double gas = 287.053;  // specific gas constant of dry air [J/(kg K)]
     const double pressure = 101325 * std::pow(1 - 0.0065 * air.altitude / 288.15, gravity / (gas * 0.0065));
     return gravity * pressure / gas * (1 / (air.outside + 273.15) - 1 / (air.inside + 273.15));
 }

@@ -4,9 +4,9 @@ namespace ripstop {
 
 /// How a triangle of cloth carries load.
 enum class ClothState {
-    taut,      ///< pulled both ways
-    wrinkled,  ///< pulled one way, folded across it
-    slack,     ///< not pulled at all
+    taut,      ///< in tension in both directions
+    wrinkled,  ///< in tension in one direction, folded across it
+    slack,     ///< without tension
 };
 
 }  // namespace ripstop

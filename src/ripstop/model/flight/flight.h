@@ -7,12 +7,12 @@ namespace ripstop {
 
 /// Which seams take a load tape.
 enum class TapedSeams {
-    by_type,    ///< those whose type says so (`SeamType::tape`)
-    meridians,  ///< these, and all that run up the envelope
+    by_type,    ///< seams whose type has one (`SeamType::tape`)
+    meridians,  ///< those and every seam that runs up the envelope
     none,
 };
 
-/// How an envelope flies: what is in it and what is beside the cloth.
+/// The flight conditions of an envelope: the air and the rigging.
 struct Flight {
     LoadCase load = {};
     Rigging rigging = {};

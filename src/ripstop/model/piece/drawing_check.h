@@ -10,40 +10,40 @@
 
 namespace ripstop {
 
-/// Something that is wrong with a pattern file, or worth knowing.
+/// A fault of a pattern file, or a remark on it.
 struct DrawingIssue {
     std::string code;     ///< `unit`, `open`, `gap`, … (docs/validate.schema.json)
-    std::string message;  ///< one sentence: which piece, where, how much
+    std::string message;  ///< one sentence: which piece, where and how much
     bool is_wrong = true;
     std::optional<Vec2> at = {};  ///< [m]
 };
 
 /// A closed line that pieces are cut or sewn along.
 struct DrawingContour {
-    std::string piece;  ///< the piece's name as far as the file tells, else where it is
+    std::string piece;  ///< the piece's name if the file tells it, otherwise its location
     std::string layer;
     Vec2 lower = Vec2::Zero(), upper = Vec2::Zero();  ///< [m]
     double area = 0;                                  ///< [m2]
     double perimeter = 0;                             ///< [m]
-    int parts = 1;                                    ///< lines it is made of
-    bool is_cut = true;                               ///< else sewn, or drawn
+    int parts = 1;                                    ///< number of lines it was joined from
+    bool is_cut = true;                               ///< false: sewn or only drawn
 };
 
-/// A layer of a pattern file and how many things of each kind lie on it.
+/// A layer of a pattern file and the number of objects of each kind on it.
 struct DrawingLayer {
     std::string name;
     int lines = 0, points = 0, texts = 0;
 };
 
-/// What was found of a pattern file.
+/// The findings on a pattern file.
 struct DrawingCheck {
     std::string format;
     std::string convention;  ///< `named layers (CUT, SEW, …)`, `numbered layers (AAMA, ASTM)`, `none known`
-    std::optional<LengthUnit> unit = {};  ///< none: taken as millimetres
-    std::string unit_from = {};           ///< where it is stated
-    std::optional<double> square = {};    ///< side of the reference square as drawn [m]
-    int blocks = 0;                       ///< inserted
-    int open_lines = 0;                   ///< on layers of contours, without those that begin at a contour (slits)
+    std::optional<LengthUnit> unit = {};  ///< empty: millimetres are assumed
+    std::string unit_from = {};           ///< where the file states it
+    std::optional<double> square = {};    ///< side of the reference square as drawn [m], if there is one
+    int blocks = 0;                       ///< blocks inserted
+    int open_lines = 0;  ///< open lines on contour layers, except slits (lines that begin at a contour)
     std::vector<DrawingLayer> layers = {};
     std::vector<DrawingContour> contours = {};
     std::vector<DrawingIssue> issues = {};

@@ -9,24 +9,24 @@
 
 namespace ripstop {
 
-/// A line of a drawing, straight from point to point. A closed one does not repeat its first point.
+/// A polyline of a drawing. A closed one does not repeat its first point.
 struct DrawnPath {
     std::string layer;
-    int group = -1;  ///< in `PatternDrawing::groups`; -1: none
-    Points2 points;  ///< #P x 2; curves are sampled, as the reader of the format says
+    int group = -1;  ///< index in `PatternDrawing::groups`; -1: none
+    Points2 points;  ///< #P x 2; curves are sampled as documented by the reader of the format
     bool is_closed = false;
-    std::string entity = {};   ///< what it is called in the file: `POLYLINE`, `path`
-    long line = 0;             ///< of the file, where it begins
-    double low = 0, high = 0;  ///< between which heights it is drawn, where the file has any
+    std::string entity = {};   ///< entity type in the file: `POLYLINE`, `path`
+    long line = 0;             ///< line number in the file where it begins
+    double low = 0, high = 0;  ///< lowest and highest z of its points, if the file has any
 };
 
-/// A point that stands for a notch, a corner or a hole.
+/// A point that marks a notch, a corner or a hole.
 struct DrawnPoint {
     std::string layer;
     int group = -1;
     Vec2 at = Vec2::Zero();
-    double height = 0;  ///< its z: the depth of a notch
-    double width = 0;   ///< its thickness: the width of a notch
+    double height = 0;  ///< z coordinate: the depth of a notch
+    double width = 0;   ///< thickness: the width of a notch
     double angle = 0;   ///< [degrees], counter-clockwise
 };
 
@@ -40,36 +40,36 @@ struct DrawnText {
     double turn = 0;  ///< [degrees], counter-clockwise
 };
 
-/// What belongs together: an inserted block, a group of an SVG.
+/// A group of objects: an inserted block or a group of an SVG.
 struct DrawingGroup {
     std::string name;
-    std::string layer;   ///< on which the block is inserted
-    int insertions = 1;  ///< 0: a block that is defined and never drawn; its content is not in the drawing
+    std::string layer;   ///< layer on which the block is inserted
+    int insertions = 1;  ///< 0: a block that is defined but never inserted; its content is not in the drawing
     long line = 0;
 };
 
-/// What is drawn and not understood, counted a kind, layer and reason.
+/// Objects that are drawn but not understood, counted by kind, layer and reason.
 struct UnreadEntity {
     std::string kind, layer;
     int count = 1;
-    long line = 0;            ///< of the first
-    std::string reason = {};  ///< how it goes on after `1 image on layer art`; empty: by its kind
-    bool may_be_cut = false;  ///< a line that somebody cuts may be in it
+    long line = 0;            ///< line number of the first one
+    std::string reason = {};  ///< text to follow `1 image on layer art`; empty: the default for its kind
+    bool may_be_cut = false;  ///< it may contain a line that somebody cuts
     bool is_carried =
-        false;  ///< its line is in `paths`; what is left out is something else of it, its dashes or its filter
-    std::optional<Vec2> at = {};  ///< of the first, where it is known
+        false;  ///< its line is in `paths`; only other properties of it are lost, such as dashes or a filter
+    std::optional<Vec2> at = {};  ///< place of the first one, if known
 };
 
-/// A place where a file says what its numbers are.
+/// A place in a file that states the unit of its numbers.
 struct StatedUnit {
     std::string where;  ///< `$INSUNITS`, `the text "Units: METRIC"`, …
     LengthUnit unit;
 };
 
-/// A pattern file of anyone's, in the file's own numbers with y up.
+/// The content of a pattern file from any program, in the file's own numbers with y up.
 struct PatternDrawing {
     std::string format;        ///< `DXF AC1009`, `SVG`
-    std::string comment = {};  ///< of the first line
+    std::string comment = {};  ///< text of the first comment
     std::vector<StatedUnit> units = {};
     std::vector<std::string> declared_layers = {};
     std::vector<DrawingGroup> groups = {};
@@ -78,7 +78,8 @@ struct PatternDrawing {
     std::vector<DrawnText> texts = {};
     std::vector<UnreadEntity> unread = {};
 
-    /// Counts it with those of its kind and layer; after a hundred of them with the last.
+    /// Counts an unread object with others of its kind, layer and reason. After a hundred such groups all further
+    /// ones count with the last.
     void leave_unread(const UnreadEntity& entity) {
         constexpr std::size_t most = 100;
         for (UnreadEntity& other : unread)

@@ -6,16 +6,18 @@
 
 namespace ripstop {
 
-/// How true a flattening is to its tile. Errors are ratios: 0.001 is 1 mm on a metre. Lengths [m], areas [m2].
+/// The accuracy of one chain of a flattened tile. Errors are ratios: 0.001 is 1 mm per metre. Lengths [m], areas
+/// [m2].
 ///
-/// Primes are on the cloth, L and A on the surface. Sources: [KZ] the paper, [WSY02] Wang, Smith, Yuen 2002.
+/// In the formulas L' and A' are on the cloth, L and A on the surface. Sources: [KZ] the paper, [WSY02] Wang, Smith,
+/// Yuen 2002.
 struct ChainAccuracy {
     double length = 0;
     double flat_length = 0;
     double error() const { return flat_length / length - 1; }  ///< signed
 };
 
-/// How far a flattening is from the surface: lengths in m, areas in m2, errors as ratios.
+/// The accuracy of a flattening: lengths in m, areas in m2, errors as ratios.
 struct Accuracy {
     double area = 0;
     double flat_area = 0;
@@ -29,23 +31,24 @@ struct Accuracy {
     double boundary_error_max = 0;  ///< worst boundary edge, |L'/L - 1|
     std::vector<ChainAccuracy> chains;
 
-    /// Strain of the map cloth -> space, positive where the cloth must stretch: smallest and largest over the
+    /// Strain of the map cloth -> space, positive where the cloth must stretch: minimum and maximum over the
     /// triangles.
     double warp_strain_min = 0, warp_strain_max = 0;
     double weft_strain_min = 0, weft_strain_max = 0;
-    double shear_max = 0;  ///< largest change of the right angle between the threads [rad]
-    double energy = 0;     ///< of the woven membrane, cloth -> surface [J]; infinite where a triangle is flipped
+    double shear_max = 0;  ///< largest change of the right angle between warp and weft [rad]
+    double energy = 0;     ///< elastic energy of the woven membrane, cloth -> surface [J]; infinite if a triangle is
+                           ///< flipped
 
-    int flipped = 0;            ///< triangles turned over or without area on the cloth
-    int overlaps = 0;           ///< pairs of triangles that lie on one another on the cloth
-    int outline_crossings = 0;  ///< places where the flat outline meets itself
+    int flipped = 0;            ///< triangles that are flipped or have no area on the cloth
+    int overlaps = 0;           ///< pairs of triangles that overlap on the cloth
+    int outline_crossings = 0;  ///< places where the flat outline crosses or touches itself
 
-    /// Where it is worst, on the surface.
-    Vec3 worst_edge = Vec3::Zero();  ///< middle of the worst boundary edge
-    Vec3 worst_warp = Vec3::Zero();  ///< centre of the triangle with the largest |warp strain|
+    /// The places of the worst values, on the surface.
+    Vec3 worst_edge = Vec3::Zero();  ///< midpoint of the worst boundary edge
+    Vec3 worst_warp = Vec3::Zero();  ///< centroid of the triangle with the largest |warp strain|
     Vec3 worst_weft = Vec3::Zero();
     Vec3 worst_shear = Vec3::Zero();
-    Vec3 worst_flip = Vec3::Zero();  ///< centre of the first flipped triangle
+    Vec3 worst_flip = Vec3::Zero();  ///< centroid of the first flipped triangle
     Vec3 worst_overlap = Vec3::Zero();
 };
 

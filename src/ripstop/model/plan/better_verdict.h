@@ -4,9 +4,9 @@
 
 namespace ripstop {
 
-/// Is a half of a tile nearer to being made than the whole? It has no finding of a kind that the whole has not, and of
-/// each kind its worst is less than the whole's, in shares of the limit (of 1 where the limit is 0). How many edges are
-/// off their length does not count: a half has edges of its own. Cost: O(findings).
+/// Whether half of a tile is closer to manufacturable than the whole: it has no kind of finding that the whole lacks,
+/// and the worst of each kind is smaller, relative to the limit (to 1 if the limit is 0). The number of edges with a
+/// length error does not count, because the halves have different edges. O(findings).
 bool is_better(const Verdict& half, const Verdict& whole);
 
 }  // namespace ripstop

@@ -6,9 +6,9 @@
 
 namespace ripstop {
 
-/// A match mark: the same place of the seam curve on both sides, and how far the sides are apart there.
+/// A match mark: the same place of the seam curve on both sides, and the gap between them there.
 struct Notch {
-    double at = 0;     ///< along the seam's curve from its start [m]
+    double at = 0;     ///< arc length along the seam's curve from its start [m]
     double drift = 0;  ///< side b less side a on the cloth, from the seam's start to here [m]
 };
 
