@@ -7,7 +7,7 @@
 namespace ripstop {
 namespace {
 
-/// First and second derivative of the direction angle atan2(y, x) of an edge.
+/// First and second derivatives of the direction angle atan2(y, x) of an edge.
 Vec2 angle_gradient(const Vec2& d) {
     return Vec2(-d.y(), d.x()) / d.squaredNorm();
 }

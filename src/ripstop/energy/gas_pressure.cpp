@@ -7,7 +7,7 @@ double projected_area(const Vec3& a, const Vec3& b, const Vec3& c) {
     return 0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y()));
 }
 
-/// Mean of P over the triangle, for heights above the floor.
+/// The mean of P over the triangle, for heights above the floor.
 double mean_potential(const GasPressure& gas, const Vec3& z) {
     return gas.base * z.sum() / 3 + gas.rise * (z.squaredNorm() + z[0] * z[1] + z[1] * z[2] + z[2] * z[0]) / 12;
 }
@@ -35,7 +35,7 @@ SpaceElement gas_element(const GasPressure& gas, const Vec3& a, const Vec3& b, c
     for (int v = 0; v < 3; ++v) element.gradient.segment<3>(3 * v) = -Vec3(area_x[v] * q, area_y[v] * q, area * q_z[v]);
     for (int v = 0; v < 3; ++v)
         for (int w = 0; w < 3; ++w) {
-            // d2A / dx_v dy_w = 1/2 where w follows v, -1/2 where it precedes it
+            // d2A / dx_v dy_w = 1/2 if w follows v, -1/2 if it precedes it
             const double turn = w == (v + 1) % 3 ? 0.5 : w == (v + 2) % 3 ? -0.5 : 0;
             auto block = element.hessian.block<3, 3>(3 * v, 3 * w);
             block(0, 1) = -turn * q;

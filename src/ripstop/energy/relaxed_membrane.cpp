@@ -54,7 +54,7 @@ Vec2 principal_tensions(const Mat32& F, const Vec3& stress) {
     S << stress[0], stress[2], stress[2], stress[1];
     const double J = F.col(0).cross(F.col(1)).norm();
     if (!(J > 0)) return Vec2::Zero();
-    // F S F^T has the eigenvalues of S F^T F beside zero.
+    // F S F^T has the eigenvalues of S F^T F and zero.
     const Mat22 N = S * (F.transpose() * F) / J;
     const double mean = 0.5 * N.trace();
     const double radius = std::sqrt(std::max(0.0, mean * mean - N.determinant()));

@@ -4,12 +4,12 @@
 
 namespace ripstop {
 
-/// What each triangle of a tile's cloth goes through (#T each), ratios and radians, against the cloth that is wanted
-/// there (`target_triangles`). Not a number where the triangle is flipped.
+/// The strain of each triangle of a tile's cloth (#T each), as ratios and radians, relative to its target
+/// (`target_triangles`). NaN if the triangle is flipped.
 struct StrainMap {
-    Eigen::VectorXd warp, weft;  ///< strain along the threads: positive where the cloth must stretch
-    Eigen::VectorXd shear;       ///< change of the right angle between them [rad], signed
-    Eigen::VectorXd area;        ///< area on the cloth over area on the surface, less 1
+    Eigen::VectorXd warp, weft;  ///< strain along warp and weft: positive where the cloth must stretch
+    Eigen::VectorXd shear;       ///< change of the right angle between warp and weft [rad], signed
+    Eigen::VectorXd area;        ///< area on the cloth over area on the surface, minus 1
 };
 
 }  // namespace ripstop

@@ -5,7 +5,7 @@
 namespace ripstop {
 
 double single_rounding(double largest) {
-    constexpr int digits = 24;  // of a float's mantissa
+    constexpr int digits = 24;  // bits of a float's mantissa
     return largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - digits) : 0;
 }
 

@@ -8,7 +8,7 @@
 
 namespace ripstop {
 
-/// The whole skin: its tiles in the order of the input, and where they are sewn together.
+/// The whole balloon skin: its tiles in input order and their seams.
 struct Envelope {
     std::vector<Tile> tiles;
     std::vector<Seam> seams = {};
