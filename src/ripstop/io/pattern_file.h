@@ -6,8 +6,8 @@
 
 namespace ripstop {
 
-/// Reads a pattern file of anyone's, .dxf or .svg by its extension. Throws InputError as `read_dxf` and `read_svg`, for
-/// another extension, and for a file that cannot be opened.
+/// Reads a pattern file from any program, .dxf or .svg by its extension. Throws InputError as `read_dxf` and
+/// `read_svg` do, for another extension, and for a file that cannot be opened.
 PatternDrawing read_pattern_file(const std::filesystem::path& path);
 
 }  // namespace ripstop

@@ -21,18 +21,18 @@ constexpr const char *boundary = "1", *turn_point = "2", *curve_point = "3", *no
 }
 
 constexpr const char* size_name = "ONE";             // patterns of an envelope come in one size
-constexpr double system_height = 0.25 * millimetre;  // data for the reader, not for the eye
-constexpr double sampled_turn = 15 * degree;         // what a finely sampled curve never turns at a point
+constexpr double system_height = 0.25 * millimetre;  // of texts that programs read and people do not
+constexpr double sampled_turn = 15 * degree;         // a finely sampled curve turns by less than this at each point
 constexpr std::size_t longest_symbol = 31;           // of Release 12
 
-/// `key` and value as the dialect spells them.
+/// `key: value` in the dialect's spelling.
 std::string entry(const DxfDialect& dialect, std::string key, const std::string& value) {
     if (dialect.upper_case_keys)
         std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return std::toupper(c); });
     return key + ": " + value;
 }
 
-/// [A-Z0-9_] only, which every reader takes.
+/// Replaces all characters except [A-Z0-9_], which every reader accepts.
 std::string symbol_letters(const std::string& name) {
     std::string symbol;
     for (const char c : ascii_text(name)) {
@@ -42,7 +42,7 @@ std::string symbol_letters(const std::string& name) {
     return symbol.empty() ? "PIECE" : symbol;
 }
 
-/// PIECE_SIZE, at most 31 letters, and no other's.
+/// A unique block name: PIECE_SIZE, at most 31 letters.
 std::string block_name(const std::string& name, std::set<std::string>& used) {
     const std::string stem = symbol_letters(name), size = std::string("_") + size_name;
     for (int n = 1;; ++n) {
@@ -52,7 +52,7 @@ std::string block_name(const std::string& name, std::set<std::string>& used) {
     }
 }
 
-/// A contour with where its edges begin; none where it has no corner.
+/// A contour and the points at which its edges begin; none if it has no corner.
 struct Contour {
     const char* layer;
     const Points2& points;
@@ -66,7 +66,7 @@ Contour sew_contour(const PatternPiece& piece) {
     return contour;
 }
 
-/// The cut line has corners that the sew line has not: where an allowance ends.
+/// The contour of the cut line. It has corners that the sew line lacks, where an allowance ends.
 Contour boundary(const PatternPiece& piece) {
     const Points2& points = piece.outline();
     const bool is_sewn = points.rows() == piece.sew_line.rows() && points == piece.sew_line;
@@ -99,7 +99,7 @@ void draw_points(DxfEntities& out, const Contour& contour) {
     }
 }
 
-/// The angle points into the piece, counter-clockwise from +x.
+/// Draws the notches. Their angle points into the piece, counter-clockwise from +x.
 void draw_notches(DxfEntities& out, const DxfDialect& dialect, const PatternPiece& piece) {
     using NotchMark = DxfDialect::NotchMark;
     if (dialect.notch == NotchMark::line) return draw_slits(out, layer::notch, piece);
@@ -120,7 +120,7 @@ std::string quantity(const DxfDialect& dialect, const PatternPiece& piece) {
     return std::to_string(piece.quantity + piece.quantity_mirrored);
 }
 
-/// What the count alone would not tell.
+/// A note on the piece where its count alone would mislead.
 std::string annotation(const DxfDialect& dialect, const PatternPiece& piece) {
     if (piece.quantity + piece.quantity_mirrored == 0) return "cut by the pattern of an equal piece";
     if (dialect.counts_mirrored || piece.quantity_mirrored == 0) return "";
@@ -164,7 +164,7 @@ void write_block(DxfEntities& out, const DxfDialect& dialect, const PatternPiece
     out.entity("ENDBLK", dialect.block_layer);
 }
 
-/// YYYY-MM-DD as the dialect writes it.
+/// A date, given as YYYY-MM-DD, in the dialect's format.
 std::string date_text(const DxfDialect& dialect, const std::string& date) {
     if (date.size() != 10) return "";
     const std::string year = date.substr(0, 4), month = date.substr(5, 2), day = date.substr(8, 2);

@@ -8,11 +8,11 @@
 
 namespace ripstop {
 
-/// The layers of the dialects with blocks, with what each is for.
+/// The layers of the dialects with blocks, and their purposes.
 std::vector<DxfLayer> numbered_layers();
 
-/// The sections BLOCKS and ENTITIES: each piece in a BLOCK, where it is in the drawing, inserted at the origin; then
-/// the texts of the style, beginning at `corner`.
+/// Writes the sections BLOCKS and ENTITIES: each piece as a BLOCK at its place in the drawing, inserted at the
+/// origin; then the style's texts, starting at `corner`.
 void write_blocks(DxfEntities& out, const DxfDialect& dialect, const std::vector<PatternPiece>& placed_pieces,
                   const Vec2& corner, const DxfOptions& options);
 

@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace {
 
-/// "%%d" would become a degree sign, "^J" a line end.
+/// Removes control codes: "%%d" would become a degree sign, "^J" a line end.
 std::string without_codes(std::string text) {
     for (char& c : text)
         if (c == '^') c = '_';
@@ -24,7 +24,7 @@ std::string dxf_text(const std::string& text) {
     return without_codes(ascii_text(text));
 }
 
-/// Letters of an average font are 0.9 of their height wide.
+/// The start of a centred text, if a letter of an average font is 0.9 of its height wide.
 Vec2 text_start(const Label& label, std::size_t letters) {
     const Vec2 along(std::cos(label.turn), std::sin(label.turn)), up(-along.y(), along.x());
     const double half_width = 0.45 * label.height * static_cast<double>(letters);

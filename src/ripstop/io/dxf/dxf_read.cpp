@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t deepest_insert = 16;
 constexpr double farthest = 1e9;
-constexpr int mesh_flags = 16 | 64;  // of a POLYLINE
+constexpr int mesh_flags = 16 | 64;  // flags of a POLYLINE
 
 struct Block {
     std::string name;
@@ -28,7 +28,8 @@ struct Block {
     bool is_space = false, is_used = false;
 };
 
-/// Where an entity is drawn: inserted how, in which group. What a block has on layer 0 is on the layer of its INSERT.
+/// The placement of an entity by the INSERTs around it, and its group. Entities of a block on layer 0 take the
+/// layer of their INSERT.
 struct InsertPlace {
     Eigen::Affine3d motion = Eigen::Affine3d::Identity();
     int group = -1;
@@ -36,7 +37,7 @@ struct InsertPlace {
     std::string layer = "0";
 };
 
-/// In the file's units, whatever these are: 0.05 mm in a drawing in inches.
+/// In the file's units, whatever they are: 0.05 mm in a drawing in inches.
 constexpr double chord_error = 0.002;
 
 class Reader {
@@ -67,7 +68,7 @@ class Reader {
         throw InputError(name_ + ":" + std::to_string(line) + ": " + what);
     }
 
-    /// From SECTION to behind its ENDSEC; the next one's start.
+    /// Reads one section, from SECTION to ENDSEC. Returns the index behind it.
     std::size_t read_section(std::size_t at) {
         if (tags_[at].code == 0 && tags_[at].value == "EOF") return tags_.size();
         if (tags_[at].code == 999) return at + 1;
@@ -94,7 +95,7 @@ class Reader {
             if (tags[i].code != 9) continue;
             const std::string_view value = tags[i + 1].value;
             if (tags[i].value == "$ACADVER") drawing_.format = "DXF " + readable_name(value.substr(0, 12));
-            // $MEASUREMENT tells metric from imperial for hatches, not millimetres from metres.
+            // $MEASUREMENT is ignored: it chooses between metric and imperial hatches and does not state a unit.
             const auto unit = tags[i].value == "$INSUNITS" ? unit_of_insunits(value) : std::nullopt;
             if (unit) drawing_.units.push_back({std::string(tags[i].value), *unit});
         }
@@ -108,7 +109,7 @@ class Reader {
             drawing_.declared_layers.push_back(readable_name(layer.text(2)));
             spellings_.try_emplace(dxf_key(layer.text(2)), drawing_.declared_layers.back());
             constexpr int frozen = 1;
-            // A layer that is off has its colour below zero.
+            // A layer that is off has a negative colour.
             if (layer.number(62, 7) < 0) off_layers_.insert(dxf_key(layer.text(2)));
             if ((layer.flags() & frozen) != 0) frozen_layers_.insert(dxf_key(layer.text(2)));
         }
@@ -171,7 +172,7 @@ class Reader {
         return std::max(1e-9, place.motion.linear().colwise().norm().maxCoeff());
     }
 
-    /// As the file first spells it.
+    /// A layer's name as the file first spells it.
     std::string layer_named(const std::string& layer) {
         return spellings_.try_emplace(dxf_key(layer), layer).first->second;
     }
@@ -185,10 +186,10 @@ class Reader {
         drawing_.leave_unread(kind, layer_of(entity, place), entity.line());
     }
 
-    /// What a CAD does not show is not cut; it is named.
+    /// True if a CAD does not show the entity. Hidden entities are not cut; they are reported.
     bool is_hidden(const DxfEntity& entity, const InsertPlace& place) {
         const std::string layer = dxf_key(layer_of(entity, place));
-        // A block on a layer that is off shows what it has on others.
+        // A block inserted on a layer that is off still shows its entities on other layers.
         const bool is_off =
             frozen_layers_.contains(layer) || (off_layers_.contains(layer) && entity.type() != "INSERT");
         if (entity.number(60) != 1 && !is_off) return false;
@@ -252,7 +253,7 @@ class Reader {
     void add_text(const DxfEntity& entity, const InsertPlace& at) {
         const InsertPlace place = plane_of(entity, at);
         const bool is_paragraph = entity.type() == "MTEXT";
-        const double kind = entity.number(72);  // 3 and 5 stand between two points, and begin at the first
+        const double kind = entity.number(72);  // 3 and 5 fit a text between two points and use the first
         const bool is_aligned = !is_paragraph && kind != 3 && kind != 5 && (kind != 0 || entity.number(73) != 0);
         std::string text;
         for (const DxfTag& tag : entity.tags().subspan(1)) {
@@ -285,7 +286,7 @@ class Reader {
         InsertPlace place = plane_of(entity, at);
         ++place.depth;
         place.layer = layer_of(entity, at);
-        // Without a distance all would lie on each other.
+        // Without a distance, all columns would coincide.
         const int columns = entity.number(44) == 0 ? 1 : std::max(1, entity.flags(70));
         const int rows = entity.number(45) == 0 ? 1 : std::max(1, entity.flags(71));
         for (int row = 0; row < rows; ++row)

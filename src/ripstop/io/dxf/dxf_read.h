@@ -7,21 +7,23 @@
 
 namespace ripstop {
 
-/// Reads a DXF of anyone's: ASCII, Release 10 to 2018, in the file's own numbers.
+/// Reads a DXF from any program: ASCII, Release 10 to 2018, in the file's own unit.
 ///
-/// LINE, POLYLINE and LWPOLYLINE with bulges, ARC, CIRCLE, ELLIPSE, SPLINE and HELIX, POINT, TEXT, MTEXT, and blocks
-/// in blocks with their shifts, scales, turns and arrays: each INSERT of the drawing itself is a group called as its
-/// block. Curves are sampled to a chord error of 0.002 units, 0.05 mm in a drawing in inches, and at least a point a
-/// degree. Planes stand in space as their extrusion directions say; paths are seen from above and keep the heights
-/// between which they lie; texts turn with their block. Names are read in the code page of the file; those of blocks
-/// and layers have no case. What a block has on layer 0 is on the layer of its INSERT. Blocks that nothing inserts
-/// are groups without insertion.
+/// Entities. LINE, POLYLINE and LWPOLYLINE with bulges, ARC, CIRCLE, ELLIPSE, SPLINE, HELIX, POINT, TEXT and
+/// MTEXT, also in nested blocks with their shifts, scales, rotations and arrays. Each INSERT of the drawing itself
+/// is a group with the block's name. Curves are sampled with a chord error of 0.002 units (0.05 mm in a drawing in
+/// inches) and at least one point per degree. Extrusion directions orient planes in space. Paths are seen from
+/// above, and the range of their heights is kept. Texts rotate with their block.
 ///
-/// What is invisible, on a layer that is off or frozen, or in a block that is inserted on a frozen one, and all else
-/// that draws, is `unread`; paper space is left out. Units: $INSUNITS and texts `Units: …`.
+/// Names. They are read in the file's code page. Names of blocks and layers ignore case. Entities of a block on
+/// layer 0 take the layer of their INSERT. Blocks without an INSERT are groups without insertion.
 ///
-/// Throws InputError `NAME:LINE: …` for what is no DXF, is cut short, has a number that is none or beyond 1e9,
-/// inserts a block into itself, or whose blocks in blocks hold more than some thousand points for each line of the
+/// `unread` lists entities that are invisible, on a layer that is off or frozen, or in a block that is inserted on
+/// a frozen layer, and all other entities that draw. Paper space is skipped. Units come from $INSUNITS and from
+/// texts `Units: …`.
+///
+/// Throws InputError `NAME:LINE: …` if the file is no DXF or is cut short, has a malformed number or one beyond
+/// 1e9, inserts a block into itself, or if nested blocks hold more than some thousand points for each line of the
 /// file. O(size + points).
 PatternDrawing read_dxf(std::istream& in, const std::string& name);
 

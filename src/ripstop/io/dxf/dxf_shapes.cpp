@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int spline_frame = 16;  // a VERTEX that is not on the line
+constexpr int spline_frame = 16;  // flag of a VERTEX that is a control point and not on the line
 
 Vec3 dxf_normal(const DxfEntity& entity) {
     const Vec3 normal(entity.number(210), entity.number(220), entity.number(230, 1));
@@ -19,10 +19,10 @@ Vec3 dxf_normal(const DxfEntity& entity) {
 
 struct Corner {
     Vec3 at;
-    double bulge = 0;  // tangent of a quarter of the angle of the arc to the next one
+    double bulge = 0;  // tan(angle / 4) of the arc to the next vertex
 };
 
-/// How many chords an arc needs, at least one a degree.
+/// The number of chords for an arc: at least one per degree.
 int chords(double radius, double sweep, double chord_error) {
     constexpr double most = 100000;
     const double share = 1 - chord_error / std::max(radius, chord_error);
@@ -39,7 +39,7 @@ void add_arc(std::vector<Vec3>& points, const Vec3& centre, double radius, doubl
     }
 }
 
-/// The points strictly between two corners; both ends are exact.
+/// Appends the points strictly between two corners; the corners themselves stay exact.
 void add_bulge(std::vector<Vec3>& points, const Vec3& from, const Vec3& to, double bulge, double chord_error) {
     const Vec3 chord = to - from;
     const double sweep = 4 * std::atan(bulge), half = chord.head<2>().norm() / 2;
@@ -93,7 +93,7 @@ DxfShape arc(const DxfEntity& entity, double chord_error) {
     return shape;
 }
 
-/// Its axes lie in space; its parameter is no angle but on a circle.
+/// An ellipse. Its axes are given in space. Its parameter is an angle only for a circle.
 DxfShape ellipse(const DxfEntity& entity, double chord_error) {
     const Vec3 centre = entity.place(10), major = entity.place(11);
     const Vec3 minor = entity.number(40, 1) * dxf_normal(entity).cross(major);

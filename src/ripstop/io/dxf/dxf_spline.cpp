@@ -11,7 +11,7 @@ using Vec4 = Eigen::Vector4d;
 constexpr int highest_degree = 25, deepest_halving = 10;
 constexpr std::size_t most_points = 200000;
 
-/// A B-spline whose control points carry their weights: (w x, w y, w z, w).
+/// A B-spline in homogeneous coordinates (w x, w y, w z, w).
 struct Spline {
     int degree = 3;
     std::vector<double> knots;
@@ -25,7 +25,7 @@ struct Spline {
                std::all_of(controls.begin(), controls.end(), [](const Vec4& c) { return c.w() > 0 && c.allFinite(); });
     }
 
-    /// By the algorithm of de Boor, within knots[span] and knots[span + 1].
+    /// Evaluates the curve by de Boor's algorithm between knots[span] and knots[span + 1].
     Vec3 at(double t, std::size_t span) const {
         const std::size_t p = static_cast<std::size_t>(degree);
         std::vector<Vec4> d(controls.begin() + static_cast<long>(span - p),
@@ -46,7 +46,7 @@ Spline spline_of(const DxfEntity& entity) {
     spline.is_closed = (entity.flags(70) & 1) != 0;
     std::vector<double> weights;
     for (const DxfTag& tag : entity.tags().subspan(1)) {
-        // The axis of a HELIX follows under the same codes.
+        // The axis of a HELIX has the same codes and follows here.
         if (tag.code == 100 && tag.value == "AcDbHelix") break;
         if (tag.code == 40) spline.knots.push_back(entity.number(tag));
         if (tag.code == 41) weights.push_back(entity.number(tag));
@@ -64,8 +64,9 @@ void set_uniform_knots(Spline& spline) {
     for (int i = 0; i < n + p + 1; ++i) spline.knots.push_back(std::clamp(i - p, 0, n - p));
 }
 
-/// The cubic with continuous curvature through points, as one Bézier curve between each two: the tridiagonal equations
-/// of its derivatives by the length of the chords (de Boor, A Practical Guide to Splines, chapter IV).
+/// The C2 cubic spline through points, as one Bézier curve between neighbouring points. Solves the tridiagonal
+/// equations of its derivatives, parameterized by chord length (de Boor, A Practical Guide to Splines, chapter
+/// IV).
 Spline spline_through(const std::vector<Vec3>& points, const Vec3& first_tangent, const Vec3& last_tangent) {
     const std::size_t n = points.size() - 1;
     std::vector<double> h(n), upper(n + 1, 0);
@@ -96,7 +97,7 @@ Spline spline_through(const std::vector<Vec3>& points, const Vec3& first_tangent
     return spline;
 }
 
-/// Without control points where none can be made.
+/// The spline through the fit points; without control points if there is none.
 Spline spline_of_fit_points(const DxfEntity& entity) {
     std::vector<Vec3> points;
     for (const DxfTag& tag : entity.tags().subspan(1)) {
@@ -124,7 +125,8 @@ double distance_to_chord(const Vec3& point, const Vec3& from, const Vec3& to) {
     return (from + along * chord - point).norm();
 }
 
-/// Points after `from` up to `to`. Quarters are looked at too: an S has its middle on its chord.
+/// Appends the points after `from` up to `to`. Tests the quarter points too, because an S-curve crosses the middle
+/// of its chord.
 void divide(const Spline& spline, std::size_t span, double t0, const Vec3& from, double t1, const Vec3& to,
             double chord_error, int depth, std::vector<Vec3>& points) {
     double off = 0;
@@ -157,7 +159,7 @@ DxfShape dxf_spline(const DxfEntity& entity, double chord_error) {
         const double t0 = spline.knots[span], t1 = spline.knots[span + 1];
         if (t0 == t1) continue;
         if (shape.points.size() == 1) shape.points.front() = spline.at(t0, span);
-        // A span may hold as many bends as its degree; a few chords at least.
+        // A span may bend as often as its degree, so it starts with a few chords.
         const int parts = spline.degree == 1 ? 1 : 4;
         for (int i = 0; i < parts; ++i) {
             const double a = t0 + (t1 - t0) * i / parts, b = t0 + (t1 - t0) * (i + 1) / parts;

@@ -26,10 +26,10 @@ std::optional<int> parse_code(std::string_view text) {
     return code;
 }
 
-/// Nothing where the bytes do not fit.
+/// Returns nothing if the bytes are invalid in this code page.
 std::optional<std::string> converted_to_utf8(std::string bytes, const std::string& code_page) {
     const iconv_t converter = iconv_open("UTF-8", code_page.c_str());
-    // NOLINTNEXTLINE: the error of POSIX
+    // NOLINTNEXTLINE: POSIX defines the error value this way
     if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
     const std::size_t growth = code_page == "UTF-8" ? 1 : 3;
     std::string text(growth * bytes.size() + 4, '\0');
@@ -42,7 +42,7 @@ std::optional<std::string> converted_to_utf8(std::string bytes, const std::strin
     return text;
 }
 
-/// `ANSI_1252` is CP1252, `dos850` is CP850; empty where the file names none.
+/// The iconv name of $DWGCODEPAGE: `ANSI_1252` gives CP1252, `dos850` CP850; empty if the file names none.
 std::string code_page_of(std::string_view text) {
     const std::size_t at = text.find("$DWGCODEPAGE");
     if (at == std::string_view::npos) return {};
@@ -89,12 +89,12 @@ unsigned capital_of(unsigned code) {
         is_in(0x430, 0x44F))
         return code - 0x20;
     if (is_in(0x450, 0x45F)) return code - 0x50;
-    // Greek with an accent.
+    // Accented Greek letters.
     if (code == 0x3AC) return 0x386;
     if (is_in(0x3AD, 0x3AF)) return code - 0x25;
     if (code == 0x3CC) return 0x38C;
     if (is_in(0x3CD, 0x3CE)) return code - 0x3F;
-    const bool is_second = code % 2 == 1;  // of a capital and its small letter
+    const bool is_second = code % 2 == 1;  // capitals and small letters alternate
     if ((is_in(0x100, 0x137) || is_in(0x14A, 0x177)) && is_second) return code - 1;
     if ((is_in(0x139, 0x148) || is_in(0x179, 0x17E)) && !is_second) return code - 1;
     return code;

@@ -14,9 +14,9 @@ namespace {
 using nlohmann::json;
 
 constexpr int deepest_value =
-    64;  // what we read is 5 deep; a value's text, its copy and its end cost stack for each level
+    64;  // our files are 5 deep; a value's text, copy and destructor need stack for each level
 
-/// Notes the first key that an object has twice: the parser itself would silently take the last.
+/// Finds the first duplicate key of an object: the parser would silently take the last value.
 class DuplicateKeys {
   public:
     bool see(json::parse_event_t event, const json& value) {

@@ -189,7 +189,7 @@ PatternPiece read_piece(const PlanReader& from) {
     return piece;
 }
 
-/// Pieces go by their names: as mates, as patterns, on the roll.
+/// Pieces refer to each other by name (mates, shared patterns, the roll), so names must be unique and known.
 void check_names(const PieceSet& set, const PlanReader& from) {
     std::set<std::string> names, files, patterns, fabrics{""};
     for (const Fabric& fabric : set.fabrics) fabrics.insert(fabric.name);

@@ -7,11 +7,11 @@
 
 namespace ripstop {
 
-/// The key `flight` of a project (docs/project.md): air, tapes, wires, how mouth and crown are held, ties and
+/// Reads the key `flight` of a project (docs/project.md): air, tapes, wires, the hold of mouth and crown, ties and
 /// diaphragms. Points are in units of `metres_per_unit`. Throws InputError that begins with `place`.
 Flight read_flight(const nlohmann::json& value, double metres_per_unit, const std::string& place);
 
-/// The same key, for points in metres: `read_flight` gives the flight back.
+/// Writes the key `flight`, with points in metres. `read_flight` restores the flight.
 nlohmann::ordered_json flight_json(const Flight& flight);
 
 }  // namespace ripstop

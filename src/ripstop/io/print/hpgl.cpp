@@ -19,7 +19,7 @@ namespace {
 constexpr double unit = 0.025 * millimetre;
 constexpr long largest_unit = (1L << 23) - 1;  // of HP-GL/2
 constexpr long largest_in_frame = 32767;       // of HP-GL
-constexpr std::size_t points_a_command = 16;   // plotters' buffers are small
+constexpr std::size_t points_a_command = 16;   // plotters have small buffers
 constexpr double shortest_frame = 0.1;         // [m]
 
 enum class Pen { draw = 1, cut = 2, notch = 3 };
@@ -33,12 +33,12 @@ std::string in_metres(double length) {
     return format_fixed(length, 2) + " m";
 }
 
-/// Not by the stream, which may group digits.
+/// A stream might group digits, so this does not use one.
 std::string in_units(double length) {
     return std::to_string(std::lround(std::ceil(length / unit - 1e-6)));
 }
 
-/// A run of the sheet along x, and how far the plotter counts from the origin.
+/// A section of the sheet along x, and how far the plotter counts from the origin.
 struct Frame {
     Vec2 origin = Vec2::Zero();
     double left = -std::numeric_limits<double>::infinity(), right = std::numeric_limits<double>::infinity();
@@ -100,7 +100,7 @@ class Plotter {
     PlotterPlace at_ = {std::numeric_limits<long>::max(), 0};
 };
 
-/// What is drawn goes before what is cut, so that no piece moves under the pen.
+/// Draws before it cuts, so that no piece moves under the pen.
 void plot(Plotter& plotter, const PatternPiece& piece, const Vec2& shift) {
     if (piece.sew_line.rows() == 0 || !plotter.sees(piece.lower().x() + shift.x(), piece.upper().x() + shift.x()))
         return;
@@ -127,7 +127,7 @@ void plot(Plotter& plotter, const PatternPiece& piece, const Vec2& shift) {
     plotter.line(closed_line(piece.outline()), shift);
 }
 
-/// The square last: it stands right of the pieces, where a plotter that feeds its paper comes last.
+/// Draws the square last: it is right of the pieces, which a plotter that feeds its paper reaches last.
 void plot_all(Plotter& plotter, const std::vector<PatternPiece>& pieces, const Sheet& sheet) {
     for (std::size_t i = 0; i < pieces.size(); ++i) plot(plotter, pieces[i], sheet.shifts[i]);
     constexpr double side = Sheet::square_side;

@@ -21,7 +21,7 @@ Points2 rows_of(const std::vector<Vec2>& points) {
     return rows;
 }
 
-/// The runs of a flattened path, y down.
+/// The polylines of a flattened path, y down.
 std::vector<std::vector<Vec2>> runs_of(const cairo_path_t& path) {
     std::vector<std::vector<Vec2>> runs;
     for (int i = 0; i < path.num_data; i += path.data[i].header.length) {
@@ -60,7 +60,7 @@ void set_letter_height(cairo_t* context, double height) {
 }
 
 std::vector<Points2> letter_outlines(const Label& label) {
-    constexpr double height = 200;  // of the capitals while they are flattened, to a tolerance of 1
+    constexpr double height = 200;  // height of capitals while they are flattened, to a tolerance of 1
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);
     const Context context(cairo_create(surface.get()), cairo_destroy);
     choose_letters(context.get());

@@ -12,16 +12,16 @@
 namespace ripstop {
 namespace {
 
-const Vec2 page_size(0.297, 0.210);  // A4, lying
+const Vec2 page_size(0.297, 0.210);  // A4, landscape
 constexpr int strips_a_page = 4;
 constexpr double title_height = 0.008;
-constexpr double metres_height = 0.007;  // below each strip, for the ticks and what they say
+constexpr double metres_height = 0.007;  // space below each strip for the ticks and their labels
 constexpr double letters = 0.0022;
 const Ink roll_ink{{0.5, 0.5, 0.5}, 0.0002};
 const Ink cut_ink{{1, 0, 0}, 0.0002};
 const Ink grain_ink{{0, 0, 1}, 0.00015};
 
-/// 1, 2, 2.5, 4, 5 or 7.5 times a power of ten, the first not below `least`.
+/// The smallest of 1, 2, 2.5, 4, 5 and 7.5 times a power of ten that is not below `least`.
 double round_scale(double least) {
     double power = std::pow(10, std::floor(std::log10(least)));
     for (;; power *= 10)
@@ -29,11 +29,11 @@ double round_scale(double least) {
             if (step * power >= least * (1 - 1e-9)) return step * power;
 }
 
-/// A stretch of the roll on a page.
+/// A section of the roll on a page.
 struct PageStrip {
     double start, end;  ///< on the roll [m]
-    Vec2 lower;         ///< of the stretch, on the page [m]
-    double scale;       ///< metres of cloth to a metre of paper
+    Vec2 lower;         ///< its lower left corner on the page [m]
+    double scale;       ///< metres of cloth per metre of paper
 
     Vec2 at(const Vec2& p) const { return lower + (p - Vec2(start, 0)) / scale; }
     Points2 at(const Points2& points) const {
@@ -48,7 +48,7 @@ Points2 closed(const Points2& outline) {
     return line;
 }
 
-/// The outline and, where most room is, the grain and the name below it.
+/// Draws the outline, and the grain with the name below it where there is most room.
 void draw_piece(PdfCanvas& canvas, const PageStrip& strip, const PatternPiece& piece) {
     canvas.line(strip.at(closed(piece.outline())), cut_ink);
     const Circle room = largest_circle_inside(piece.outline(), 0.01);
@@ -88,7 +88,7 @@ void write_marker_pdf(std::ostream& out, const Marker& marker, const std::vector
     constexpr double margin = Paper::margin;
     const double pitch = (page_size.y() - 2 * margin - title_height) / strips_a_page;
     const double scale = round_scale(marker.roll_width / (pitch - metres_height));
-    const double reach = (page_size.x() - 2 * margin) * scale;  // of a strip, on the roll
+    const double reach = (page_size.x() - 2 * margin) * scale;  // length of a strip, on the roll
     const int strips = std::max(1, static_cast<int>(std::ceil(marker.length / reach - 1e-9)));
     const int pages = (strips + strips_a_page - 1) / strips_a_page;
     PdfCanvas canvas(title);

@@ -15,10 +15,10 @@ namespace ripstop {
 namespace {
 
 constexpr double inch = 0.0254;
-constexpr double longest_page = 5.0;  // PDF ends at 14,400 points, 5.08 m
+constexpr double longest_page = 5.0;  // PDF pages are at most 14,400 points, 5.08 m
 constexpr double narrowest_roll = 0.2;
-constexpr double air = 0.003;  // round the piece, for the width of its lines
-// What stands on every page, the test square, needs room on the page of a small piece.
+constexpr double air = 0.003;  // space around the piece for the width of its lines
+// Every page has a header and the test square, so even the page of a small piece needs this size.
 constexpr double smallest_window = 0.14;
 
 const std::array sheets{Paper{"A4", 0.210, 0.297},
@@ -34,14 +34,14 @@ std::string in_lower_case(std::string text) {
     return text;
 }
 
-/// How many windows of `room` cover `extent`.
+/// The number of windows of size `room` that cover `extent`.
 int windows_over(double extent, double room) {
     constexpr double rounding = 1e-9;
     const double count = std::ceil((extent - Paper::overlap) / (room - Paper::overlap) - rounding);
     return count < most_pages ? std::max(1, static_cast<int>(count)) : most_pages + 1;
 }
 
-/// Is there anything of the piece in the box, its inside included?
+/// True if the box contains any part of the piece, its inside included.
 bool covers(const Points2& outline, const Vec2& lower, const Vec2& upper) {
     return contains(outline, Vec2((lower + upper) / 2)) || !clip_to_box(closed_line(outline), lower, upper).empty();
 }
@@ -62,7 +62,7 @@ PageGrid grid_of(const PatternPiece& piece, const Vec2& lower, const Vec2& exten
             PageWindow window{column, row, {}, {}};
             window.lower = first + Vec2(step.x() * column, step.y() * (grid.rows - 1 - row));
             window.upper = window.lower + room;
-            // what it shares with the page left of it and the one above is theirs
+            // the parts shared with the pages to the left and above belong to those pages
             const Vec2 own_lower = window.lower + Vec2(column > 0 ? Paper::overlap : 0, 0);
             const Vec2 own_upper = window.upper - Vec2(0, row > 0 ? Paper::overlap : 0);
             if (covers(piece.outline(), own_lower, own_upper)) grid.windows.push_back(window);

@@ -8,30 +8,32 @@
 
 namespace ripstop {
 
-/// What is printed, and on what.
+/// Options of the printed pattern.
 struct PrintOptions {
-    std::string style = {};      ///< what the pieces belong to
+    std::string style = {};      ///< name of the style that the pieces belong to
     std::string revision = {};   ///< of the patterns
     std::string paper = "roll";  ///< as `paper_named` takes it
-    std::string date = {};       ///< of their making, YYYY-MM-DD; none: none is stated
+    std::string date = {};       ///< of the patterns, YYYY-MM-DD; empty: no date is written
 };
 
-/// Writes the pieces as a PDF in true size, for paper templates.
+/// Writes the pieces as a PDF at true size, for paper templates.
 ///
-/// First, on A4 (Letter with a Letter or Tabloid paper), a cover: how to print and to check the size, what the lines
-/// mean, and which piece stands on which pages, in what size and how often it is cut. Then each piece by itself, its
-/// warp along the page's width: on a roll one page as large as the piece, on sheets as many as it takes
-/// (`make_page_grid`), before them a map of which page lies where. Pages of one piece overlap; a dashed line shows
-/// where the neighbour's edge comes to lie, crosses in circles lie on each other. Every page has a frame, a ruler in
-/// mm, a square of 100 mm and one of 4 in, the piece's name, the place on the map and the page's number. A piece of
-/// quantity 0, which is cut by an equal one's pattern, is left out unless there are no others. Cut line and notches are
-/// red, sew line (dashed), grain and internal lines blue, letters black with their fonts embedded. The same bytes on
-/// every run with the same fonts.
+/// The cover comes first, on A4 (on Letter if the paper is Letter or Tabloid). It says how to print and how to
+/// check the size, explains the lines, and lists for each piece its pages, its size and how often it is cut.
 ///
-/// Throws InputError for a paper that is not known and where there would be more than `most_pages` pages.
+/// Then come the pieces, each with its warp along the page's width. On a roll, a piece is one page of its own
+/// size. On sheets it takes as many pages as it needs (`make_page_grid`), after a map that shows where each page
+/// goes. Pages of a piece overlap: a dashed line marks the neighbour's edge, and crosses in circles must coincide.
+///
+/// Every page has a frame, a ruler in mm, a square of 100 mm and one of 4 in, the piece's name, its place on the
+/// map and its page number. A piece of quantity 0, which is cut by an equal piece's pattern, is left out unless
+/// there are no others. Cut line and notches are red; sew line (dashed), grain and internal lines are blue;
+/// letters are black, with embedded fonts. With the same fonts, every run writes the same bytes.
+///
+/// Throws InputError for an unknown paper and for more than `most_pages` pages.
 void write_pdf(std::ostream& out, const std::vector<PatternPiece>& pieces, const PrintOptions& options = {});
 
-/// Throws InputError as `write_pdf` does, and draws nothing.
+/// Throws InputError if `write_pdf` would; draws nothing.
 void require_printable(const std::vector<PatternPiece>& pieces, const std::string& paper);
 
 }  // namespace ripstop

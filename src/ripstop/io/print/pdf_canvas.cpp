@@ -20,8 +20,8 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
     return CAIRO_STATUS_SUCCESS;
 }
 
-/// cairo cannot ask for printing without scaling, so that the catalogue is written again at the end, with that in it:
-/// an incremental update as PDF 1.4 has them. The key is of PDF 1.6, which the catalogue says.
+/// cairo cannot request printing without scaling. So this appends the catalogue once more, with that request in
+/// it, as an incremental update of PDF 1.4. The key is from PDF 1.6, and the catalogue states that version.
 std::string with_true_size(std::string pdf) {
     const auto after = [&pdf](const std::string& text, std::size_t from) {
         const std::size_t at = pdf.find(text, from);
@@ -78,7 +78,7 @@ PdfCanvas::PdfCanvas(const std::string& title, const std::string& date) : cairo_
     cairo_pdf_surface_restrict_to_version(cairo_->surface, CAIRO_PDF_VERSION_1_4);
     cairo_pdf_surface_set_metadata(cairo_->surface, CAIRO_PDF_METADATA_TITLE, readable_name(title).c_str());
     cairo_pdf_surface_set_metadata(cairo_->surface, CAIRO_PDF_METADATA_CREATOR, "Ripstop");
-    // Empty: no date. cairo would put in today's.
+    // Empty means no date; cairo would write today's.
     const std::string noon = date.empty() ? "" : date + "T12:00:00Z";
     cairo_pdf_surface_set_metadata(cairo_->surface, CAIRO_PDF_METADATA_CREATE_DATE, noon.c_str());
     cairo_->context = cairo_create(cairo_->surface);

@@ -13,10 +13,10 @@ namespace {
 constexpr double cover_margin = 0.018;
 constexpr double line_height = 0.0055;
 constexpr double letter_height = 0.0024;
-constexpr double head_height = 0.068;                                // what stands above the list on the first page
-constexpr double joining = 0.026;                                    // and the lines on how to join pages
-constexpr double headings = 0.016;                                   // on the others
-constexpr std::array<double, 4> columns = {0, 0.022, 0.075, 0.118};  // of the list, from the cover_margin
+constexpr double head_height = 0.068;                                // space above the list on the first page
+constexpr double joining = 0.026;                                    // space for the lines on how to join pages
+constexpr double headings = 0.016;                                   // space above the list on the other pages
+constexpr std::array<double, 4> columns = {0, 0.022, 0.075, 0.118};  // of the list, from cover_margin
 
 std::string in_mm(double metres) {
     return format_fixed(metres / millimetre, 0);
@@ -40,7 +40,7 @@ std::string pages_text(const PrintedPiece& printed) {
     return printed.map_page == 0 ? first : first + "-" + std::to_string(printed.last_page());
 }
 
-/// Writes a line at `y` [m from the lower edge]; the first page's letters are a little larger on its title.
+/// Writes a line at height `y` [m] above the lower edge, at most as wide as the page.
 void write(PdfCanvas& canvas, const PrintRun& run, double y, const std::string& text, double height = letter_height) {
     canvas.text({text, Vec2(cover_margin, y), height, 0}, black, Align::left, run.cover_size.x() - 2 * cover_margin);
 }
@@ -53,7 +53,7 @@ void draw_row(PdfCanvas& canvas, const PrintRun& run, double y, const std::array
     }
 }
 
-/// The kinds of lines, each drawn beside its meaning.
+/// Draws each kind of line beside its meaning.
 void draw_legend(PdfCanvas& canvas, double y, bool with_matches) {
     std::vector<LineKind> kinds{cut_kind(), sew_kind(), grain_kind(), internal_kind()};
     if (with_matches) kinds.push_back(match_kind());

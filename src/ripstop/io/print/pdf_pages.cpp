@@ -19,7 +19,7 @@ Points2 moved(Points2 points, const Vec2& shift) {
     return points;
 }
 
-/// A window on a piece, drawn `shift` away from where it lies.
+/// A window on a piece, drawn moved by `shift`.
 class View {
   public:
     View(PdfCanvas& canvas, const PageWindow& window, const Vec2& shift)
@@ -62,7 +62,7 @@ void draw_piece(const View& view, const PatternPiece& piece) {
     for (const Label& label : piece.labels) view.text(label);
 }
 
-/// Along the lower edge, ticks outwards: each mm on the first 300, then each 10 mm.
+/// Draws a ruler along the lower edge, ticks outwards: each mm on the first 300, then each 10 mm.
 void draw_ruler(PdfCanvas& canvas, const Vec2& from, double length) {
     constexpr int fine = 300;
     const int end = static_cast<int>(std::floor(length * 1000 + 1e-6));
@@ -84,7 +84,7 @@ void draw_test_squares(PdfCanvas& canvas, const Vec2& lower) {
     canvas.text({"dashed: 4 in", lower + Vec2(metric - 0.002, 0.0035), small_letters, 0}, pale, Align::right);
 }
 
-/// A cross in a circle, which lies on the neighbour's.
+/// Draws a cross in a circle, which must coincide with the neighbour's.
 void draw_match_mark(PdfCanvas& canvas, const Vec2& at, const std::string& text) {
     const Ink ink{black, 0.0002};
     constexpr double radius = 0.003, arm = 0.005;
@@ -98,11 +98,12 @@ std::string name_at(int column, int row) {
     return PageWindow{column, row, {}, {}}.name();
 }
 
-/// What joins the page to its neighbours: the crosses on what they share, and where their edges come to lie.
+/// Draws what joins the page to its neighbours: crosses in the overlaps, and the lines of the neighbours' edges.
 void draw_joints(PdfCanvas& canvas, const PageGrid& grid, const PageWindow& window) {
     const Vec2 lower(page_margin, page_margin), upper = grid.page - Vec2(page_margin, page_margin);
     const Vec2 size = upper - lower;
-    const auto joint = [&](int column, int row) {  // with the page right of (column, row), as seen from here
+    const auto joint = [&](int column, int row) {  // between page (column, row) and the one right of it, in this
+                                                   // page's coordinates
         const double middle = column == window.column ? upper.x() - overlap / 2 : lower.x() + overlap / 2;
         for (const double share : {0.25, 0.75})
             draw_match_mark(canvas, {middle, lower.y() + share * size.y()},

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double margin = 0.01;
 
-/// From metres on the cloth, y up, to millimetres from the drawing's upper left corner, y down.
+/// Converts metres on the cloth, y up, to millimetres from the drawing's upper left corner, y down.
 class Page {
   public:
     explicit Page(const Sheet& sheet) : left_(sheet.lower.x() - margin), top_(sheet.upper.y() + margin) {}
@@ -48,7 +48,7 @@ std::string text(const Page& page, const Label& label, const Vec2& shift, const 
     return result + xml_text(label.text) + "</text>\n";
 }
 
-/// Escaped already; styles stand on the elements because many cutters read no style sheets.
+/// A unique id, already escaped.
 std::string unused_id(const std::string& name, std::set<std::string>& used) {
     std::string base;
     for (const char c : xml_text(name)) base += c == ' ' || c == '\t' || c == '\n' || c == '\r' ? '_' : c;
@@ -58,7 +58,7 @@ std::string unused_id(const std::string& name, std::set<std::string>& used) {
     return id;
 }
 
-/// An edge of the sew line, with whom it is sewn to.
+/// Draws an edge of the sew line, with the names of its mates.
 void draw_edge(std::ostream& out, const Page& page, const PatternPiece& piece, std::size_t e, const Vec2& shift) {
     const PieceEdge& edge = piece.edges[e];
     std::string seams, mates;
@@ -74,7 +74,7 @@ void draw_edge(std::ostream& out, const Page& page, const PatternPiece& piece, s
         << "\"/>\n";
 }
 
-/// A layer of a piece, for Inkscape and what reads its layers; a group for all others.
+/// Draws a layer of a piece: a layer in Inkscape and programs that know its layers, a group in all others.
 template <class Draw>
 void draw_layer(std::ostream& out, const char* name, const Draw& draw) {
     std::ostringstream inside;
@@ -135,8 +135,8 @@ void write_svg(std::ostream& out, const std::vector<PatternPiece>& pieces, const
     const Page page(sheet);
     const Vec2 size = (sheet.upper - sheet.lower + Vec2::Constant(2 * margin)) / millimetre;
     const std::string width = format_fixed(size.x(), 3), height = format_fixed(size.y(), 3);
-    // a hairline on one piece; on a sheet of tens of metres it would be invisible, so it grows with the sheet's shorter
-    // side: a marker is short across however long the roll
+    // A hairline on one piece would be invisible on a sheet of tens of metres. So the width grows with the sheet's
+    // shorter side, which stays short for a marker of any length.
     const std::string stroke = format_fixed(std::max(0.2, size.minCoeff() / 2500), 1);
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
         << "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"" << width << "mm\" height=\""

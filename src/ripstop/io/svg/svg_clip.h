@@ -9,22 +9,23 @@
 
 namespace ripstop {
 
-/// What of a drawing is seen through an opening.
+/// How much of a line is visible through a clip.
 enum class SvgSeen { all, part, nothing };
 
-/// An opening, in the numbers of the drawing: within any of its outlines, or not known.
+/// A clip in the numbers of the drawing: the union of its outlines, or unknown.
 class SvgClip {
   public:
-    /// The rectangle of a viewport from the origin.
+    /// The rectangle of a viewport, with a corner at the origin.
     static SvgClip viewport(const Vec2& size, const Eigen::Affine2d& motion);
-    /// A `clipPath` of shapes in user space; one of anything else (text, clips of clips, parts of the box of what is
-    /// clipped) is not known.
+    /// A `clipPath` of shapes in user space. Any other content (text, clipped clips, units of the clipped
+    /// element's bounding box) makes the clip unknown.
     static SvgClip path(const SvgDocument& document, const SvgStyles& styles, const pugi::xml_node& clip_path,
                         const Eigen::Affine2d& motion, const SvgBasis& basis);
     static SvgClip unknown() { return {}; }
 
-    /// By its points: all where each lies within one and the same outline, to 1e-6 of the outline's size. Of a line
-    /// between two points that leaves an outline which is not convex it says all as well.
+    /// How much of a line is visible, judged by its points: `all` if every point lies within the same outline, to
+    /// 1e-6 of the outline's size. So a line between two points counts as `all` even if it leaves an outline that
+    /// is not convex.
     SvgSeen seen(const Points2& line) const;
 
   private:

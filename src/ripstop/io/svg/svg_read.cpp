@@ -20,10 +20,10 @@ namespace {
 
 constexpr int deepest_element = 256;
 constexpr double farthest_point = 1e9;
-constexpr int most_used = 200'000;              // elements that uses draw again
-constexpr std::size_t most_points = 8'000'000;  // of curves
+constexpr int most_used = 200'000;              // elements that `use` draws again
+constexpr std::size_t most_points = 8'000'000;  // of sampled curves
 
-/// What elements within each other hand down.
+/// The state that elements pass down to their children.
 struct ElementPlace {
     Eigen::Affine2d motion = Eigen::Affine2d::Identity();
     int group = -1;
@@ -134,7 +134,8 @@ class Reader {
             draw_leaf(node, kind, style, place);
     }
 
-    /// By `transform` about its origin. False for what is moved in another way, which is left out.
+    /// Applies `transform` about its origin. Returns false for an element that is moved in another way; it is left
+    /// out.
     bool move(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, ElementPlace& place) {
         for (const char* other : {"translate", "rotate", "scale", "zoom", "offset-path"})
             if (!is_none(style[other])) {
@@ -153,7 +154,7 @@ class Reader {
         return true;
     }
 
-    /// In the viewport, or in the box of a shape where `transform-box` says so.
+    /// The transform origin, in the viewport, or in the box of a shape if `transform-box` says so.
     std::optional<Vec2> origin_of(const pugi::xml_node& node, const SvgStyle& style, const ElementPlace& place) const {
         const std::string_view text = style["transform-origin"], box = style["transform-box"];
         if (box.empty() || box == "view-box") return svg_transform_origin(text, place.basis);
@@ -171,7 +172,7 @@ class Reader {
         return origin;
     }
 
-    /// What is drawn of an element beside its line, and openings it is seen through.
+    /// Handles the effects on an element besides its line, and its clips.
     void look_at_effects(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style,
                          ElementPlace& place) {
         if (!is_none(style["filter"])) leave(node, place, kind, "is read without its filter", false, true);
@@ -189,7 +190,7 @@ class Reader {
         const std::string_view clip = style["clip-path"];
         if (is_none(clip)) return;
         const pugi::xml_node target = document_.target_of(clip);
-        if (!target && clip.starts_with("url(")) return;  // it clips nothing
+        if (!target && clip.starts_with("url(")) return;  // such a clip has no effect
         place.clips.push_back(std::make_shared<const SvgClip>(
             target ? SvgClip::path(document_, styles_, target, place.motion, place.basis) : SvgClip::unknown()));
     }
@@ -206,7 +207,7 @@ class Reader {
 
     void enter(const pugi::xml_node& node, ElementPlace& place) {
         const std::string label = readable_name(node.attribute("inkscape:label").value());
-        const pugi::xml_attribute name = node.attribute("data-name");  // of a piece, which may be a layer to Inkscape
+        const pugi::xml_attribute name = node.attribute("data-name");  // of a piece, which is a layer in Inkscape
         if (std::string_view(node.attribute("inkscape:groupmode").value()) == "layer" && !name) {
             if (!label.empty()) place.layer = label;
             return;
@@ -218,7 +219,7 @@ class Reader {
         drawing_.groups.push_back({id, place.layer, 1, document_.line_of(node)});
     }
 
-    /// An svg within, or a symbol that is used: with a place, a size and a scale of its own.
+    /// Draws a nested svg, or a symbol that is used: it has its own place, size and scale.
     void draw_viewport(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, ElementPlace& place) {
         std::vector<std::string> unclear;
         const Vec2 around = place.basis.viewport.value_or(Vec2(0, 0));
@@ -226,7 +227,7 @@ class Reader {
             return svg_length_of(node, style, key, axis, place.basis, unclear, otherwise);
         };
         const Vec2 corner(length("x", SvgAxis::x, 0), length("y", SvgAxis::y, 0));
-        const bool is_svg = kind == "svg";  // a symbol's own size is not asked
+        const bool is_svg = kind == "svg";  // a symbol's own size is ignored
         Vec2 size(is_svg ? length("width", SvgAxis::x, around.x()) : around.x(),
                   is_svg ? length("height", SvgAxis::y, around.y()) : around.y());
         if (using_size_.x() >= 0) size.x() = using_size_.x();
@@ -235,7 +236,7 @@ class Reader {
         const std::optional<SvgViewBox> box = svg_view_box(node.attribute("viewBox").value());
         if (!unclear.empty() || (box && !size.allFinite()))
             return leave(node, place, kind, "has a place or size that is not known here; ungroup it", true);
-        if (size.minCoeff() <= 0 || (box && box->size.minCoeff() <= 0)) return;  // nothing of it is seen
+        if (size.minCoeff() <= 0 || (box && box->size.minCoeff() <= 0)) return;  // nothing of it is visible
         place.motion = place.motion * Eigen::Translation2d(corner);
         const std::string_view overflow = style["overflow"];
         if (size.allFinite() && overflow != "visible" && overflow != "auto")
@@ -297,7 +298,7 @@ class Reader {
             leave(node, place, kind, "is read though nothing is seen of it: it has no stroke and no fill", false, true);
     }
 
-    /// Without a viewBox a length in mm says how large a user unit is.
+    /// Without a viewBox, a length in mm states how large a user unit is.
     void state_pixels(const pugi::xml_node& node) {
         for (const char* key : {"width", "height", "x", "y", "r", "rx", "ry", "cx", "cy", "x1", "y1", "x2", "y2"})
             if (is_absolute_svg_length(node.attribute(key).value())) {
@@ -354,8 +355,8 @@ class Reader {
     const SvgStyles styles_;
     SvgScale scale_;
     SvgSampling sampling_;
-    std::vector<pugi::xml_node> using_;  // what the uses on the way here refer to
-    Vec2 using_size_ = Vec2(-1, -1);     // of the svg or symbol that is used next; below 0: its own
+    std::vector<pugi::xml_node> using_;  // the elements that the enclosing uses refer to
+    Vec2 using_size_ = Vec2(-1, -1);     // size that a `use` gives the next svg or symbol; below 0: its own size
     int used_ = 0;
     std::size_t points_ = 0;
     PatternDrawing drawing_;

@@ -7,19 +7,19 @@
 
 namespace ripstop {
 
-/// Reads an SVG of anyone's as browsers do, in the user units of its root with y up (a page that is stretched by
-/// `preserveAspectRatio="none"` in those along its width).
+/// Reads an SVG from any program as browsers do. Coordinates are in user units of the root with y up. (If
+/// `preserveAspectRatio="none"` stretches the page, they are in the units along its width.)
 ///
-/// Shapes (`svg_shape`) and text (`svg_text`) in g, a, switch, nested svg and symbols, and wherever a `use` draws them,
-/// with the transforms and styles on the way. A group is a g, svg or use with an id, innermost first; the layer is the
-/// class of what is drawn, or of its use, else the nearest Inkscape layer. What is only defined (defs, symbol,
-/// clipPath, …) is not drawn, nor is what is hidden. Curves are sampled by `SvgScale::sampling`, after all transforms;
-/// units by `svg_scale`, and without any a length in mm in a file without viewBox. Whatever else is drawn is `unread`,
-/// with why, its line and place; what is cut off by a clip too.
+/// Reads shapes (`svg_shape`) and text (`svg_text`) in g, a, switch, nested svg and symbols, and wherever a `use`
+/// draws them, with all transforms and styles. Groups are the g, svg and use elements with an id, innermost first.
+/// The layer is the class of the element, or of its use, else the nearest Inkscape layer. Definitions (defs,
+/// symbol, clipPath, …) and hidden elements are not drawn. Curves are sampled by `SvgScale::sampling`, after all
+/// transforms. The unit comes from `svg_scale`, or from a length in mm in a file without viewBox. Everything else
+/// that is drawn, and what a clip cuts off, is listed in `unread` with the reason, its line and its place.
 ///
-/// Throws InputError `NAME: byte N: …` for what is no XML, another root than svg, a path or transform that cannot be
-/// read, elements more than 256 deep, coordinates beyond 1e9, uses that draw more than 200,000 elements, curves of more
-/// than 8 million points. O(elements x (rules + clips) + points).
+/// Throws InputError `NAME: byte N: …` if the file is no XML, its root is not svg, a path or transform is
+/// malformed, elements are nested more than 256 deep, coordinates exceed 1e9, uses draw more than 200,000
+/// elements, or curves have more than 8 million points. O(elements x (rules + clips) + points).
 PatternDrawing read_svg(std::istream& in, const std::string& name);
 
 }  // namespace ripstop

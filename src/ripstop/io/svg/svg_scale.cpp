@@ -13,7 +13,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double pixel = 0.0254 / 96;  // of CSS [m]
+constexpr double pixel = 0.0254 / 96;  // a CSS px [m]
 constexpr double chord_error = 0.05 * millimetre;
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
@@ -23,7 +23,7 @@ LengthUnit unit_of(double metres) {
     return {std::to_string(metres / millimetre) + " mm", metres};
 }
 
-/// A program whose px is another than that of CSS.
+/// A program whose px differs from that of CSS.
 struct Program {
     std::string name;
     double pixels_per_inch;
@@ -33,7 +33,7 @@ struct Program {
 std::optional<Program> program_of(const SvgDocument& document) {
     std::string_view version = document.root().attribute("inkscape:version").value();
     version = svg_next_word(version);
-    // 0.47, 0.48.4, 0.91; from 0.92 on as CSS
+    // Versions before 0.92 (0.47, 0.48.4, 0.91); later ones follow CSS.
     if (version.starts_with("0."))
         if (const auto minor = parse_double(version.substr(2, version.find_first_not_of("0123456789", 2) - 2)))
             if (*minor < 92) return Program{"Inkscape " + readable_name(version), 90};
@@ -74,14 +74,14 @@ class ScaleReader {
     std::string_view text_of_side(const char* key) const {
         return svg_trimmed(style_.is_declared(key) ? style_[key] : root_.attribute(key).value());
     }
-    /// In px; NaN where it is not given or a part of the window.
+    /// The length of a side in px; NaN if it is absent or relative to the window.
     double side(const char* key) const {
         const std::optional<double> length = svg_length(text_of_side(key), SvgAxis::x, {});
         return length && *length > 0 ? *length : nowhere;
     }
     bool has_unit(const char* key) const { return is_absolute_svg_length(text_of_side(key)) && side(key) > 0; }
 
-    /// One user unit along a side, from `width="210mm"` and `viewBox="0 0 210 297"`.
+    /// The size of a user unit along a side, from `width="210mm"` and `viewBox="0 0 210 297"`.
     std::optional<StatedUnit> unit_along(const std::string& key, double length, double extent) const {
         if (std::isnan(length)) return std::nullopt;
         const double unit = length * pixel / extent;
@@ -93,7 +93,7 @@ class ScaleReader {
 
     void read_unit(double width, double height) {
         if (!box_) {
-            // A user unit is 1/96 inch whatever the width.
+            // Here a user unit is 1/96 inch whatever the width.
             if (const auto program = program_of(document_); program && program->pixels_per_inch == 90)
                 return state(*program, 1);
             scale_.units.push_back({has_unit("width") ? "width" : "height", unit_of(pixel)});

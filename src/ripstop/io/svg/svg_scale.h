@@ -10,25 +10,25 @@
 
 namespace ripstop {
 
-/// How the root's user units become the numbers of the drawing.
+/// The conversion from the root's user units to the numbers of the drawing.
 struct SvgScale {
     Eigen::Affine2d motion =
-        Eigen::Affine2d::Identity();     ///< y up; a page stretched by `preserveAspectRatio="none"` too
-    std::vector<StatedUnit> units = {};  ///< the one SVG takes first; none: it says none
-    Vec2 viewport;                       ///< what per cent refer to [user units]; NaN where it is not known
-    bool is_pixel = false;               ///< there is no viewBox: a user unit is a px of CSS, 1/96 inch
+        Eigen::Affine2d::Identity();     ///< y up; includes the stretch of `preserveAspectRatio="none"`
+    std::vector<StatedUnit> units = {};  ///< the first is the one that SVG prefers; empty: the file states none
+    Vec2 viewport;                       ///< reference of lengths in per cent [user units]; NaN if unknown
+    bool is_pixel = false;               ///< without a viewBox, a user unit is a CSS px, 1/96 inch
 
-    /// Chords within 0.05 mm and a thousandth of each curve. Without a unit whoever reads on takes what he likes, so
-    /// within 1e-6.
+    /// Chords within 0.05 mm and a thousandth of each curve. If no unit is stated, the caller chooses one later,
+    /// so the sampling is 1e-6 of each curve.
     SvgSampling sampling() const;
 };
 
-/// By width, height, viewBox and preserveAspectRatio of the root. Where its sides make two units of the viewBox the
-/// first is the smaller (the larger for `slice`), and the other is stated too.
+/// The scale that width, height, viewBox and preserveAspectRatio of the root give. If the two sides disagree, both
+/// units are stated, first the smaller (the larger for `slice`).
 ///
-/// Inkscape before 0.92 drew 90 px to the inch and Illustrator draws 72, where CSS has 96: where the file is written by
-/// one of them and only px say how large it is, theirs is the first unit and that of CSS the second. Throws InputError
-/// for a user unit of more than 10 m or no length.
+/// CSS has 96 px per inch, but Inkscape before 0.92 had 90 and Illustrator has 72. If one of these wrote the file
+/// and only px state its size, its unit comes first and that of CSS second. Throws InputError for a user unit that
+/// is longer than 10 m or is no length.
 SvgScale svg_scale(const SvgDocument& document, const SvgStyle& style);
 
 }  // namespace ripstop

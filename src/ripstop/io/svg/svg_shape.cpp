@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-/// The lengths of one element.
+/// Reads the lengths of one element.
 class Lengths {
   public:
     Lengths(const pugi::xml_node& element, const SvgStyle& style, const SvgBasis& basis,
@@ -19,7 +19,7 @@ class Lengths {
         return svg_length_of(element_, style_, key, axis, basis_, unclear_, otherwise);
     }
     Vec2 point(const char* x, const char* y) const { return {(*this)(x, SvgAxis::x), (*this)(y, SvgAxis::y)}; }
-    /// Each that is not given is as the other.
+    /// The radii; each that is absent equals the other.
     Vec2 radii() const {
         constexpr double not_given = -1;
         Vec2 r((*this)("rx", SvgAxis::x, not_given), (*this)("ry", SvgAxis::y, not_given));
@@ -35,7 +35,7 @@ class Lengths {
     std::vector<std::string>& unclear_;
 };
 
-/// `d`, or `path("…")` of the style.
+/// The path data: `d`, or `path("…")` in the style.
 std::string_view path_data(const pugi::xml_node& element, const SvgStyle& style) {
     if (!style.is_declared("d")) return element.attribute("d").value();
     std::string_view value = style["d"];

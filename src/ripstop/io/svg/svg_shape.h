@@ -10,20 +10,20 @@
 
 namespace ripstop {
 
-/// What an element draws, in its own user units.
+/// The outlines of an element, in its own user units.
 struct SvgShape {
-    std::vector<SvgRun> runs = {};  ///< none where it draws nothing: a side or radius of 0
+    std::vector<SvgRun> runs = {};  ///< empty if the element draws nothing, as with a side or radius of 0
     std::vector<std::string>
-        unclear;  ///< attributes with a value that is not known here: `width="3vw"`; then nothing is drawn
+        unclear;  ///< attributes with a value that is not understood, `width="3vw"`; nothing is drawn then
 };
 
-/// Of a path, rect, circle, ellipse, line, polyline or polygon; nothing for another element. Throws InputError that
-/// begins with `place` for a path or a list of points that cannot be read.
+/// The shape of a path, rect, circle, ellipse, line, polyline or polygon; nothing for another element. Throws
+/// InputError that begins with `place` for a malformed path or list of points.
 std::optional<SvgShape> svg_shape(const pugi::xml_node& element, const SvgStyle& style, const SvgBasis& basis,
                                   const std::string& place);
 
-/// A length of an element, from its style or attribute; `otherwise` where it has none or `auto`. Where it is not known
-/// it is 0 and `unclear` says so.
+/// A length of an element, from its style or attribute; `otherwise` if it is absent or `auto`. If it is not
+/// understood, returns 0 and adds it to `unclear`.
 double svg_length_of(const pugi::xml_node& element, const SvgStyle& style, const char* key, SvgAxis axis,
                      const SvgBasis& basis, std::vector<std::string>& unclear, double otherwise = 0);
 

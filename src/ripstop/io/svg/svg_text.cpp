@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int deepest_span = 64;  // tspan in tspan
+constexpr int deepest_span = 64;  // nesting of tspans
 constexpr double farthest_text = 1e9;
 
 class TextReader {
@@ -39,7 +39,7 @@ class TextReader {
     }
 
   private:
-    /// The first of a list of lengths.
+    /// The first length of a list.
     static std::optional<double> first_length(const pugi::xml_node& element, const char* key, SvgAxis axis,
                                               const SvgBasis& basis) {
         std::string_view list = element.attribute(key).value();
@@ -96,7 +96,7 @@ SvgBasis svg_basis_within(const SvgBasis& basis, const SvgStyle& style) {
     if (style.is_declared("font-size")) {
         within.font_size = svg_font_size(style["font-size"], basis);
     } else if (style.is_declared("font")) {
-        // `italic bold 12px/1.5 serif`: the first word that is a size
+        // `italic bold 12px/1.5 serif`: the size is the first word that is a length
         std::string_view rest = style["font"];
         within.font_size = std::nullopt;
         for (std::string_view word = svg_next_word(rest); !word.empty() && !within.font_size;

@@ -8,25 +8,25 @@
 
 namespace ripstop {
 
-/// A line of letters from one place on.
+/// A line of text and its start.
 struct SvgTextLine {
-    std::string text;  ///< blanks joined, UTF-8
+    std::string text;  ///< UTF-8, with runs of blanks joined
     Vec2 at = Vec2::Zero();
-    double height = 0;  ///< font-size [user units]; 0: not known
+    double height = 0;  ///< font-size [user units]; 0: unknown
 };
 
-/// What a text element says: a line for each tspan that has a place of its own, else one. Of a list of places, a letter
-/// each, the first counts. What is hidden is left out; the text along a path (`textPath`) too, and `has_text_path` is
-/// set.
+/// The lines of a text element: one for each tspan with its own place, else one in all. Of a list of places, one
+/// per letter, the first is used. Hidden text is left out. Text along a path (`textPath`) is left out too and sets
+/// `has_text_path`.
 struct SvgText {
     std::vector<SvgTextLine> lines = {};
     bool has_text_path = false;
 };
 
-/// `basis` is that of the text element, its own font size in it.
+/// Reads a text element. `basis` belongs to that element and includes its own font size.
 SvgText svg_text(const pugi::xml_node& element, const SvgStyles& styles, const SvgBasis& basis, bool is_visible);
 
-/// The basis within an element: with its font size where it has one.
+/// The basis inside an element: with the element's font size, if it sets one.
 SvgBasis svg_basis_within(const SvgBasis& basis, const SvgStyle& style);
 
 }  // namespace ripstop

@@ -9,7 +9,7 @@ namespace {
 
 constexpr char32_t replacement = 0xFFFD;
 
-/// The code points; a byte that starts no valid sequence gives one replacement character.
+/// Decodes UTF-8. Each byte that starts no valid sequence gives one replacement character.
 std::vector<char32_t> decode(std::string_view text) {
     std::vector<char32_t> result;
     for (std::size_t i = 0; i < text.size();) {
@@ -47,25 +47,25 @@ void append_utf8(std::string& text, char32_t code) {
     put(0x80 | (code & 0x3F));
 }
 
-/// The letter under the accent, U+00C0 to U+017F; `?` where there is none.
+/// The base letters of U+00C0 to U+017F; `?` if there is none.
 constexpr std::string_view base_letters =
     "AAAAAAACEEEEIIIIDNOOOOOxOUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty"
     "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiJjJjKkkLlLlLlLlLl"
     "NnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
 static_assert(base_letters.size() == 0x180 - 0xC0);
 
-/// U+0391 to U+03C9; a dash where there is no letter.
+/// U+0391 to U+03C9; a dash if there is no letter.
 constexpr std::array<std::string_view, 0x3CA - 0x391> greek = {
     "A", "V",  "G", "D",  "E",  "Z", "I", "Th", "I", "K", "L", "M", "N", "X", "O", "P", "R",  "-",  "S",
     "T", "Y",  "F", "Ch", "Ps", "O", "I", "Y",  "a", "e", "i", "i", "y", "a", "v", "g", "d",  "e",  "z",
     "i", "th", "i", "k",  "l",  "m", "n", "x",  "o", "p", "r", "s", "s", "t", "y", "f", "ch", "ps", "o"};
 
-/// U+0410 to U+042F, the capitals; the small letters follow in their order.
+/// U+0410 to U+042F, the capitals; small letters follow in the same order.
 constexpr std::array<std::string_view, 32> cyrillic = {"A", "B",  "V",  "G",    "D", "E", "Zh", "Z", "I",  "J", "K",
                                                        "L", "M",  "N",  "O",    "P", "R", "S",  "T", "U",  "F", "Kh",
                                                        "C", "Ch", "Sh", "Shch", "",  "Y", "",   "E", "Yu", "Ya"};
 
-/// Other letters and marks that names have.
+/// Other letters and marks that occur in names.
 constexpr std::array<std::pair<char32_t, std::string_view>, 40> other_letters = {
     {{0xA0, " "},   {0xAB, "\""},  {0xB0, " deg"}, {0xB1, "+-"},    {0xB2, "2"},    {0xB3, "3"},  {0xB5, "u"},
      {0xB7, "."},   {0xB9, "1"},   {0xBB, "\""},   {0xDF, "ss"},    {0x386, "A"},   {0x388, "E"}, {0x389, "I"},
@@ -80,7 +80,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// U65E5, so that names in letters we cannot spell stay apart.
+/// The code as text, U65E5, so that names in scripts we cannot spell stay distinct.
 std::string code_text(char32_t code) {
     constexpr std::string_view digits = "0123456789ABCDEF";
     std::string text = "U";
@@ -89,13 +89,13 @@ std::string code_text(char32_t code) {
     return text;
 }
 
-/// What is beyond ASCII.
+/// The ASCII spelling of a character beyond ASCII.
 std::string spelled(char32_t code) {
     for (const auto& [letter, text] : other_letters)
         if (letter == code) return std::string(text);
     if (code == replacement) return "?";
     if (code < 0xA0) return " ";                   // control characters
-    if (code >= 0x300 && code < 0x370) return "";  // accents that follow their letter
+    if (code >= 0x300 && code < 0x370) return "";  // combining accents
     if (code >= 0xC0 && code < 0x180) return std::string(1, base_letters[code - 0xC0]);
     if (code >= 0x391 && code < 0x3CA) return std::string(greek[code - 0x391]);
     if (code >= 0x410 && code < 0x430) return std::string(cyrillic[code - 0x410]);

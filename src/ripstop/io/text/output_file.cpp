@@ -15,7 +15,7 @@ void write_file(const std::filesystem::path& path, const std::function<void(std:
     errno = 0;
     std::ofstream out(path, std::ios::binary | std::ios::trunc);
     if (out) write(out);
-    // Not before the file is closed is it known that the disk took it.
+    // Only closing the file shows whether the disk took it.
     out.close();
     if (out) return;
     const std::string reason = errno != 0 ? std::generic_category().message(errno) : "the disk may be full";
@@ -29,8 +29,11 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
 void replace_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
     std::error_code error;
     const bool is_there = std::filesystem::exists(path, error);
-    if (is_there && !std::filesystem::is_regular_file(path, error)) return write_file(path, write);  // a device, a pipe
-    const std::filesystem::path target = is_there ? std::filesystem::canonical(path) : path;         // a link stays one
+    if (is_there && !std::filesystem::is_regular_file(path, error)) return write_file(path, write);  // a device or
+                                                                                                     // a pipe
+    const std::filesystem::path target = is_there ? std::filesystem::canonical(path) : path;         // keeps a
+                                                                                                     // symbolic
+                                                                                                     // link
     Leftover partial(target.string() + ".partial-" + std::to_string(::getpid()));
     write_file(partial.path(), write);
     partial.finish([&] {

@@ -62,7 +62,7 @@ Drawing read(const std::string& svg) {
     GError* error = nullptr;
     const std::unique_ptr<GInputStream, Unref> stream(
         g_memory_input_stream_new_from_data(svg.data(), static_cast<gssize>(svg.size()), nullptr));
-    // Unlimited: the outlines of a large envelope are one path of many megabytes.
+    // Unlimited, because the outlines of a large envelope are one path of many megabytes.
     Drawing drawing(
         rsvg_handle_new_from_stream_sync(stream.get(), nullptr, RSVG_HANDLE_FLAG_UNLIMITED, nullptr, &error));
     if (!drawing) fail_with(error);

@@ -8,25 +8,26 @@
 
 namespace ripstop {
 
-/// Pixels, 0xRRGGBB each, row by row from the top.
+/// Pixels as 0xRRGGBB, row by row from the top.
 struct Pixels {
     int width = 0, height = 0;
     std::vector<std::uint32_t> colours = {};
 };
 
-/// Pixels on a page, y down: the place of their upper left corner, and how many of them lie along one unit of the page.
+/// Pixels on a page, y down: the place of their upper left corner, and the number of pixels per unit of the page.
 struct PlacedPixels {
     Pixels pixels;
     Vec2 at = Vec2::Zero();
     double per_unit = 1;
 };
 
-/// A PNG file of an SVG drawing over the pixels beneath it, on white, a pixel a unit, as large as its `width` and
-/// `height` say, rounded up. Pixels that are finer than the page are averaged. Names in any script show as the fonts
-/// that are installed can. The same bytes for the same drawing and fonts; from several threads at once too.
+/// A PNG picture of an SVG drawing over the pixels beneath it, on white, one pixel per unit, with the drawing's
+/// `width` and `height` rounded up. Pixels that are finer than the page are averaged. Names in any script show as
+/// far as installed fonts have them. The same drawing and fonts give the same bytes. Safe to call from several
+/// threads.
 ///
-/// Made by librsvg and cairo; some 50 ms a million pixels. Throws std::runtime_error where either fails: the drawing is
-/// ours.
+/// Uses librsvg and cairo; takes about 50 ms per million pixels. Throws std::runtime_error if either fails,
+/// because the drawing is our own.
 std::string png_picture(const std::string& svg, const std::vector<PlacedPixels>& beneath = {});
 
 }  // namespace ripstop

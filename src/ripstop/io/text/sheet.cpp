@@ -5,7 +5,7 @@
 namespace ripstop {
 namespace {
 
-/// Of what is cut; of a drawing without outline, of its lines.
+/// The points that bound what is cut; if there is no outline, those of the drawn lines.
 Points2 extent(const PatternPiece& piece) {
     if (piece.sew_line.rows() > 0) return piece.outline();
     Points2 points(0, 2);

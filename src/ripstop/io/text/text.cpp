@@ -16,7 +16,7 @@ constexpr bool is_blank_in_line(char c) {
 
 constexpr std::size_t largest_file = std::size_t{1} << 31;
 
-/// Length of the UTF-8 character at the start of `text`, 0 where there is none [RFC 3629].
+/// The length of the UTF-8 character at the start of `text`; 0 if there is none [RFC 3629].
 std::size_t utf8_length(std::string_view text) {
     const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
     const unsigned lead = byte(0);
@@ -39,7 +39,7 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
-/// How many bytes the stream has still to give, where it can tell; else a first guess.
+/// The number of bytes left in the stream, if it can tell; else a first guess.
 std::size_t rest_of(std::istream& in) {
     const auto here = in.tellg();
     if (here < 0) return 1 << 16;

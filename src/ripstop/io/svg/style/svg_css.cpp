@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int deepest_rules = 32;  // blocks of rules within each other
+constexpr int deepest_rules = 32;  // nesting of blocks of rules
 
 bool is_css_blank(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
@@ -42,7 +42,7 @@ std::string without_comments(std::string_view text) {
     return bare += text;
 }
 
-/// Where one of `ends` stands outside of strings, brackets and blocks; the end where none does.
+/// The position of the first of `ends` outside of strings, brackets and blocks; the text's size if there is none.
 std::size_t find_end(std::string_view text, std::string_view ends) {
     int open = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -73,13 +73,13 @@ std::vector<std::string_view> parts(std::string_view text, char separator) {
     }
 }
 
-/// Reads one selector; nothing where it is not understood.
+/// Reads one selector; returns nothing if it is not understood.
 class SelectorReader {
   public:
     explicit SelectorReader(std::string_view text) : rest_(svg_trimmed(text)) {}
 
     std::optional<CssSelector> read() {
-        constexpr std::size_t longest = 10'000;  // beyond it its specificity is no number
+        constexpr std::size_t longest = 10'000;  // beyond it, the specificity would overflow its fields
         CssSelector selector;
         if (rest_.size() > longest) return std::nullopt;
         while (!rest_.empty()) {
@@ -120,7 +120,7 @@ class SelectorReader {
         rest_.remove_prefix(1);
         return c;
     }
-    /// `\31 ` is 1, `\.` a point. Beyond ASCII nothing writes it so.
+    /// A CSS escape: `\31 ` is 1, `\.` a point. Escapes beyond ASCII are not supported; no program writes them.
     char escaped() {
         take();
         int code = 0, digits = 0;
@@ -148,7 +148,7 @@ class SelectorReader {
         if (c == '*') {
             take();
         } else if (c == '|') {
-            take();  // of a namespace: elements are known by their local names
+            take();  // skips a namespace: elements are known by their local names
             compound.type.clear();
         } else if (c == '#' || c == '.') {
             take();

@@ -10,9 +10,9 @@
 namespace ripstop {
 namespace {
 
-constexpr std::size_t largest_growth = 10'000'000;  // by entities [bytes]
+constexpr std::size_t largest_growth = 10'000'000;  // by expansion of entities [bytes]
 
-/// The entities that the document type declares: name and value.
+/// The entities that the document type declares, by name.
 std::map<std::string, std::string, std::less<>> entities_of(std::string_view bytes) {
     std::map<std::string, std::string, std::less<>> entities;
     constexpr std::string_view key = "<!ENTITY";
@@ -28,7 +28,7 @@ std::map<std::string, std::string, std::less<>> entities_of(std::string_view byt
     return entities;
 }
 
-/// With the declared entities put in; the declarations themselves stay. Entities within entities are not.
+/// Expands the declared entities; keeps their declarations. Entities inside entities are not expanded.
 std::string with_entities(std::string bytes, const std::string& name) {
     const std::size_t type = bytes.find("<!DOCTYPE"), open = bytes.find('[', type);
     if (type == std::string::npos || open == std::string::npos || open > bytes.find('>', type)) return bytes;
@@ -69,7 +69,7 @@ SvgDocument::SvgDocument(std::string bytes, const std::string& name)
         refuse(root(), "the root is " + shown(root().name()) + ", expected svg; export the drawing as SVG");
     for (std::size_t i = 0; i < bytes_.size(); ++i)
         if (bytes_[i] == '\n') line_ends_.push_back(i);
-    // In the order of the file, without recursion: how deep it goes is looked at later.
+    // Walks the tree in document order, without recursion, because the depth is checked later.
     for (pugi::xml_node node = root(); node;) {
         if (const pugi::xml_attribute id = node.attribute("id")) ids_.emplace(id.value(), node);
         if (node.first_child()) {

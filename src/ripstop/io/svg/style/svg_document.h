@@ -8,21 +8,21 @@
 
 namespace ripstop {
 
-/// The elements of an SVG file and where they stand in it.
+/// The elements of an SVG file and their byte offsets.
 class SvgDocument {
   public:
-    /// Throws InputError `NAME: byte N: …` for what is no XML, and for another root than svg. Entities that the file
-    /// declares itself (`<!ENTITY st0 "fill:none">`) are put in.
+    /// Throws InputError `NAME: byte N: …` if the file is no XML or its root is not svg. Expands entities that the
+    /// file declares itself (`<!ENTITY st0 "fill:none">`).
     SvgDocument(std::string bytes, const std::string& name);
 
     pugi::xml_node root() const { return document_.document_element(); }
-    /// What stands before the root: the declaration, comments, instructions.
+    /// The text before the root: XML declaration, comments, processing instructions.
     std::string_view prolog() const;
-    /// The first element with this id, or none.
+    /// The first element with this id; null if there is none.
     pugi::xml_node with_id(std::string_view id) const;
-    /// What `href`, or the older `xlink:href`, refers to in the file itself; none for anything else.
+    /// The element of this file that `href`, or the older `xlink:href`, refers to; null if there is none.
     pugi::xml_node target_of(const pugi::xml_node& node) const;
-    /// The same for `url(#id)`.
+    /// The element of this file that `url(#id)` refers to; null if there is none.
     pugi::xml_node target_of(std::string_view url) const;
 
     long line_of(const pugi::xml_node& node) const;
@@ -37,16 +37,18 @@ class SvgDocument {
     std::map<std::string, pugi::xml_node, std::less<>> ids_;
 };
 
-/// Without its prefix: `svg:path` is a path.
+/// The element's name without its prefix: `svg:path` is a path.
 std::string_view svg_local_name(const pugi::xml_node& node);
 
-/// `href`, else `xlink:href`, without blanks around it.
+/// The value of `href`, else of `xlink:href`, without surrounding blanks.
 std::string_view svg_href(const pugi::xml_node& node);
 
-/// Of another namespace than that of SVG, so that no browser draws it: `sodipodi:namedview`, `i:pgf`.
+/// True if the element is in a namespace other than that of SVG, so that browsers do not draw it:
+/// `sodipodi:namedview`, `i:pgf`.
 bool is_foreign_to_svg(const pugi::xml_node& node);
 
-/// By the attributes that `switch` chooses by: no extension is known, and the language is English.
+/// True if the element's conditions, by which `switch` chooses, hold: no extension is known, and the language is
+/// English.
 bool is_offered_by_svg(const pugi::xml_node& node);
 
 }  // namespace ripstop

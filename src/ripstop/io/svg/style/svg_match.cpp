@@ -68,8 +68,8 @@ bool matches(const CssCompound& wanted, const pugi::xml_node& element) {
                        [&](const std::string& place) { return stands(place, element); });
 }
 
-/// The compounds up to `last`, of which that one is the element's own. Every ancestor is tried once for each of them:
-/// the steps are counted, for a selector may make them many.
+/// True if `element` matches the compounds up to `last`, the last one being its own. Backtracks over all ancestors
+/// for each compound; `steps` bounds the work.
 bool matches_up_to(const std::vector<CssCompound>& compounds, std::size_t last, pugi::xml_node element, int& steps) {
     if (--steps < 0 || element.type() != pugi::node_element || !matches(compounds[last], element)) return false;
     if (last == 0) return true;

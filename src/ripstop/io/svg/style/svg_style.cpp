@@ -11,12 +11,12 @@
 namespace ripstop {
 namespace {
 
-/// What says where a line is and whether it is seen.
+/// Properties that decide where a line is and whether it is visible.
 constexpr std::array<std::string_view, 20> placing{
     "cx",        "cy",         "d",     "display", "height",    "offset-path",   "r",
     "rotate",    "rx",         "ry",    "scale",   "transform", "transform-box", "transform-origin",
     "translate", "visibility", "width", "x",       "y",         "zoom"};
-/// What else is read.
+/// Other properties that are read.
 constexpr std::array<std::string_view, 13> other_properties{
     "clip-path",  "fill",         "filter", "font",     "font-size", "marker",          "marker-end",
     "marker-mid", "marker-start", "mask",   "overflow", "stroke",    "stroke-dasharray"};
@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 13> other_properties{
 bool is_placing(std::string_view property) {
     return std::find(placing.begin(), placing.end(), property) != placing.end();
 }
-/// Attributes of these names are not the properties, or are too long to copy (`d`).
+/// Attributes with these names are no presentation attributes, or are too long to copy (`d`).
 bool is_only_in_css(std::string_view property) {
     return property == "d" || property == "rotate" || property == "scale" || property == "translate" ||
            property == "zoom" || property == "offset-path";
@@ -34,7 +34,7 @@ bool is_read(std::string_view property) {
            std::find(other_properties.begin(), other_properties.end(), property) != other_properties.end();
 }
 
-/// Whose values are words, in any case of letters.
+/// Properties whose values are keywords, in any case.
 constexpr std::array<std::string_view, 8> worded{"display",       "fill",   "font-size",        "overflow",
                                                  "transform-box", "stroke", "transform-origin", "visibility"};
 
@@ -49,16 +49,16 @@ bool is_wide_word(std::string_view value) {
     return value == "inherit" || value == "initial" || value == "unset" || value == "revert" || value == "revert-layer";
 }
 
-/// Of a property whose numbers need a unit, unless they are 0.
+/// True if a number has the unit that CSS requires, or is 0.
 bool has_css_unit(std::string_view value) {
     const std::size_t end = svg_number_end(value);
     const std::optional<double> number = parse_double(value.substr(0, end));
     return !number || end < value.size() || *number == 0;
 }
 
-/// Does a browser keep it? A declaration that it does not understand leaves the one before in force. Chromium takes
-/// `cx: 5` in style sheets, and `width: 5` in the `style` of an element of SVG, which it reads with the quirks of old
-/// pages.
+/// True if browsers accept the declaration. If they do not understand one, the earlier one stays in force.
+/// Chromium accepts `cx: 5` in style sheets, and `width: 5` in the `style` attribute of SVG elements, which it
+/// parses in quirks mode.
 bool is_kept(std::string_view property, std::string_view value, bool is_style_attribute) {
     static constexpr std::array<std::string_view, 3> lengths{"font-size", "height", "width"};
     static constexpr std::array<std::string_view, 6> sizes{"font-size", "height", "r", "rx", "ry", "width"};
@@ -126,7 +126,7 @@ SvgStyles::SvgStyles(const SvgDocument& document) {
                                                    [](const CssDeclaration& d) { return is_placing(d.property); });
                 if (!rule.doubt.empty() && (may_place || rule.doubt.starts_with("@import")))
                     doubts_.push_back({rule.doubt, document.line_of(node)});
-                // One selector that is not understood undoes its whole rule, as browsers have it.
+                // As in browsers, one selector that is not understood invalidates its whole rule.
                 if (rule.doubt.empty() && !rule.declarations.empty()) rules_.push_back(std::move(rule));
             }
         }

@@ -10,11 +10,11 @@
 
 namespace ripstop {
 
-/// The declared values of an element's properties, by their names. Of those that say where a line is, whether it is
-/// seen, and what else is drawn of it; others are not kept.
+/// The declared values of an element's properties, by name. Keeps only the properties that decide where a line is,
+/// whether it is visible, and what else is drawn with it.
 class SvgStyle {
   public:
-    /// Empty where nothing is declared.
+    /// The declared value; empty if there is none.
     std::string_view operator[](std::string_view property) const;
     bool is_declared(std::string_view property) const { return values_.find(property) != values_.end(); }
     void set(const std::string& property, const std::string& value, long long priority);
@@ -27,7 +27,7 @@ class SvgStyle {
     std::map<std::string, Value, std::less<>> values_;
 };
 
-/// A part of a style sheet that is not understood and may hide or move lines.
+/// A part of a style sheet that is not understood and that may hide or move lines.
 struct SvgStyleDoubt {
     std::string text;
     long line = 0;
@@ -38,9 +38,9 @@ class SvgStyles {
   public:
     explicit SvgStyles(const SvgDocument& document);
 
-    /// By the cascade of CSS: attributes of the element, rules by their specificity and order, its `style`, what is
-    /// `!important`. Declarations that browsers do not understand are left out: `r: -5px`, `transform: rotate(5)`,
-    /// `visibility: never`.
+    /// The style of an element by the CSS cascade: presentation attributes, rules by specificity and order, the
+    /// `style` attribute, `!important`. Drops declarations that browsers do not understand: `r: -5px`, `transform:
+    /// rotate(5)`, `visibility: never`.
     SvgStyle of(const pugi::xml_node& element) const;
     const std::vector<SvgStyleDoubt>& doubts() const { return doubts_; }
 

@@ -31,7 +31,7 @@ void sample_cubic(const Vec2& from, const Vec2& a, const Vec2& b, const Vec2& to
     points.push_back(to);
 }
 
-/// The longer radius of the ellipse that `axes` makes of the unit circle.
+/// The longer radius of the ellipse that `axes` maps the unit circle to.
 double longer_radius(const Mat22& axes) {
     const double a = axes.squaredNorm(), b = axes.determinant();
     return std::sqrt((a + std::sqrt(std::max(0.0, a * a - 4 * b * b))) / 2);
@@ -44,7 +44,7 @@ void sample_arc(const SvgSegment& arc, const Eigen::Affine2d& motion, const SvgS
     const double radius = longer_radius(axes), error = allowed(sampling, radius);
     const double step = error > 0 ? 2 * std::acos(std::max(0.0, 1 - error / radius)) : pi;
     int count = chords(std::abs(arc.sweep) / step);
-    // A whole ellipse in fours: one that stands upright is as wide and as high as it is.
+    // A whole ellipse gets a multiple of four chords, so that an upright one keeps its width and height.
     if (std::abs(arc.sweep) >= 2 * pi) count = (count + 3) / 4 * 4;
     for (int i = 1; i < count; ++i) {
         const double t = arc.start_angle + arc.sweep * i / count;
@@ -79,7 +79,8 @@ SvgSegment svg_arc(const Vec2& from, const Vec2& radii, double turn, bool is_lar
     Vec2 r = radii.cwiseAbs();
     if (r.minCoeff() <= 0 || from == to) return arc;
     const Mat22 turned = Eigen::Rotation2Dd(turn).toRotationMatrix();
-    const Vec2 half = turned.transpose() * (from - to) / 2;  // from the middle of the chord to its start
+    const Vec2 half = turned.transpose() * (from - to) / 2;  // from the middle of the chord to its start, in the
+                                                             // ellipse's axes
     const Vec2 unit = half.cwiseQuotient(r);
     const double reach = unit.squaredNorm();
     if (!std::isfinite(reach)) return arc;

@@ -14,7 +14,7 @@
 namespace ripstop {
 namespace {
 
-/// A number and what is written after it, in small letters.
+/// A number and the text after it, in lower case.
 struct Measure {
     double number;
     std::string unit;

@@ -58,7 +58,7 @@ class PathReader {
         if (!next_svg_number(rest_, value, place_)) refuse("expected a number");
         return value;
     }
-    /// One letter, which nothing needs to part from what follows.
+    /// Reads a flag: one digit, which needs no separator behind it.
     bool flag() {
         skip_blanks(rest_);
         if (rest_.empty() || (rest_.front() != '0' && rest_.front() != '1'))
@@ -73,7 +73,7 @@ class PathReader {
     }
 
     void go(const SvgSegment& segment) {
-        if (runs_.back().is_closed) {  // after Z the next run begins where the last one did
+        if (runs_.back().is_closed) {  // after Z the next run begins where the last one began
             runs_.push_back({here_, {}, false});
             start_ = here_;
         }

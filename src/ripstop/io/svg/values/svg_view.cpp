@@ -17,7 +17,7 @@ bool is_blank_or_comma(char c) {
     return std::string_view(" \t\r\n\f,").find(c) != std::string_view::npos;
 }
 
-/// The words between blanks and commas; numbers joined as in a path (`1-2`) are parted.
+/// The words, separated by blanks and commas; numbers that are joined as in a path (`1-2`) are separated.
 std::vector<std::string_view> arguments_of(std::string_view text) {
     std::vector<std::string_view> found;
     while (true) {
@@ -27,7 +27,7 @@ std::vector<std::string_view> arguments_of(std::string_view text) {
         while (end < text.size() &&
                (text[end] == '%' || (text[end] >= 'a' && text[end] <= 'z') || (text[end] >= 'A' && text[end] <= 'Z')))
             ++end;
-        if (end == 0) end = 1;  // no number: refused by who reads it
+        if (end == 0) end = 1;  // no number; the caller refuses it
         found.push_back(text.substr(0, end));
         text.remove_prefix(end);
     }
@@ -119,7 +119,7 @@ class TransformReader {
     std::vector<std::string_view> arguments_;
 };
 
-/// Without letters behind it, or with those of a unit; none where it is no number.
+/// A number and whether it has a CSS unit; empty if it is no number.
 struct CssNumber {
     std::optional<double> value;
     std::string_view unit;

@@ -9,24 +9,25 @@
 
 namespace ripstop {
 
-/// A list of translate, scale, rotate, skewX, skewY and matrix, as the attribute has it or CSS (translateX, translateY,
-/// scaleX, scaleY, skew, units: `rotate(0.5turn) translateX(3mm)`). The identity for nothing and `none`. Throws
-/// InputError that begins with `place` for what is no such list.
+/// The product of a list of translate, scale, rotate, skewX, skewY and matrix, as an attribute or as CSS
+/// (translateX, translateY, scaleX, scaleY, skew, units: `rotate(0.5turn) translateX(3mm)`). The identity for an
+/// empty text and for `none`. Throws InputError that begins with `place` if the text is no such list.
 Eigen::Affine2d svg_transform(std::string_view text, const SvgBasis& basis, const std::string& place);
 
-/// Does CSS take it? There a shift has units and a turn too, and commas part the numbers; a list that breaks this has
-/// no effect at all. True for functions that are not known here.
+/// True if CSS accepts the list. CSS requires units for shifts and angles, and commas between numbers; otherwise
+/// the whole list has no effect. True for unknown functions.
 bool is_css_transform(std::string_view text);
 
-/// `transform-origin` from the corner of a box of the size `basis.viewport`: one or two lengths, shares or words
-/// (`left`, `center`, `bottom`); the corner for nothing. Nothing where it is not known.
+/// `transform-origin` relative to the corner of a box of the size `basis.viewport`: one or two lengths,
+/// percentages or keywords (`left`, `center`, `bottom`). The corner for an empty text. Nothing if it is not
+/// understood.
 std::optional<Vec2> svg_transform_origin(std::string_view text, const SvgBasis& basis);
 
-/// How a viewBox lies in its viewport, by `preserveAspectRatio` (`xMidYMid meet` where it says nothing that is known).
+/// How a viewBox fits its viewport, by `preserveAspectRatio` (`xMidYMid meet` by default and for unknown values).
 struct SvgFit {
-    bool is_stretched = false;  ///< `none`: each side by its own scale
-    bool is_slice = false;      ///< the larger of both scales, else the smaller
-    Vec2 share{0.5, 0.5};       ///< of the room left over that lies before the drawing
+    bool is_stretched = false;  ///< `none`: each side has its own scale
+    bool is_slice = false;      ///< use the larger of the two scales, else the smaller
+    Vec2 share{0.5, 0.5};       ///< share of the leftover space that lies before the drawing
 
     explicit SvgFit(std::string_view preserve_aspect_ratio);
 };
@@ -35,11 +36,11 @@ struct SvgViewBox {
     Vec2 corner, size;
 };
 
-/// Nothing where there is none, or it cannot be used: other than four numbers, a size below 0. What has a side of 0
-/// shows nothing.
+/// Nothing if there is no viewBox or it is invalid: not four numbers, or a negative size. A viewBox with a side of
+/// 0 shows nothing.
 std::optional<SvgViewBox> svg_view_box(std::string_view text);
 
-/// From the viewBox to a viewport of `size` with its corner at the origin.
+/// The map from the viewBox to a viewport of `size` with its corner at the origin.
 Eigen::Affine2d svg_view(const SvgViewBox& box, const Vec2& size, const SvgFit& fit);
 
 }  // namespace ripstop
