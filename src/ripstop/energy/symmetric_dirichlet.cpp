@@ -47,7 +47,7 @@ MembraneElement symmetric_dirichlet(const Mat22& rest, const Mat22& flat, Curvat
     const double r = 1 / J.determinant();
     result.energy = area * density(J, C, J.determinant());
 
-    // J and its cofactors as (11, 21, 12, 22), the order in which they lie in memory
+    // J and its cofactor matrix as (11, 21, 12, 22), their order in memory
     const Vector4d j = J.reshaped(), c = C.reshaped();
     const Vector4d slope = 2 * (1 + r * r) * j - 2 * s * r * r * r * c;
     Matrix4d bend = 2 * (1 + r * r) * Matrix4d::Identity() - 4 * r * r * r * (j * c.transpose() + c * j.transpose()) +

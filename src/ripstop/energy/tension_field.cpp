@@ -11,10 +11,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The energy of a single tension along phi, L = eps^2 / (2 Sc), and its derivatives.
+/// The energy of a uniaxial tension along phi, L = eps^2 / (2 Sc), and its derivatives.
 struct Ray {
     Vector3d m, m1;
-    double eps, eps1, eps2;  ///< strain along phi and its derivatives by phi
+    double eps, eps1, eps2;  ///< strain along phi and its derivatives with respect to phi
     double Sc, Sc1, Sc2;     ///< compliance along phi and its derivatives
 
     Ray(const Vector3d& strain, const Matrix3d& compliance, double phi) {
@@ -72,7 +72,7 @@ ClothResponse TensionField::relaxed(const Vector3d& strain) const {
 ClothResponse TensionField::wrinkled(const Vector3d& strain) const {
     const double mean = 0.5 * (strain[0] + strain[1]), radius = 0.5 * std::hypot(strain[0] - strain[1], strain[2]);
     const double centre = 0.5 * std::atan2(strain[2], strain[0] - strain[1]);
-    // The sector of directions that are stretched can be a hundredth of a degree wide: samples are taken within it.
+    // The sector of stretched directions can be a hundredth of a degree wide, so the samples are taken inside it.
     const double half = 0.5 * std::acos(std::clamp(-mean / radius, -1.0, 1.0));
     constexpr int samples = 25;
     const double spacing = 2 * half / (samples + 1);
@@ -104,7 +104,7 @@ ClothResponse TensionField::wrinkled(const Vector3d& strain) const {
                            ray.eps / ray.Sc * ray.m,
                            ray.m * ray.m.transpose() / ray.Sc,
                            phi};
-    // How the tension turns with the strain; nothing where the energy is flat in phi to rounding.
+    // The change of the tension's direction with the strain; skipped if the energy is constant in phi to rounding.
     const Vector3d l = (ray.eps1 * ray.m + ray.eps * ray.m1) / ray.Sc - ray.eps * ray.Sc1 / (ray.Sc * ray.Sc) * ray.m;
     if (const double curvature = ray.curvature(); curvature < 0) response.tangent -= l * l.transpose() / curvature;
     return response;

@@ -21,7 +21,7 @@ Mat22 symmetric(const Mat22& lower) {
 
 }  // namespace
 
-/// All that the energy and its derivatives are made of, in the letters of the header; R = D⁻¹.
+/// The terms of the energy and its derivatives, in the letters of the header; R = D⁻¹.
 struct WovenMembrane::State {
     Mat22 R;
     double area;
@@ -39,7 +39,7 @@ WovenMembrane::State WovenMembrane::state(const TriangleMetric& G, const Mat22& 
     s.area = 0.5 * det;
     const double r11 = s.R(0, 0), r12 = s.R(0, 1), r21 = s.R(1, 0), r22 = s.R(1, 1);
     const double a1 = G.aa * r11 + G.ab * r21, b1 = G.ab * r11 + G.bb * r21;  // first column of G R
-    const double a2 = G.aa * r12 + G.ab * r22, b2 = G.ab * r12 + G.bb * r22;  // second
+    const double a2 = G.aa * r12 + G.ab * r22, b2 = G.ab * r12 + G.bb * r22;  // second column
     s.C11 = r11 * a1 + r21 * b1;
     s.C12 = r11 * a2 + r21 * b2;
     s.C22 = r12 * a2 + r22 * b2;
@@ -93,14 +93,14 @@ MembraneElement WovenMembrane::element(const TriangleMetric& metric, const Mat22
     Mat22 M;                                                                       // W I - C S
     M << s.W - (s.C11 * s.S11 + s.C12 * s.S12), -(s.C11 * s.S12 + s.C12 * s.S22),  //
         -(s.C12 * s.S11 + s.C22 * s.S12), s.W - (s.C12 * s.S12 + s.C22 * s.S22);
-    const Mat22 edges = s.area * M * s.R.transpose();  // by axis and edge
+    const Mat22 edges = s.area * M * s.R.transpose();  // rows: axes, columns: edges
     result.gradient.segment<2>(2) = edges.col(0);
     result.gradient.segment<2>(4) = edges.col(1);
     result.gradient.segment<2>(0) = -(edges.col(0) + edges.col(1));
 
     Matrix4d K = form_in_H(s);
     if (curvature == Curvature::semidefinite) K = positive_semidefinite(K);
-    // By axes (a, c): the 2 x 2 block over the edges. H = dD R.
+    // For each pair of axes (a, c): the 2 x 2 block over the edges. H = dD R.
     const Mat22 scaled = s.area * s.R;
     const Mat22 xx = scaled * symmetric(K.topLeftCorner<2, 2>()) * s.R.transpose();
     const Mat22 yx = scaled * K.bottomLeftCorner<2, 2>() * s.R.transpose();

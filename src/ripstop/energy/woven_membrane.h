@@ -5,7 +5,7 @@
 
 namespace ripstop {
 
-/// How a triangle's energy changes as its flat corners move: unknowns (ax, ay, bx, by, cx, cy).
+/// Energy, gradient and Hessian for the flat corners of a triangle: unknowns (ax, ay, bx, by, cx, cy).
 struct MembraneElement {
     double energy = 0;                                                           ///< [J]
     Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();  ///< [N]
@@ -14,37 +14,37 @@ struct MembraneElement {
 
 /// Which second derivative an element returns.
 enum class Curvature {
-    exact,         ///< the Hessian as it is: may be indefinite anywhere but at rest
-    semidefinite,  ///< its part without negative curvature, so that a Newton step descends
+    exact,         ///< the exact Hessian: may be indefinite except at rest
+    semidefinite,  ///< the Hessian without negative curvature, so that a Newton step is a descent direction
 };
 
-/// Strain energy of the woven cloth between its rest state, which is the flat pattern, and the surface: orthotropic
-/// St. Venant-Kirchhoff in the axes of the cloth, 1 the warp (+x) and 2 the weft (+y).
+/// The strain energy of the woven cloth between the flat pattern, its rest state, and the surface: orthotropic St.
+/// Venant-Kirchhoff in the axes of the cloth, 1 the warp (+x) and 2 the weft (+y).
 ///
 ///     E = (C - I) / 2,  C = D⁻ᵀ G D⁻¹        D flat edges (2 x 2), G metric of the surface triangle
 ///     W = ½ c11 E11² + c12 E11 E22 + ½ c22 E22² + ½ g (2 E12)²      [J/m2]
 ///     energy = A W,  A = det D / 2                                  [J]
 ///
-/// The unknowns are the flat corners: the surface is given, the cloth is sought. As a triangle loses its flat area C
-/// grows like 1 / det², so A W grows without bound: the energy itself keeps a pattern from turning over, provided that
-/// steps stay where it is finite. It is zero exactly on isometries and does not change when the cloth is shifted.
-/// Turning the cloth changes it, unless the fabric is isotropic: fix the grain.
+/// The unknowns are the flat corners; the surface is given. As a triangle loses its flat area, C grows like 1 / det²
+/// and A W without bound, so the energy itself keeps triangles from flipping if steps stay where it is finite. It is
+/// zero exactly for isometries and invariant under translations of the cloth. A rotation of the cloth changes it
+/// unless the fabric is isotropic: fix the grain.
 class WovenMembrane {
   public:
     /// Requires a valid fabric (`require_valid`).
     explicit WovenMembrane(const Fabric& fabric);
 
-    /// Energy of one triangle; +infinity where det D <= 0.
+    /// The energy of one triangle; +infinity if det D <= 0.
     double energy(const TriangleMetric& metric, const Mat22& flat) const;
 
-    /// Energy with its exact first and second derivative. Where det D <= 0 the energy is +infinity and the derivatives
-    /// are zero. With H = dD D⁻¹ and S the second Piola-Kirchhoff stress:
+    /// The energy with its exact first and second derivatives. If det D <= 0 the energy is +infinity and the
+    /// derivatives are zero. With H = dD D⁻¹ and S the second Piola-Kirchhoff stress:
     ///
     ///     d(A W)  = A (W I - C S) : H
     ///     d²(A W) = A (dE : c : dE + tr(S Hᵀ C H) + 2 (W - tr(C S)) det H),  dE = -sym(C H)
     ///
-    /// so both are a 4-vector and a 4 x 4 matrix in H, mapped to the corners. `Curvature::semidefinite` clamps the
-    /// eigenvalues of the 4 x 4 matrix. Under a microsecond, nothing allocated.
+    /// so they are a 4-vector and a 4 x 4 matrix in H, mapped to the corners. `Curvature::semidefinite` clamps the
+    /// eigenvalues of the 4 x 4 matrix. Takes less than a microsecond and allocates nothing.
     MembraneElement element(const TriangleMetric& metric, const Mat22& flat,
                             Curvature curvature = Curvature::exact) const;
 
@@ -56,10 +56,10 @@ class WovenMembrane {
     double c11_, c12_, c22_, g_;
 };
 
-/// Energy of a whole flattening [J]: the sum over the triangles, +infinity where one is flipped. Positions #V x 2 [m].
+/// The energy of a flattening [J]: the sum over the triangles, +infinity if one is flipped. Positions #V x 2 [m].
 double membrane_energy(const TriangleMesh& surface, const Points2& positions, const Fabric& fabric);
 
-/// The same where each triangle is to be `targets` (#F, edges b - a and c - a) instead.
+/// The same with `targets` (#F, edges b - a and c - a) as the triangles' target shapes.
 double membrane_energy(const std::vector<Mat22>& targets, const Triangles& triangles, const Points2& positions,
                        const Fabric& fabric);
 

@@ -20,8 +20,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double paper_tolerance =
-    0.001 - 1e-9;  // of an edge: 1 mm on a metre, and that rounding does not carry it over
+constexpr double paper_tolerance = 0.001 - 1e-9;  // of an edge: 1 mm per metre, with a margin for rounding
 
 constexpr std::array table = {
     Method{"seam-exact", "least energy of the woven cloth with every edge exactly as long as drawn",

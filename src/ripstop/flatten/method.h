@@ -11,23 +11,23 @@
 
 namespace ripstop {
 
-/// A way to flatten. The command line, the benchmarks and the property tests all walk this table, so a method is
-/// compared, timed and tested by being listed.
+/// A flattening method. The command line, the benchmarks and the property tests iterate over the table of methods, so
+/// a method in the table is compared, timed and tested.
 struct Method {
     const char* name;
-    const char* origin;  ///< what it comes from, a line for `ripstop methods`
-    Flattening (*flatten)(const Tile& tile, const Fabric& fabric);  ///< a tile on its own
+    const char* origin;                                             ///< its source, one line for `ripstop methods`
+    Flattening (*flatten)(const Tile& tile, const Fabric& fabric);  ///< flattens a single tile
 
-    /// The tiles of an envelope together, on so many threads (0: one a core), for a method to which its seams matter;
-    /// null where each tile is flattened on its own. A tile's own fabric goes before `fabric`.
+    /// Flattens the tiles of an envelope together on `threads` threads (0: one per core), for a method that uses the
+    /// seams; null if each tile is flattened on its own. A tile's own fabric takes precedence over `fabric`.
     std::vector<Flattening> (*flatten_together)(const Envelope& envelope, const Fabric& fabric, int threads,
                                                 const Progress& progress) = nullptr;
 };
 
-/// The table of methods, in the order in which `ripstop methods` lists them.
+/// The table of methods, in the order of `ripstop methods`.
 std::span<const Method> methods();
 
-/// Throws InputError with the list of names where there is none such.
+/// Throws InputError with the list of names if there is no such method.
 const Method& method_named(const std::string& name);
 
 }  // namespace ripstop

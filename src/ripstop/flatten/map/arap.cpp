@@ -14,8 +14,8 @@
 namespace ripstop {
 namespace {
 
-/// A triangle laid flat: its area and the gradients of its three corner functions (columns). J = Σ_k u_k N_kᵀ, and A Nᵀ N
-/// is its cotangent matrix.
+/// A triangle laid flat: its area and the gradients N of its barycentric coordinates (columns). J = Σ_k u_k N_kᵀ, and
+/// A Nᵀ N is its cotangent matrix.
 struct Rest {
     double area;
     Eigen::Matrix<double, 2, 3> N;
@@ -26,14 +26,14 @@ Rest rest_state(const TriangleMesh& mesh, int t) {
     return {0.5 * edges.determinant(), corner_gradients(edges)};
 }
 
-/// The rotation nearest to J, as (cos, sin).
+/// The rotation closest to J, as (cos, sin).
 Vec2 nearest_rotation(const Mat22& J) {
     const Vec2 turn(J(0, 0) + J(1, 1), J(1, 0) - J(0, 1));
     const double length = turn.norm();
     return length > 0 ? Vec2(turn / length) : Vec2(1, 0);
 }
 
-/// The global step. Vertex 0 is held while solving, which takes away the shift and nothing else.
+/// The global step. Vertex 0 is fixed during the solve, which only removes the translation.
 class ForceBalance {
   public:
     explicit ForceBalance(const TriangleMesh& mesh) : mesh_(mesh), pattern_(pattern(mesh)), solver_(pattern_) {
@@ -52,7 +52,7 @@ class ForceBalance {
 
     bool usable() const { return usable_; }
 
-    /// One local and one global step from `u`; the mean of the positions at the origin.
+    /// One local and one global step from `u`; the result is centred at the origin.
     Points2 step(const Points2& u) const {
         Eigen::MatrixXd right = Eigen::MatrixXd::Zero(mesh_.vertex_count(), 2);
         for (int t = 0; t < mesh_.triangle_count(); ++t) {

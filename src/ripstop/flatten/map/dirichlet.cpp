@@ -33,7 +33,7 @@ class DirichletProblem {
         return sum;
     }
 
-    /// Energy and gradient at u; the Newton step from there into `step`, false where the Hessian is not positive
+    /// Energy and gradient at u, and the Newton step from there. Returns false if the Hessian is not positive
     /// definite.
     bool newton_step(const Vector& u, Curvature curvature, double& energy, Vector& gradient, Vector& step);
 
@@ -63,8 +63,7 @@ class DirichletProblem {
     SymmetricSolver solver_;
 };
 
-/// Three unknowns tied to where they are, which takes away shift and turn and nothing else: the energy pulls at
-/// neither.
+/// Fixes three unknowns, which only removes translation and rotation: the energy does not depend on them.
 void DirichletProblem::hold_still(const Vector& u, Vector& values) const {
     double sum = 0;
     for (int i = 0; i < pattern_.size(); ++i) sum += values[pattern_.diagonal_slot(i)];
@@ -120,7 +119,7 @@ Flattening flatten_dirichlet(const Tile& tile, const DirichletOptions& options) 
         return flat;
     }
     Vector gradient, step;
-    bool whole = false;  // after a whole step clamping would only slow down the end
+    bool whole = false;  // once a full step succeeds, clamping would only slow convergence
     for (double energy = 0; flat.summary.iterations < options.max_iterations; ++flat.summary.iterations) {
         if (!(whole && problem.newton_step(u, Curvature::exact, energy, gradient, step)) &&
             !problem.newton_step(u, Curvature::semidefinite, energy, gradient, step)) {

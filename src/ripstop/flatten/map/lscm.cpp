@@ -14,8 +14,8 @@ namespace {
 using Matrix26 = Eigen::Matrix<double, 2, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// The two boundary vertices farthest apart. Symmetric tiles have several such pairs: then the one that leans most from
-/// the warp to its left, so that the choice does not hang on rounding or on how the vertices are numbered.
+/// The two boundary vertices that are farthest apart. A symmetric tile has several such pairs; then the one that
+/// leans most to the left of the warp, so that the choice does not depend on rounding or numbering.
 std::array<int, 2> pins(const Tile& tile) {
     const Vec3 warp = tile.grain.direction;
     const Vec3 weft = area_vector(tile.mesh).normalized().cross(warp);
@@ -39,8 +39,8 @@ std::array<int, 2> pins(const Tile& tile) {
     return {tile.boundary[static_cast<std::size_t>(best[0])], tile.boundary[static_cast<std::size_t>(best[1])]};
 }
 
-/// The conformal residual of a triangle: two linear functions of (ax, ay, bx, by, cx, cy), scaled so that their squares sum
-/// to A |∇v - R ∇u|². With z the flat corners and w the edges opposite to them as complex numbers it is Σ w z / √A.
+/// The conformal residual of a triangle: two linear functions of (ax, ay, bx, by, cx, cy) whose squares sum to A |∇v
+/// - R ∇u|². With the flat corners z and their opposite edges w as complex numbers it is Σ w z / √A.
 Matrix26 conformal_residual(const TriangleMesh& mesh, int triangle) {
     const Mat22 rest = lay_flat(mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2));
     const std::array<Vec2, 3> opposite = {rest.col(1) - rest.col(0), -rest.col(1), rest.col(0)};
@@ -66,7 +66,8 @@ Flattening flatten_lscm(const Tile& tile) {
     flat.positions = Points2::Zero(mesh.vertex_count(), 2);
     flat.positions(held[1], 0) = (mesh.positions.row(held[1]) - mesh.positions.row(held[0])).norm();
 
-    std::vector<std::array<int, 6>> columns(static_cast<std::size_t>(mesh.triangle_count()));  // -1 where held
+    // column of each unknown; -1 if fixed
+    std::vector<std::array<int, 6>> columns(static_cast<std::size_t>(mesh.triangle_count()));
     Couplings couplings;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         std::vector<int> members;
@@ -110,7 +111,8 @@ Flattening flatten_lscm(const Tile& tile) {
         return flat;
     }
     Eigen::VectorXd x = solver.solve(right);
-    x += solver.solve(right - product(pattern, values, x));  // lengths are wanted to the last digits, and this is cheap
+    x += solver.solve(right - product(pattern, values, x));  // one step of iterative refinement: lengths need the last
+                                                             // digits, and it is cheap
     for (int v = 0; v < mesh.vertex_count(); ++v)
         if (const int u = unknown[static_cast<std::size_t>(v)]; u >= 0) flat.positions.row(v) = x.segment<2>(2 * u);
     scale_to_area(mesh, flat.positions);

@@ -24,7 +24,7 @@ Points2 starting_positions(const Tile& tile, SeamStart start) {
     return flatten_tutte(tile).positions;
 }
 
-/// Leads the edges from the lengths they have to the true ones, halving the stride where a step fails.
+/// Leads the edges from their present lengths to the true ones; halves the stride when a step fails.
 SeamSolution lead_lengths(SeamProblem& problem, SeamNewton& newton, const SeamNewtonOptions& options,
                           const Vector& start) {
     const Vector true_lengths = problem.lengths(), free_lengths = problem.flat_lengths(start);
@@ -55,7 +55,7 @@ SeamSolution lead_lengths(SeamProblem& problem, SeamNewton& newton, const SeamNe
         at.summary.termination = Termination::iteration_limit;
         at.summary.reason =
             "the edges could be led only " + format_fixed(100 * reached, 0) + " % of the way to their lengths";
-        at.strict_minimum = false;  // what converged was another problem
+        at.strict_minimum = false;  // it was another problem that converged
         at.force_residual = std::numeric_limits<double>::quiet_NaN();
         at.length_residual =
             problem.edge_residual(at.u).cwiseQuotient(problem.length_scales()).lpNorm<Eigen::Infinity>();

@@ -18,13 +18,13 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double force_tolerance = 1e-7;  // across a seam, in E times the mean boundary edge
-constexpr double first_shift = 1e-6;      // in mean diagonals of the Hessian
+constexpr double force_tolerance = 1e-7;  // across a seam, relative to E times the mean boundary edge
+constexpr double first_shift = 1e-6;      // in mean diagonal entries of the Hessian
 constexpr int max_shifts = 8;
 constexpr int max_halvings = 12;
 constexpr double energy_noise = 1e-12;
 
-/// The tiles that are flattened together, and what they ask of the seams.
+/// The tiles that are flattened together and the stretches of their seams.
 class MatchedEnvelope {
   public:
     MatchedEnvelope(const Envelope& envelope, const Fabric& fabric, const SeamMatchedOptions& options)
@@ -61,16 +61,16 @@ class MatchedEnvelope {
     const Fabric& fabric_;
     const SeamMatchedOptions& options_;
     SeamStretch stretch_;
-    std::vector<std::unique_ptr<SeamTile>> tiles_;  ///< none where a tile goes its own way
+    std::vector<std::unique_ptr<SeamTile>> tiles_;  ///< null for a tile that is flattened alone
     Vector h_, lower_, upper_;
-    Vector lengths_;  ///< of the intervals, counted once for each of their sides [m]
+    Vector lengths_;  ///< lengths of the intervals, summed over their sides [m]
     std::optional<SparsePattern> pattern_;
     std::optional<SymmetricSolver> solver_;
-    std::vector<int> group_;  ///< of each tile in the pattern
+    std::vector<int> group_;  ///< group of each tile in the pattern
     Vector values_;
     bool exact_ = false;
     SolveSummary summary_;
-    Vector imbalance_;  ///< of each interval [N]
+    Vector imbalance_;  ///< unbalanced force of each interval [N]
 };
 
 void MatchedEnvelope::for_each_tile(const std::function<void(int, SeamTile&)>& task) {
@@ -79,7 +79,7 @@ void MatchedEnvelope::for_each_tile(const std::function<void(int, SeamTile&)>& t
     });
 }
 
-/// Every tile with free edges; the stretch to begin with is the mean of what the sides of an interval would like.
+/// Flattens every tile with free edges. The initial stretch of an interval is the mean of what its sides prefer.
 void MatchedEnvelope::loosen() {
     parallel_for(static_cast<int>(tiles_.size()), options_.threads, [&](int t) {
         const Tile& from = envelope_.tiles[static_cast<std::size_t>(t)];
@@ -96,7 +96,8 @@ void MatchedEnvelope::loosen() {
     h_ = h_.cwiseQuotient(lengths_).cwiseMax(lower_).cwiseMin(upper_);
 }
 
-/// Holds every tile at those stretches. One that cannot be held goes its own way, as drawn, and so do its seams.
+/// Holds every tile at those stretches. A tile that cannot be held is flattened alone, as drawn, and its seams keep
+/// their drawn lengths.
 void MatchedEnvelope::begin() {
     std::vector<char> asked(tiles_.size(), 1), failed(tiles_.size());
     while (std::any_of(asked.begin(), asked.end(), [](char yes) { return yes; })) {
@@ -140,7 +141,7 @@ void MatchedEnvelope::linearize() {
         for (int a = 0; a < hessians[t].rows(); ++a)
             for (int b = 0; b <= a; ++b) values_[slots[k++]] += hessians[t](a, b);
     }
-    // seams between tiles that go their own way
+    // fixed seams, between tiles that are flattened alone
     for (int i = 0; i < pattern_->size(); ++i)
         if (lower_[i] == upper_[i]) values_[pattern_->diagonal_slot(i)] += 1;
 }
@@ -159,7 +160,7 @@ Vector MatchedEnvelope::gradient() {
     return g;
 }
 
-/// The largest force across the seams of a tile that nothing answers.
+/// The largest unbalanced force across the seams of a tile.
 double MatchedEnvelope::imbalance(int t) const {
     return imbalance_(stretch_of(t).intervals).maxCoeff() / tiles_[static_cast<std::size_t>(t)]->force_scale();
 }
@@ -171,7 +172,7 @@ bool MatchedEnvelope::balanced(const Vector& g) {
     return true;
 }
 
-/// The change of h that makes the quadratic model least within the box, a multiple of the identity added if need be.
+/// The change of h that minimises the quadratic model in the box; adds a multiple of the identity if necessary.
 std::optional<Vector> MatchedEnvelope::newton_change(const Vector& g) {
     double mean = 0, shift = 0;
     for (int i = 0; i < pattern_->size(); ++i) mean += std::abs(values_[pattern_->diagonal_slot(i)]) / pattern_->size();
@@ -186,7 +187,7 @@ std::optional<Vector> MatchedEnvelope::newton_change(const Vector& g) {
     return std::nullopt;
 }
 
-/// One round. False where no step lowers the energy.
+/// One iteration. Returns false if no step lowers the energy.
 bool MatchedEnvelope::advance() {
     linearize();
     const Vector g = gradient();

@@ -12,7 +12,8 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double near_rest = 1e-4;  ///< of the lengths: from here on the Hessian is to be bent as little as possible
+constexpr double near_rest = 1e-4;  ///< relative to the lengths: below this the Hessian should be modified as little as
+                                    ///< possible
 
 class Search {
   public:
@@ -23,7 +24,7 @@ class Search {
                problem_.dense_residual(u).lpNorm<1>();
     }
 
-    /// Moves u along the step, or along it and its correction; the length of the step taken, 0 where none helps.
+    /// Moves u along the step, or along the step and its correction. Returns the step length, 0 if none helps.
     double move(const SeamStep& system, const SeamStep::Solution& step, Vector& u) {
         const double largest = std::max(options_.hold_edges ? step.lambda.lpNorm<Eigen::Infinity>() : 0,
                                         step.mu.lpNorm<Eigen::Infinity>());
@@ -68,7 +69,7 @@ class Search {
 SeamNewton::SeamNewton(const SeamProblem& problem) : problem_(problem), step_(std::make_unique<SeamStep>(problem)) {}
 SeamNewton::~SeamNewton() = default;
 
-/// How far the first-order conditions are from holding, and by how much more than is asked.
+/// The residuals of the first-order conditions, and their ratio to the tolerances.
 class SeamNewton::Balance {
   public:
     Balance(const SeamProblem& problem, const SeamNewtonOptions& options, const SeamSolution& at)
@@ -86,10 +87,10 @@ class SeamNewton::Balance {
 
     Vector force, lengths, dense;
     double force_residual = 0, length_residual = 0;
-    double excess = 0;  ///< at most one where all is as asked
+    double excess = 0;  ///< at most one if all tolerances are met
 };
 
-/// Goes on with the factorisation at hand, which costs a solve a step, as long as that takes a decade off each time.
+/// Continues with the present factorisation, at one solve per step, as long as each step gains a factor of ten.
 SeamNewton::Balance SeamNewton::settle(const SeamNewtonOptions& options, SeamSolution& at) const {
     Balance balance(problem_, options, at);
     while (balance.excess > 1) {
@@ -162,7 +163,7 @@ SeamSolution SeamNewton::minimize(const SeamSolution& start, const SeamNewtonOpt
     if (balance.excess <= 1) {
         at.summary.termination = Termination::converged;
         at.summary.reason = "forces in balance";
-        // one more factorisation only where there was none, or it was helped
+        // factorise once more only if there is no factorisation yet, or if it was modified
         at.strict_minimum = options.hold_edges && (((goes_on || at.summary.iterations > 0) && system.exact()) ||
                                                    (system.factorize(at.u, at.lambda, at.mu, true) && system.exact()));
     }

@@ -9,23 +9,24 @@
 
 namespace ripstop {
 
-/// The mathematics of seam-exact flattening: energy of the cloth and length of its edges, as functions of the flat
-/// positions u (2 #V, x and y of vertex after vertex: the memory of a Points2).
+/// The equations of seam-exact flattening: the energy of the cloth and its constraints as functions of the flat
+/// positions u (2 #V, x and y of each vertex in turn, the memory layout of Points2).
 ///
 ///     energy(u)      = sum_t A_t W_t + sum_b bending_b          [J]
-///     length_i(u)    = (|u_b - u_a|^2 - l_i^2) / (2 l_i) = 0    [m], a boundary edge each, in the boundary's order
+///     length_i(u)    = (|u_b - u_a|^2 - l_i^2) / (2 l_i) = 0    [m], one per boundary edge, in boundary order
 ///     grain(u)       = sum_t A_t (D_t w_t)_y / A = 0            the mean warp lies along +x
-///     area(u)        = sum_b cross(u_b, u_b+1) / 2 - A = 0      if the whole area is kept, divided by sqrt(A) [m]
+///     area(u)        = sum_b cross(u_b, u_b+1) / 2 - A = 0      if the total area is kept, divided by sqrt(A) [m]
 ///
-/// Lengths touch two vertices that share a triangle, so adding rho times their squares to the Hessian costs no fill.
+/// A length couples two vertices that share a triangle, so adding rho times its square to the Hessian causes no fill.
 class SeamProblem {
   public:
     struct Options {
         double bending = 0;      ///< stiffness of the cut line, in A^1.5 E (E the mean stiffness)
-        bool keep_area = false;  ///< the whole area as one more equality
+        bool keep_area = false;  ///< the total area as an additional equality
     };
 
-    /// Triangles and edges are to be what the tile's compensation makes of them (`target_triangles`, `target_lengths`).
+    /// The target shapes of triangles and edges include the tile's compensation (`target_triangles`,
+    /// `target_lengths`).
     SeamProblem(const Tile& tile, const Fabric& fabric, const Options& options);
 
     int unknowns() const { return 2 * vertex_count_; }
@@ -34,35 +35,34 @@ class SeamProblem {
     const SparsePattern& pattern() const { return *pattern_; }
     const Eigen::VectorXd& lengths() const { return lengths_; }
     void set_lengths(const Eigen::VectorXd& lengths) { lengths_ = lengths; }
-    /// What an edge's error is held against [m]: its length, at least 3e-5 of the outline, as positions are rounded.
+    /// The scale of an edge's error [m]: its length, but at least 3e-5 of the outline, because positions are rounded.
     Eigen::VectorXd length_scales() const { return lengths_.cwiseMax(3e-5 * lengths_.sum()); }
-    /// Of each boundary vertex that is no corner: stiffness, in A^1.5 E, and turning at rest. Requires bending > 0 so
-    /// far.
+    /// Sets stiffness, in A^1.5 E, and rest turning of each boundary vertex that is no corner. Requires that bending
+    /// was positive before.
     void set_bending(const Eigen::VectorXd& bending, const Eigen::VectorXd& reference);
 
-    double energy(const Eigen::VectorXd& u) const;  ///< +infinity where a triangle is flipped
+    double energy(const Eigen::VectorXd& u) const;  ///< +infinity if a triangle is flipped
 
-    /// Gradient of the energy, and the Hessian of energy + sum lambda_i length_i + mu · dense + rho/2 sum length_i'^2,
-    /// which is what a Newton step solves with; written into `values`, the pattern's lower triangle. Returns the
-    /// energy.
+    /// Computes the gradient of the energy and the Hessian of energy + sum lambda_i length_i + mu · dense + rho/2 sum
+    /// length_i'^2 for a Newton step. The Hessian goes to `values`, the pattern's lower triangle. Returns the energy.
     double assemble(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda, const Eigen::VectorXd& mu, double rho,
                     Curvature curvature, Eigen::VectorXd& gradient, Eigen::VectorXd& values) const;
     Eigen::VectorXd gradient(const Eigen::VectorXd& u) const;
 
-    Eigen::VectorXd flat_lengths(const Eigen::VectorXd& u) const;    ///< of the edges as they lie [m]
-    Eigen::VectorXd flat_turning(const Eigen::VectorXd& u) const;    ///< at the boundary's vertices [rad]
+    Eigen::VectorXd flat_lengths(const Eigen::VectorXd& u) const;    ///< lengths of the boundary edges at u [m]
+    Eigen::VectorXd flat_turning(const Eigen::VectorXd& u) const;    ///< turning at the boundary vertices [rad]
     Eigen::VectorXd edge_residual(const Eigen::VectorXd& u) const;   ///< length_i [m]
     Eigen::VectorXd dense_residual(const Eigen::VectorXd& u) const;  ///< grain, area
-    Eigen::MatrixXd dense_rows(const Eigen::VectorXd& u) const;      ///< 2 #V x dense_count: their gradients
+    Eigen::MatrixXd dense_rows(const Eigen::VectorXd& u) const;  ///< 2 #V x dense_count: gradients of grain and area
 
-    /// J d and Jᵀ lambda of the edge lengths at u.
+    /// The products J d and Jᵀ lambda for the edge lengths at u.
     Eigen::VectorXd edge_product(const Eigen::VectorXd& u, const Eigen::VectorXd& d) const;
     Eigen::VectorXd edge_transposed(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda) const;
 
-    /// The longest step in (0, 1] along d that keeps 10 % of the way to the first triangle without area.
+    /// The longest step in (0, 1] along d that stops 10 % short of the first degenerate triangle.
     double longest_step(const Eigen::VectorXd& u, const Eigen::VectorXd& d) const;
 
-    /// Free to choose: a vertex to hold still, and an unknown that stops the pattern from turning about it.
+    /// Gauge choices: a vertex to fix, and an unknown whose fixing prevents rotation about it.
     int held_vertex() const { return held_vertex_; }
     int held_turn(const Eigen::VectorXd& u) const;
 
@@ -92,9 +92,10 @@ class SeamProblem {
     double stiffness_, size_ = 0, area_ = 0;
     bool keep_area_;
     struct Bend {
-        int index;                 ///< in the boundary
-        double reference;          ///< turning at rest [rad]
-        double length, stiffness;  ///< of the cut line that belongs to the vertex [m, J m]
+        int index;                 ///< index in the boundary
+        double reference;          ///< rest turning [rad]
+        double length, stiffness;  ///< length of the cut line that belongs to the vertex, and its bending stiffness [m,
+                                   ///< J m]
     };
     std::vector<Bend> bends_;
     int first_bend_group_ = 0, first_edge_group_ = 0;

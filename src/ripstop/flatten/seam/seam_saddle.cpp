@@ -14,13 +14,14 @@ using Vector = Eigen::VectorXd;
 
 constexpr int most_saddles = 5;
 constexpr int gradient_iterations = 40;
-constexpr double least_fall = 1e-10;  ///< of the cloth's stiffness: a curvature nearer to zero is rounding
-constexpr double first_step = 0.03;   ///< of the tile's size, by the vertex that goes farthest
+constexpr double least_fall = 1e-10;  ///< relative to the cloth's stiffness: a curvature closer to zero is rounding
+constexpr double first_step = 0.03;   ///< relative to the tile's size, for the vertex that moves most
 constexpr int most_halvings = 12;
 constexpr int most_mendings = 4;
-constexpr double mended = 1e-9;  ///< of the lengths: what Newton takes from there does not lift the energy back
+constexpr double mended = 1e-9;  ///< relative to the lengths: the remaining Newton correction does not raise the energy
+                                 ///< again
 
-/// A displacement without any symmetry, by where the vertices lie on the cloth and not by their numbers.
+/// A displacement without symmetry, computed from the vertex positions on the cloth and not from their numbers.
 Vector uneven(const SeamProblem& problem, const Vector& u) {
     const Eigen::Map<const Points2> positions(u.data(), u.size() / 2, 2);
     const Eigen::RowVector2d middle = 0.5 * (positions.colwise().minCoeff() + positions.colwise().maxCoeff());
@@ -32,7 +33,7 @@ Vector uneven(const SeamProblem& problem, const Vector& u) {
     return Eigen::Map<const Vector>(v.data(), v.size());
 }
 
-/// The energy's second derivative along directions that keep the edges, and its preconditioner.
+/// The energy's second derivative along directions that keep the edge lengths, and its preconditioner.
 class Curvatures {
   public:
     Curvatures(const SeamProblem& problem, const SeamStep& system, const SeamSolution& at)
@@ -45,7 +46,7 @@ class Curvatures {
     }
 
     Vector times(const Vector& d) const { return product(problem_.pattern(), hessian_, d) / problem_.stiffness(); }
-    /// What a force moves, edges held.
+    /// The displacement that a force causes with edges held.
     Vector moved(const Vector& force) const {
         return -system_.correction(problem_.stiffness() * force, no_edge_, no_row_).d;
     }
@@ -56,8 +57,8 @@ class Curvatures {
     Vector no_edge_, no_row_, hessian_;
 };
 
-/// A direction of unit length that keeps the edges and along which the energy falls: the least curvature by a locally optimal
-/// gradient iteration with the factorisation at hand as its preconditioner [K01].
+/// A unit direction of negative curvature that keeps the edge lengths: least curvature by a locally optimal gradient
+/// iteration, preconditioned with the present factorisation [K01].
 std::optional<Vector> falling_direction(const SeamProblem& problem, const SeamStep& system, const SeamSolution& at) {
     const Curvatures curvatures(problem, system, at);
     Eigen::MatrixXd basis(problem.unknowns(), 1);
@@ -70,7 +71,7 @@ std::optional<Vector> falling_direction(const SeamProblem& problem, const SeamSt
         const double here = d.dot(image);
         if (here < -least_fall && std::abs(here - curvature) < 0.01 * std::abs(here)) return d;
         curvature = here;
-        // the best of what is spanned by d, where the gradient leads, and where it came from
+        // Rayleigh-Ritz over d, the preconditioned gradient and the previous direction
         basis.conservativeResize(Eigen::NoChange, std::min<Eigen::Index>(i + 2, 3));
         if (basis.cols() == 3) basis.col(2) = basis.col(0);
         basis.col(0) = d;
@@ -85,7 +86,7 @@ std::optional<Vector> falling_direction(const SeamProblem& problem, const SeamSt
     return curvature < -least_fall ? std::optional(d) : std::nullopt;
 }
 
-/// The positions moved so that edges, grain and area are as they should be; nothing where that turns triangles over.
+/// Corrects the positions so that edges, grain and area satisfy their constraints; empty if that flips triangles.
 std::optional<Vector> mend(const SeamProblem& problem, const SeamStep& system, Vector u) {
     const Vector no_force = Vector::Zero(problem.unknowns());
     for (int i = 0; i < most_mendings; ++i) {
@@ -100,7 +101,7 @@ std::optional<Vector> mend(const SeamProblem& problem, const SeamStep& system, V
     return std::nullopt;
 }
 
-/// Down from the saddle: the longest of some steps that lowers the energy with the edges held.
+/// Leaves the saddle: the longest of several steps that lowers the energy with edges held.
 std::optional<Vector> step_down(const SeamProblem& problem, const SeamStep& system, const SeamSolution& at,
                                 const Vector& direction) {
     double length = first_step * problem.size() / direction.lpNorm<Eigen::Infinity>();
