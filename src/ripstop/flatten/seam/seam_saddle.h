@@ -4,18 +4,18 @@
 
 namespace ripstop {
 
-/// From a point at rest that is no minimum to one that is: where symmetry holds the cloth at a saddle, forces balance
-/// and yet the energy falls to either side, and Newton's method, which only looks for balance, stays.
+/// Continues from a saddle to a minimum. At a saddle, where symmetry may hold the cloth, forces balance but the
+/// energy falls to either side; Newton's method only finds balance and stays there.
 ///
-/// Takes the direction d that keeps the edges (J d = 0, R d = 0) and along which the energy falls,
+/// Finds a direction d that keeps the edges (J d = 0, R d = 0) and has negative curvature,
 ///
 ///     dᵀ (H + sum lambda_i length_i'') d < 0
 ///
-/// by a gradient iteration for the least curvature, the factorisation at `at` its preconditioner; goes along it as far
-/// as the energy falls with the edges mended on the way, and minimises from there: below the saddle's energy, Newton
-/// does not come back to it. Some five times at most. Returns `at` where it is a strict minimum, does not converge, or
-/// no such direction shows; else the last point at rest, whose summary tells of all of it. Which of two mirror images
-/// comes out depends on the shape alone, not on its numbering.
+/// by a gradient iteration for the least curvature, preconditioned with the factorisation at `at`. It moves along d
+/// as far as the energy falls, correcting the edges on the way, and minimises from there. Newton does not return,
+/// because the energy is below that of the saddle. At most about five rounds. Returns `at` if it is a strict minimum,
+/// has not converged or no such direction is found; otherwise the last converged point, whose summary covers all
+/// rounds. Which of two mirror images results depends on the shape only, not on its numbering.
 SeamSolution leave_saddles(const SeamProblem& problem, SeamNewton& newton, const SeamSolution& at,
                            const SeamNewtonOptions& options = {});
 

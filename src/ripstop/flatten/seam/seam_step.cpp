@@ -8,15 +8,15 @@
 namespace ripstop {
 namespace {
 
-constexpr double edge_weight = 1e6;  ///< rho, in mean stiffnesses of the cloth
+constexpr double edge_weight = 1e6;  ///< rho, relative to the mean stiffness of the cloth
 constexpr int max_attempts = 16;
-constexpr int max_rest_shifts = 6;       // near rest, before the elements are clamped
-constexpr double least_shift = 1e-7;     // in mean stiffnesses
-constexpr int max_updates = 20;          // a few; more where an edge belongs to a needle as stiff as rho
-constexpr double short_edge = 0.01;      // of the mean boundary edge
-constexpr int columns_at_once = 64;      // of a solve for every edge: what a cache holds
-constexpr double edge_tolerance = 1e-4;  // of the edges' errors: Newton itself leaves their square
-constexpr double rounding = 1e-13;       // of the lengths: what is smaller cannot be mended
+constexpr int max_rest_shifts = 6;       // shifts near rest before the elements are clamped
+constexpr double least_shift = 1e-7;     // relative to the mean stiffness
+constexpr int max_updates = 20;          // normally a few; more if an edge belongs to a needle as stiff as rho
+constexpr double short_edge = 0.01;      // relative to the mean boundary edge
+constexpr int columns_at_once = 64;      // right-hand sides per solve in `edge_stiffness`, limited by the cache
+constexpr double edge_tolerance = 1e-4;  // relative to the edges' errors: Newton itself leaves an error of second order
+constexpr double rounding = 1e-13;       // relative to the lengths: smaller errors cannot be corrected
 
 }  // namespace
 
@@ -38,7 +38,7 @@ bool SeamStep::factorize(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda
     edge_residual_ = problem_.edge_residual(u);
     dense_residual_ = problem_.dense_residual(u);
     near ? (clamped_ = false) : (shift_ = 0);
-    // far from rest: exact, clamped, clamped and shifted; near it: exact, shifted, which keeps the convergence fast
+    // far from rest: exact, clamped, clamped and shifted; near rest: exact, shifted, which keeps the convergence fast
     for (int attempt = 0; attempt < max_attempts; ++attempt) {
         const bool clamp = near ? attempt > max_rest_shifts : clamped_ || attempt > 0;
         if (attempt > (near || clamped_ ? 0 : 1)) shift_ = std::max(least_shift, 10 * shift_);
@@ -50,7 +50,7 @@ bool SeamStep::factorize(const Eigen::VectorXd& u, const Eigen::VectorXd& lambda
             values_[problem_.pattern().diagonal_slot(i)] += shift_ * problem_.stiffness();
         if (!solver_.factorize(values_) || solver_.inertia().negative > 0 || !border()) continue;
         exact_ = !clamp && shift_ == 0;
-        // what went at once is tried with less next time
+        // if the first attempt succeeded, try less modification next time
         clamped_ = clamp && attempt > 0;
         if (attempt == 0) shift_ = shift_ > least_shift ? 0.3 * shift_ : 0;
         return true;
@@ -65,9 +65,10 @@ void SeamStep::hold_still() {
         values_[problem_.pattern().diagonal_slot(i)] += problem_.stiffness();
 }
 
-/// The columns of grain, area and the hold against turning, and their Schur complement; solved together with the Newton
-/// step's own right side, as reading the factor takes longer than using it. The hold makes the matrix regular and is taken
-/// out again exactly. False where the inertia is not that of a minimum.
+/// Solves for the columns of grain, area and the rotation constraint, and forms their Schur complement. They are
+/// solved together with the Newton step's right-hand side, because reading the factor takes longer than using it. The
+/// rotation constraint makes the matrix regular and is removed exactly afterwards. Returns false if the inertia is
+/// not that of a minimum.
 bool SeamStep::border() {
     const int k = problem_.dense_count();
     columns_.setZero(problem_.unknowns(), k + 1);
@@ -80,7 +81,7 @@ bool SeamStep::border() {
     first_ = solved.col(k + 1);
     schur_ = columns_.transpose() * solved_;
     schur_(k, k) -= 1;
-    // the leading block is positive, so k positive and one negative direction show in the determinant's sign
+    // the leading block is positive, so the sign of the determinant shows k positive and one negative direction
     return schur_.determinant() < 0;
 }
 
@@ -98,14 +99,14 @@ void SeamStep::add_border(const Eigen::VectorXd& r, Solution& solution) const {
     solution.mu = s.head(r.size());
 }
 
-/// From the first solve to edges that are right to first order.
+/// Iterates the multipliers from the first solve until the edges are correct to first order.
 void SeamStep::update_multipliers(const Eigen::VectorXd& g, const Eigen::VectorXd& c, const Eigen::VectorXd& r,
                                   Solution& solution) const {
     add_border(r, solution);
     if (!hold_edges_) return;
     const double target =
         std::max(edge_tolerance * c.lpNorm<Eigen::Infinity>(), rounding * problem_.lengths().maxCoeff());
-    // an edge much shorter than the others would be torn by an error that is small for them
+    // an error that is small for the other edges could tear a much shorter one
     const Eigen::VectorXd weight = (short_edge * problem_.lengths().mean() / problem_.lengths().array()).max(1.0);
     for (int update = 0; update < max_updates; ++update) {
         const Eigen::VectorXd missing = problem_.edge_product(u_, solution.d) + c;
@@ -131,7 +132,7 @@ SeamStep::Solution SeamStep::correction(const Eigen::VectorXd& g, const Eigen::V
 }
 
 Eigen::MatrixXd SeamStep::edge_stiffness() const {
-    // what is factorised is K = H + rho JᵀJ, and J K⁻¹ Jᵀ = (S + rho I)⁻¹
+    // K = H + rho JᵀJ is factorised, and J K⁻¹ Jᵀ = (S + rho I)⁻¹
     const int count = problem_.edge_count();
     const Eigen::PartialPivLU<Eigen::MatrixXd> border(schur_);
     Eigen::MatrixXd softness(count, count);

@@ -5,30 +5,30 @@
 
 namespace ripstop {
 
-/// A tile of a matched envelope: its least energy E as a function of the stretch h of the intervals at its edges, with
-/// exact first and second derivatives. In its own intervals' order (`TileStretch::intervals`).
+/// A tile of a matched envelope: its least energy E as a function of the stretches h of its intervals, with exact
+/// first and second derivatives. The intervals are ordered as in `TileStretch::intervals`.
 class SeamTile {
   public:
-    /// Flattens with free edges, which gives the seams the shape about which they bend. `bending` in A^1.5 E, > 0.
-    /// Keeps references to tile and stretch.
+    /// Flattens with free edges, which gives the shape about which the seams bend. `bending` in A^1.5 E, > 0. Keeps
+    /// references to tile and stretch.
     SeamTile(const Tile& tile, const Fabric& fabric, const TileStretch& stretch, double bending);
 
-    /// By how much each edge is longer than its target where all are free, as a ratio.
+    /// The stretch of each edge, relative to its target, if all edges are free.
     const Eigen::VectorXd& free_stretch() const { return free_stretch_; }
 
-    /// Flattens with the edges as long as h makes them. False where they cannot be held there.
+    /// Flattens with the edge lengths for h. Returns false if the edges cannot be held at these lengths.
     bool hold(const Eigen::VectorXd& h);
 
-    double energy() const { return held_.energy; }  ///< cloth and cut line [J]
+    double energy() const { return held_.energy; }  ///< of cloth and cut line [J]
     Eigen::VectorXd gradient() const;               ///< dE/dh = -reachᵀ lambda [J]
 
-    /// Factorises where the tile is and gives d2E/dh2 = reachᵀ (S - diag(lambda / l)) reach [J].
+    /// Factorises at the present shape and returns d2E/dh2 = reachᵀ (S - diag(lambda / l)) reach [J].
     Eigen::MatrixXd linearize();
-    /// Whether that was the Hessian itself, nothing clamped or added.
+    /// Whether that was the unmodified Hessian.
     bool exact() const { return exact_; }
 
-    /// Predicts from that factorisation, to second order, where h + change takes the tile; `attempt` goes a share of
-    /// the way there and comes to rest. The energy there, infinite where it does not come to rest. `accept` keeps it.
+    /// Predicts from that factorisation, to second order, the shape at h + change. `attempt` goes a fraction of the
+    /// way and minimises; it returns the energy there, infinity if it does not converge. `accept` keeps the result.
     void aim(const Eigen::VectorXd& change);
     double attempt(double share);
     void accept();
@@ -47,9 +47,9 @@ class SeamTile {
     SeamNewton newton_;
     Eigen::VectorXd target_, free_stretch_;
     SeamSolution loose_, held_, tried_;
-    Eigen::VectorXd lengths_;  ///< of `held_`
+    Eigen::VectorXd lengths_;  ///< edge lengths of `held_`
     Eigen::VectorXd length_change_;
-    SeamStep::Solution course_;  ///< change of u, lambda and mu on the way
+    SeamStep::Solution course_;  ///< predicted change of u, lambda and mu
     const SeamStep* system_ = nullptr;
     bool exact_ = false;
     double force_scale_;

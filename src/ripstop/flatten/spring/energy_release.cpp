@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double stiffness = 0.5;  ///< C: only sets the unit of time
+constexpr double stiffness = 0.5;  ///< C: only determines the unit of time
 
 void require_valid(const EnergyReleaseOptions& options) {
     if (!(options.accuracy > 0) || !(options.energy_tolerance > 0) || options.max_steps < 0 ||
@@ -24,7 +24,7 @@ void require_valid(const EnergyReleaseOptions& options) {
 
 enum class Ending { accurate, at_rest, step_limit };
 
-/// The triangles laid so far with their springs.
+/// The triangles laid so far, with their springs.
 class LaidSystem {
   public:
     LaidSystem(const TriangleMesh& mesh, const Adjacency& adjacency, const EnergyReleaseOptions& options);
@@ -109,7 +109,7 @@ void LaidSystem::lay(const LayingStep& step) {
     triangle_laid_[static_cast<std::size_t>(t)] = true;
 }
 
-/// E_S and E_C of what is laid.
+/// Whether E_S and E_C of the laid triangles are within the tolerance.
 bool LaidSystem::accurate() const {
     double area = 0, missing_area = 0, length = 0, missing_length = 0;
     for (const int t : triangles_) {
@@ -141,7 +141,7 @@ double LaidSystem::forces(Points2& force) const {
     return energy;
 }
 
-/// Moves the corners of triangles that are low or turned over away from the edge opposite.
+/// Moves corners of low or flipped triangles away from the opposite edge.
 void LaidSystem::push_open() {
     for (const int t : triangles_) {
         const double area = signed_area(positions.row(mesh_.triangles(t, 0)), positions.row(mesh_.triangles(t, 1)),
@@ -151,7 +151,7 @@ void LaidSystem::push_open() {
         for (int k = 0; k < 3; ++k) {
             const Eigen::RowVector2d a = positions.row(mesh_.triangles(t, (k + 1) % 3));
             const Eigen::RowVector2d edge = positions.row(mesh_.triangles(t, (k + 2) % 3)) - a;
-            // by the edge's drawn length, so that a short one does not send its corner far away
+            // scaled with the edge's drawn length, so that a short edge does not send its corner far away
             const double drawn = (mesh_.corner(t, (k + 1) % 3) - mesh_.corner(t, (k + 2) % 3)).norm();
             if (edge.norm() == 0) continue;
             const Eigen::RowVector2d up = Eigen::RowVector2d(-edge.y(), edge.x()).normalized();
@@ -178,7 +178,7 @@ Ending LaidSystem::release(int max_steps) {
         push_open();
         const double before = energy;
         energy = forces(force_);
-        if (energy > before) {  // a swing has ended
+        if (energy > before) {  // end of a swing
             if (swing_start - energy <= options_.energy_tolerance * swing_start) return Ending::at_rest;
             swing_start = energy;
             for (const int v : vertices_) velocity_.row(v).setZero();

@@ -21,13 +21,13 @@ void require_valid(const McCartneyOptions& options) {
         throw InputError("McCartney's flattening: expected 0 < last_move <= first_move and max_sweeps >= 0");
 }
 
-/// Moves vertices one at a time by trial.
+/// Moves single vertices by trial.
 class Trials {
   public:
     Trials(const TriangleMesh& mesh, const Adjacency& adjacency, const Fabric& fabric);
 
     void lay(const LayingStep& step);
-    /// Until rest at the smallest move; false where the sweeps ran out.
+    /// Iterates down to the smallest move. Returns false if the sweeps run out.
     bool settle(bool woven, const McCartneyOptions& options);
 
     Points2 positions;
@@ -72,7 +72,7 @@ Trials::Trials(const TriangleMesh& mesh, const Adjacency& adjacency, const Fabri
         metrics_.push_back(triangle_metric(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)));
 }
 
-/// Of the springs at a vertex that have both ends laid.
+/// The energy of the springs at a vertex whose two ends are laid.
 double Trials::spring_energy(int vertex) const {
     double sum = 0;
     for (const Edge& edge : edges_[static_cast<std::size_t>(vertex)]) {
@@ -113,7 +113,7 @@ bool Trials::try_moves(int vertex, double move, bool woven) {
     const Eigen::RowVector2d old = positions.row(vertex);
     Eigen::RowVector2d best = old;
     const double before = energy();
-    double least = before * (1 - 1e-9);  // not rounding alone
+    double least = before * (1 - 1e-9);  // an improvement beyond rounding
     for (const auto& [x, y] : {std::array{move, 0.0}, {-move, 0.0}, {0.0, move}, {0.0, -move}}) {
         const Eigen::RowVector2d to = old + Eigen::RowVector2d(x, y);
         if (turns_over(vertex, to)) continue;
@@ -151,7 +151,7 @@ void Trials::lay(const LayingStep& step) {
 bool Trials::settle(bool woven, const McCartneyOptions& options) {
     const int begun = sweeps;
     for (double move = options.first_move; move >= options.last_move; move *= 0.5) {
-        std::vector<bool> open(laid_.size(), true);  // worth a trial: it or a neighbour has moved
+        std::vector<bool> open(laid_.size(), true);  // vertices worth a trial: they or a neighbour have moved
         bool moved = true;
         while (moved) {
             if (sweeps - begun == options.max_sweeps) return false;

@@ -28,7 +28,7 @@ class Integrator {
         state.kinetic = 0.5 * network_.mass.dot(state.v.rowwise().squaredNorm());
     }
 
-    /// One midpoint step of length h from `from` into `to`.
+    /// One midpoint step of length h from `from` to `to`.
     void step(const State& from, double h, State& to) {
         middle_.x = from.x + 0.5 * h * from.v;
         middle_.v = from.v + 0.5 * h * (from.force.array().colwise() * inverse_mass_.array()).matrix();
@@ -51,7 +51,7 @@ void require_valid(const SpringMassOptions& options) {
         throw InputError("spring-mass options: max_steps > 0, damping in (0, 1], step in (0, 2), energy_tolerance > 0");
 }
 
-/// The springs' energy if every one were stretched to twice its length: the scale against which an energy is zero.
+/// The energy of all springs stretched to twice their length: the scale for a zero energy.
 double energy_scale(const SpringNetwork& network) {
     double sum = 0;
     for (const Spring& spring : network.springs) sum += 0.5 * spring.stiffness * spring.rest * spring.rest;
@@ -66,8 +66,8 @@ SpringMassRun relax_spring_mass(const SpringNetwork& network, const Points2& sta
     const double full_step = options.step / frequency;
     Integrator integrator(network, 2 * options.damping / frequency);
     const double scale = energy_scale(network);
-    const double nothing = 1e-22 * scale;  // strains of 1e-11: the isometry is reached
-    constexpr double growth = 1.02;        // a step
+    const double nothing = 1e-22 * scale;  // strains of 1e-11: an isometry
+    constexpr double growth = 1.02;        // growth factor per step
 
     SpringMassRun run;
     State state{start, Points2::Zero(start.rows(), 2), {}};
@@ -96,7 +96,7 @@ SpringMassRun relax_spring_mass(const SpringNetwork& network, const Points2& sta
             continue;
         }
         const bool rising = next.potential > state.potential;
-        if (rising) {  // a swing has ended: drop the velocities where the energy was lowest
+        if (rising) {  // end of a swing: drop the velocities where the energy was lowest
             const double gained = swing_start - state.potential;
             const bool quiet = gained <= options.energy_tolerance * state.potential + nothing;
             quiet_swings = quiet ? quiet_swings + 1 : 0;

@@ -16,7 +16,7 @@ bool place_inside(const Adjacency& adjacency, const std::vector<int>& boundary, 
         if (u == 0) u = size++;
     if (size == 0) return true;
     Couplings couplings;
-    std::vector<std::array<int, 3>> inner;  // the unknowns of an edge, -1 at the boundary, and its number
+    std::vector<std::array<int, 3>> inner;  // the unknowns of an edge (-1 at the boundary) and its number
     for (std::size_t e = 0; e < adjacency.edges().size(); ++e) {
         const int h = adjacency.edges()[e];
         const int a = unknown[static_cast<std::size_t>(adjacency.from(h))];

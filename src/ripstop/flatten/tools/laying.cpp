@@ -15,8 +15,8 @@ double flat_area(const TriangleMesh& mesh, const Points2& positions, int triangl
     return signed_area(positions.row(corners[0]), positions.row(corners[1]), positions.row(corners[2]));
 }
 
-/// What a repair makes less at a vertex: how many of its triangles are flipped, or the worst one's flat area over the
-/// true one, negative. To count alone gets stuck in folds, to look at the worst alone spreads them.
+/// The objective of a repair at a vertex: `fewer` counts its flipped triangles, `less_bad` takes the worst ratio of
+/// flat to true area, negated. Counting alone gets stuck in folds; the worst ratio alone spreads them.
 enum class Aim { fewer, less_bad };
 
 using Badness = std::pair<int, double>;
@@ -30,7 +30,7 @@ Badness badness(const TriangleMesh& mesh, const Points2& positions, const std::v
     return bad;
 }
 
-/// Moves `vertex` to the best of a few places for it; whether any was better than where it was.
+/// Moves `vertex` to the best of a few trial places. Returns whether one was better than its present place.
 bool improve(const TriangleMesh& mesh, const std::vector<int>& outgoing, int vertex, Aim aim, Points2& positions) {
     Vec2 laid = Vec2::Zero();
     Vec2 middle = Vec2::Zero();
@@ -84,7 +84,7 @@ int lay_on_missing(const TriangleMesh& mesh, int seed, std::vector<bool> placed,
     const auto is_placed = [&](int v) { return placed[static_cast<std::size_t>(v)]; };
     const auto missing = [&] { return static_cast<int>(std::count(placed.begin(), placed.end(), false)); };
     const int before = missing();
-    // An edge to start from, at least.
+    // Laying needs at least one placed edge to start from.
     bool started = false;
     for (int t = 0; t < mesh.triangle_count() && !started; ++t)
         started =

@@ -14,7 +14,7 @@ double longest_step(const Triangles& triangles, const Eigen::VectorXd& u, const 
         const int i = triangles(t, 0), j = triangles(t, 1), k = triangles(t, 2);
         const Vec2 a = at(u, j) - at(u, i), b = at(u, k) - at(u, i);
         const Vec2 da = at(d, j) - at(d, i), db = at(d, k) - at(d, i);
-        // det(s) = c0 + c1 s + c2 s^2: its smallest positive root
+        // smallest positive root of det(s) = c0 + c1 s + c2 s^2
         const double c0 = cross(a, b), c1 = cross(a, db) + cross(da, b), c2 = cross(da, db);
         const double discriminant = c1 * c1 - 4 * c0 * c2;
         if (discriminant < 0) continue;

@@ -16,7 +16,7 @@
 namespace ripstop {
 namespace {
 
-/// A crossing that was not placed because the threads to it lie along one another.
+/// A crossing that cannot be placed because its two threads nearly coincide.
 struct Lock {
     Site site;
     SurfacePoint beside;
@@ -35,7 +35,7 @@ class Net {
     }
 
     WovenFit fit() const { return {spacing_, crossings_.nodes(), 0, true, 0}; }
-    std::vector<Lock> locks() const;  ///< in the order in which they were met, each site once
+    std::vector<Lock> locks() const;  ///< in order of discovery, each site once
 
   private:
     void lay_lines(const WeaveFrame& frame);
@@ -51,11 +51,11 @@ class Net {
     int most_;
     double smallest_sine_;
     Crossings crossings_;
-    std::vector<Site> open_;  ///< crossings round which cells may close, oldest first
+    std::vector<Site> open_;  ///< crossings round which cells may still be closed, oldest first
     std::vector<Lock> locks_;
 };
 
-/// Where a straight way ends; nothing where the boundary comes before.
+/// The end of a straight walk; empty if the boundary comes first.
 std::optional<SurfacePoint> Net::walk(const SurfacePoint& from, const Vec2& way) const {
     if (way.norm() < 1e-12 * spacing_) return from;
     const Walk walk = surface_.walk(from, way, way.norm());
@@ -71,12 +71,12 @@ void Net::place(const Site& site, const SurfacePoint& at, bool line) {
 std::vector<Lock> Net::locks() const {
     std::vector<Lock> open;
     std::set<std::pair<int, int>> seen;
-    for (const Lock& lock : locks_)  // another cell may have had a way to the site
+    for (const Lock& lock : locks_)  // another cell may have reached the site since
         if (crossings_.is_free(lock.site) && seen.emplace(lock.site.warp, lock.site.weft).second) open.push_back(lock);
     return open;
 }
 
-/// Where the circles of one spacing round a and b meet, whichever is nearer to the origin.
+/// The intersection of the circles of radius `spacing` round a and b that is farther from the origin.
 std::optional<Vec2> Net::meet(const Vec2& a, const Vec2& b) const {
     const Vec2 half = 0.5 * (b - a);
     const double rest = spacing_ * spacing_ - half.squaredNorm();
@@ -86,7 +86,7 @@ std::optional<Vec2> Net::meet(const Vec2& a, const Vec2& b) const {
     return one.norm() < other.norm() ? one : other;
 }
 
-/// The fourth crossing of the cell that has three in place, opposite `corner`.
+/// Places the fourth crossing of a cell whose other three are in place, opposite `corner`.
 bool Net::close_cell(const Site& corner, const Site& across) {
     const Site site = corner + across;
     const int n = crossings_.node_at(corner);
@@ -109,7 +109,7 @@ bool Net::close_cell(const Site& corner, const Site& across) {
         const Neighbourhood around = crossings_.look(*at, site, woven_reach);
         const Site back_warp{-across.warp, 0}, back_weft{0, -across.weft};
         if (around.is_crowded) {
-            // by its own neighbours: the cell is nearly shut; by others: here two fronts of the net meet
+            // crowded by its own neighbours: the cell is nearly shut; by others: two fronts of the net meet here
             const auto shut = [&](const Site& d) { return around.sees(d) && around.to(d).norm() < crowded * spacing_; };
             if (std::any_of(diagonal.begin(), diagonal.end(), shut)) locks_.push_back({site, *at});
             return false;
@@ -128,7 +128,7 @@ bool Net::close_cell(const Site& corner, const Site& across) {
     return true;
 }
 
-/// The next crossing of a thread, straight on from the last two.
+/// Extends a thread straight on from its last two crossings.
 bool Net::lead_on(const Site& site) {
     const SurfacePoint from = crossings_.node(crossings_.node_at(site)).at;
     const Neighbourhood around = crossings_.look(from, site, woven_reach);
@@ -151,14 +151,14 @@ void Net::lay_lines(const WeaveFrame& frame) {
         for (Site site = structural[k]; crossings_.count() < most_ / 2; site = site + structural[k]) {
             walk = surface_.walk(walk.end, walk.direction, spacing_);
             if (walk.hit_boundary && spacing_ - walk.walked > 1e-9 * spacing_) break;
-            if (crossings_.look(walk.end, site, crowded).is_crowded) break;  // a straight line may come back
+            // a straight line may return to where it was
+            if (crossings_.look(walk.end, site, crowded).is_crowded) break;
             place(site, walk.end, true);
         }
     }
 }
 
-/// Closes cells round each crossing in turn, in the order in which they were placed; threads are led on where that
-/// ends.
+/// Closes cells round each crossing, in order of placement; extends threads where no cell can be closed.
 void Net::sweep() {
     std::size_t closed = 0, led = 0;
     while (crossings_.count() < most_) {

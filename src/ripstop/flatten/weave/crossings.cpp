@@ -5,7 +5,7 @@
 namespace ripstop {
 namespace {
 
-/// A point hidden by less than this sine behind a vertex still counts as seen.
+/// A point hidden behind a vertex by less than this sine still counts as visible.
 constexpr double barely_hidden = 0.05;
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double steepest = 0.70710678;  ///< cosine of 45 degrees
 
-/// The plane across the tile's area vector: its axes along warp and weft (columns).
+/// The plane normal to the tile's area vector, as axes along warp and weft (columns).
 Mat32 projection_plane(const Tile& tile) {
     const Vec3 sum = area_vector(tile.mesh);
     const Vec3 normal = sum.norm() > 1e-9 * surface_area(tile.mesh) ? Vec3(sum.normalized()) : Vec3(Vec3::UnitZ());
@@ -27,7 +27,7 @@ Mat32 projection_plane(const Tile& tile) {
     return axes;
 }
 
-/// The crossings of the plane weave that lie over triangles which are not too steep, nearest to the centre first.
+/// The crossings of a plane weave over triangles that are not too steep, sorted by distance from the centre.
 std::vector<WovenNode> projected_crossings(const Tile& tile, const UnfoldedSurface& surface, const WeaveFrame& frame,
                                            const Mat32& plane) {
     const Vec2 centre = plane.transpose() * surface.position(frame.centre);

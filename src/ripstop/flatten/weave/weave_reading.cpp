@@ -10,8 +10,9 @@
 namespace ripstop {
 namespace {
 
-/// The crossings' plane coordinates carried to the vertices: each crossing spreads its own over what it sees, by the
-/// affine map that takes its neighbours to theirs; a vertex takes the mean, weighted (1 / distance - 1 / reach)^2.
+/// Transfers the plane coordinates of the crossings to the vertices. Each crossing extends its coordinates over the
+/// region it sees by the affine map that takes its neighbours to their grid places; a vertex takes the mean with
+/// weights (1 / distance - 1 / reach)^2.
 class ReadOff {
   public:
     ReadOff(const TriangleMesh& mesh, const UnfoldedSurface& surface, const WovenFit& fit);
@@ -26,7 +27,7 @@ class ReadOff {
     std::vector<std::vector<int>> nodes_in_;
 };
 
-/// Least squares over the neighbours' (ray, grid offset), held to the best rotation where they leave it open.
+/// Least squares over the neighbours' (ray, grid offset), regularized towards the best rotation.
 Mat22 ReadOff::frame_of(const WovenNode& node, const std::vector<Sight>& sights) const {
     Mat22 rays = Mat22::Zero();
     Mat22 both = Mat22::Zero();
@@ -44,7 +45,7 @@ Mat22 ReadOff::frame_of(const WovenNode& node, const std::vector<Sight>& sights)
     turn = turn.norm() > 0 ? Vec2(turn.normalized()) : Vec2(Vec2::UnitX());
     Mat22 rotation;
     rotation << turn.x(), -turn.y(), turn.y(), turn.x();
-    constexpr double hold = 1e-3;  // of a neighbour's weight
+    constexpr double hold = 1e-3;  // regularization, relative to a neighbour's weight
     return (both + hold * rotation) * (rays + hold * Mat22::Identity()).inverse();
 }
 

@@ -58,7 +58,8 @@ class Loom {
     const WovenOptions& options_;
     Crossings crossings_;
     WovenFit fit_;
-    // Sites to try, oldest first: across a cell, straight on from a crossing with its three other yarns, from any crossing.
+    // Sites to try, oldest first: across a cell, straight on from a crossing with its three other yarns, from any
+    // crossing.
     std::array<std::vector<Site>, 3> open_;
 };
 
@@ -86,8 +87,8 @@ double Loom::energy(const Neighbourhood& around) const {
     return sum;
 }
 
-/// The move that brings the springs around to rest, to first order: -H^-1 dE, with the Hessian of each spring made
-/// positive semi-definite; at most half a spacing.
+/// The Newton step of a crossing between its springs: -H^-1 dE, with the Hessian of each spring made positive
+/// semi-definite; at most half a spacing.
 Vec2 Loom::newton_step(const Neighbourhood& around) const {
     Mat22 hessian = Mat22::Zero();
     Vec2 pull = Vec2::Zero();
@@ -106,8 +107,8 @@ Vec2 Loom::newton_step(const Neighbourhood& around) const {
     return step * std::min(1.0, 0.5 * spacing_ / std::max(step.norm(), 1e-300));
 }
 
-/// Goes from a crossing to where `site` should lie, lets it settle there between its neighbours and places it, if it stays
-/// on the surface, is tied to a neighbour and crowds none.
+/// Walks from a crossing to the expected place of `site`, relaxes it between its neighbours, and places it if it
+/// stays on the surface, is tied to a neighbour and crowds none.
 bool Loom::try_site(const Site& site, const SurfacePoint& from, const Vec2& direction, double length) {
     constexpr int local_steps = 10;
     Walk walk = surface_.walk(from, direction, length);
@@ -128,7 +129,7 @@ bool Loom::try_site(const Site& site, const SurfacePoint& from, const Vec2& dire
     }
 }
 
-/// Diagonal node mapping: from the opposite corner of a cell with three corners placed, between its two sides.
+/// Diagonal node mapping: walks from the opposite corner of a cell with three placed corners, between its two sides.
 bool Loom::place_diagonally(const Site& site) {
     for (const Site& d : diagonal) {
         const int opposite = node_at(site + d);
@@ -138,14 +139,15 @@ bool Loom::place_diagonally(const Site& site) {
         const Site along_weft{0, -d.weft};
         if (!around.sees(along_warp) || !around.sees(along_weft)) continue;
         const Vec2 between = around.to(along_warp).normalized() + around.to(along_weft).normalized();
-        if (between.norm() < 0.1) continue;  // a cell sheared shut
+        if (between.norm() < 0.1) continue;  // the cell is sheared shut
         if (try_site(site, node(opposite).at, between, std::numbers::sqrt2 * spacing_)) return true;
     }
     return false;
 }
 
-/// From a neighbour straight on. `only_straight`: from one with its three other yarns in place (principal valence 3), along
-/// its own yarn; otherwise also from one with fewer, in the direction that its neighbours together imply.
+/// Walks straight on from a neighbour. `only_straight`: from one with its three other yarns in place (principal
+/// valence 3), along its own yarn. Otherwise also from one with fewer, in the direction that its neighbours imply
+/// together.
 bool Loom::extend(const Site& site, bool only_straight) {
     for (const Site& d : structural) {
         const int n = node_at(site + d);
@@ -155,7 +157,7 @@ bool Loom::extend(const Site& site, bool only_straight) {
         const bool both_sides = around.sees({d.weft, d.warp}) && around.sees({-d.weft, -d.warp});
         if (only_straight && !(both_sides && around.sees(d))) continue;
         if (!around.sees(d)) {
-            // The turn from grid to surface, each neighbour a complex number: sum of ray / offset.
+            // The rotation from grid to surface: sum of ray / offset over the neighbours as complex numbers.
             Vec2 turn = Vec2::Zero();
             for (std::size_t k = 0; k < 9; ++k) {
                 if (!around.seen[k]) continue;
@@ -178,7 +180,7 @@ void Loom::lay_tendons(const SurfacePoint& centre, const Vec2& warp) {
         for (Site site = structural[k]; crossings_.count() < max_nodes_ / 2; site = site + structural[k]) {
             walk = surface_.walk(walk.end, walk.direction, spacing_);
             if (walk.hit_boundary && spacing_ - walk.walked > 1e-9 * spacing_) break;
-            if (look(walk.end, site, crowded).is_crowded) break;  // a straight line may come back to where it was
+            if (look(walk.end, site, crowded).is_crowded) break;  // a straight line may return to where it was
             place(site, walk.end, true);
         }
     }
@@ -206,7 +208,7 @@ void Loom::fill_quadrants() {
             }
 }
 
-/// Boundary propagation: cells first, then straight on, each placed crossing opening new sites.
+/// Boundary propagation: cells first, then straight on; each placed crossing opens new sites.
 void Loom::propagate() {
     std::array<std::size_t, 3> next = {};
     while (crossings_.count() < max_nodes_) {
@@ -223,7 +225,7 @@ void Loom::propagate() {
     for (auto& list : open_) list.clear();
 }
 
-/// Tries every free site beside a crossing once more; whether any could be placed.
+/// Tries every free site next to a crossing once more. Returns whether one could be placed.
 bool Loom::refill() {
     const int before = crossings_.count();
     for (const WovenNode& n : crossings_.nodes())
@@ -232,7 +234,7 @@ bool Loom::refill() {
     return crossings_.count() > before;
 }
 
-/// Energy diffusion: each crossing in turn to rest between its neighbours; one that leaves the surface is dropped.
+/// Energy diffusion: relaxes each crossing in turn between its neighbours and drops one that leaves the surface.
 void Loom::settle() {
     const double negligible = 1e-20 * options_.warp_stiffness * spacing_ * spacing_ * crossings_.count();
     double previous = std::numeric_limits<double>::infinity();

@@ -7,13 +7,13 @@
 
 namespace ripstop {
 
-/// A crossing of the weave on the surface: warp yarns count up with `weft`, along each of them crossings with `warp`.
+/// A crossing of the weave on the surface. `weft` counts the warp yarns, `warp` the crossings along each of them.
 struct WovenNode {
     SurfacePoint at;
     int warp = 0;         ///< steps along the warp from the centre
-    int weft = 0;         ///< along the weft
-    bool tendon = false;  ///< on one of the two yarns through the centre, which do not move
-    bool placed = true;   ///< false: it left the surface
+    int weft = 0;         ///< steps along the weft
+    bool tendon = false;  ///< on one of the two fixed yarns through the centre
+    bool placed = true;   ///< false: it has left the surface
 };
 
 struct WovenFit {
@@ -24,20 +24,19 @@ struct WovenFit {
     double energy = 0;  ///< sum k (l - l0)^2 / 2 over the springs whose ends see each other [m2 x stiffness ratio]
 };
 
-/// The woven mesh of `spacing` fitted to the surface from `centre` with the warp along `warp` (in the frame of the
-/// centre's triangle): tendons, diagonals quadrant by quadrant, boundary propagation, energy diffusion [WTY05, section
-/// 3]. A grid position is taken once, and a place on the surface too: where fronts meet that went round a slit, they
-/// stop. Tendons are as long as the surface lets them, but no more than `max_nodes` nodes are placed.
+/// Fits a woven mesh of `spacing` to the surface, from `centre` with the warp along `warp` (in the frame of the
+/// centre's triangle): tendons, diagonals quadrant by quadrant, boundary propagation, energy diffusion [WTY05,
+/// section 3]. Each grid position and each place on the surface is used once; fronts that have gone round a slit stop
+/// where they meet. Tendons end at the boundary. At most `max_nodes` nodes are placed.
 WovenFit fit_woven_mesh(const UnfoldedSurface& surface, const SurfacePoint& centre, const Vec2& warp, double spacing,
                         int max_nodes, const WovenOptions& options);
 
-/// The same from crossings that lie on the surface already: of `start`, in its order, those that see a neighbour and
-/// crowd none are placed (the first in any case, and it stays where it is), then boundary propagation and energy
-/// diffusion.
+/// The same from crossings that lie on the surface already. Of `start`, in order, those that see a neighbour and
+/// crowd none are placed (the first in any case; it is fixed), followed by boundary propagation and energy diffusion.
 WovenFit settle_woven_mesh(const UnfoldedSurface& surface, const std::vector<WovenNode>& start, double spacing,
                            int max_nodes, const WovenOptions& options);
 
-/// How far a crossing looks for others: springs stretched by more than half count as broken [spacings].
+/// The range of a crossing: springs stretched by more than half count as broken [spacings].
 inline constexpr double woven_reach = 2.2;
 
 }  // namespace ripstop
