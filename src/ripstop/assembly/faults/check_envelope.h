@@ -6,27 +6,27 @@
 
 namespace ripstop {
 
-/// What an envelope is made of and what is wrong with it, from its geometry alone; nothing is solved.
+/// The parts of an envelope and its faults, from its geometry alone; nothing is solved.
 ///
-/// Figures are those of the envelope as given. Each fault is named once, at the tile that is wrong: doubled tiles
-/// first, then tiles turned over, then tiles shifted or scaled; each is mended in a copy and the seams are searched for
-/// anew, so that what follows from it (missed neighbours, a hole) is not named again. What is then left are gaps and
-/// missing tiles. Where most edges miss their mates by more than the tolerance one issue says so. What is sewn to
-/// nothing else is usual, as vents, pockets, several envelopes or single sheets in a file: that is a note
-/// (`EnvelopeCheck::meant`), for a tile that is away from its place leaves a hole there, which is an issue.
+/// Figures describe the envelope as given. Each fault is reported once, at the tile that causes it: first doubled
+/// tiles, then tiles turned over, then tiles shifted or scaled. Each is mended in a copy and the seams are
+/// searched again, so its consequences (missed neighbours, a hole) are not reported. Then gaps and missing tiles
+/// remain. If most edges miss their mates by more than the tolerance, one issue says so. Groups of tiles that are
+/// sewn to nothing else are usual (vents, pockets, several envelopes or single sheets in one file), so they give a
+/// note (`EnvelopeCheck::meant`); a tile that is away from its place leaves a hole, which is an issue.
 ///
-/// Where the unit is wrong (`doubt_unit`) that is named and nothing else, since no tolerance in millimetres means
-/// anything then. The figures are those of the seams that `find_seams` finds all the same; where it refuses,
-/// `seams_sought` is false. `unit` is that with which the envelope was read. Some searches (`find_seams`): a few
-/// seconds for 5,000 tiles.
+/// If the unit is wrong (`doubt_unit`), only that is reported, because no tolerance in millimetres means anything
+/// then. The figures are still those of the seams that `find_seams` finds; if it refuses, `seams_sought` is false.
+/// `unit` is the unit with which the envelope was read. The cost is that of several `find_seams`: a few seconds
+/// for 5,000 tiles.
 ///
-/// Seam types are counted as the envelope has them; fabrics are left to `count_fabrics`.
+/// Seam types are counted as the envelope states them. `count_fabrics` counts the fabrics.
 EnvelopeCheck check_envelope(const Envelope& envelope, const SeamOptions& options = {}, const UnitRead& unit = {});
 
-/// A wrong unit as an issue.
+/// The issue for a wrong unit.
 EnvelopeIssue unit_issue(const UnitDoubt& doubt);
 
-/// How many tiles are of which fabric; `standard`: of the tiles without one of their own.
+/// The number of tiles of each fabric. `standard` is the fabric of tiles that state none.
 std::vector<FabricUse> count_fabrics(const Envelope& envelope, const Fabric& standard);
 
 }  // namespace ripstop

@@ -14,17 +14,18 @@
 namespace ripstop {
 namespace {
 
-constexpr int most_passes = 20;  // each mends every tile that misses its neighbours by itself
-constexpr int most_fitted = 40;  // tiles tried in the holes in a pass: with more loose ones a hole tells nothing
+constexpr int most_passes = 20;  // each pass mends every tile that misses its neighbours independently of others
+constexpr int most_fitted = 40;  // tiles tried in the holes per pass; with more loose tiles, a hole tells nothing
 constexpr double hole_openness = 0.01;
-constexpr double most_scale = 100;      // beyond it only a unit mistaken for another
-constexpr double close_to_unit = 0.05;  // a ratio of two units, to so much
-constexpr double most_residual = 0.02;  // of the tile as it is laid down: a tile shrunk onto an edge keeps its shape
-constexpr double least_of_edge = 0.05;  // extent of a panel beside a gore in one piece
-constexpr double least_of_hole = 0.5;   // extent
-constexpr double most_off_hole = 0.25;  // outline
+constexpr double most_scale = 100;      // larger ratios are accepted only if they are those of two units
+constexpr double close_to_unit = 0.05;  // relative error of a ratio of two units
+constexpr double most_residual = 0.02;  // share of the placed tile's extent; it rejects a tile that is shrunk onto
+                                        // an edge
+constexpr double least_of_edge = 0.05;  // smallest extent, as a share of the edge's: a panel beside a gore in one piece
+constexpr double least_of_hole = 0.5;   // smallest extent, as a share of the hole's
+constexpr double most_off_hole = 0.25;  // largest relative difference of the outlines' lengths
 
-/// What a pass knows of the envelope.
+/// The envelope's state during one pass.
 struct Picture {
     const std::vector<Tile>& tiles;
     const FoundSeams& found;
@@ -32,11 +33,11 @@ struct Picture {
     double tolerance;
 };
 
-/// Who a tile misses, chain by chain, and how much of it is loose.
+/// Which tiles a tile misses, chain by chain, and how many of its edges are loose.
 struct Standing {
     int tile = 0;
     std::set<int> missing_chains, missed_tiles;
-    double loose = 0;  // edges
+    double loose = 0;  // number of edges
 
     bool mostly_loose(const Tile& its) const { return loose > 0.5 * static_cast<double>(its.boundary.size()); }
 };
@@ -65,7 +66,8 @@ double extent_of(const Points3& points) {
     return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
 }
 
-/// Nearest points draw a tile together: shrunk to a speck it lies on any edge. Such a fit explains nothing.
+/// True if the fit keeps the tile's size. Fitting by nearest points shrinks a tile, and one shrunk to a speck lies
+/// on any edge, which explains nothing.
 bool is_conditioned(const TileFit& fit, const Points3& points, double least_extent) {
     const double ratio = std::max(fit.move.scale, 1 / fit.move.scale), extent = fit.move.scale * extent_of(points);
     const std::array<double, 2> units = {304.8, 1000};  // mm for ft, mm for m
@@ -75,7 +77,7 @@ bool is_conditioned(const TileFit& fit, const Points3& points, double least_exte
     return may_be && extent >= least_extent && fit.residual <= most_residual * extent;
 }
 
-/// The tile brought to lie on these edges, by a motion if that will do; scaled only where it stays as large as
+/// Fits the tile to these edges: by a motion if that suffices, else also by a scale that keeps its extent above
 /// `least_extent`.
 std::optional<TileFit> lay_on(const Points3& points, const std::vector<TargetEdge>& edges, const Similarity& start,
                               double tolerance, double least_extent) {
@@ -95,11 +97,11 @@ std::optional<TileFit> lay_on(const Points3& points, const std::vector<TargetEdg
         const Vec3 point = points.row(i);
         furthest = std::max(furthest, (best.move(point) - point).norm());
     }
-    if (!(furthest > tolerance / 2)) return {};  // it lies there already: the fault is a gap
+    if (!(furthest > tolerance / 2)) return {};  // it already lies there, so the fault is a gap
     return best;
 }
 
-/// Onto the chains that it misses and those it is sewn to.
+/// Fits the tile to the chains that it misses and to those that it is sewn to.
 std::optional<TileFit> fit_to_neighbours(const Picture& picture, int tile) {
     std::set<std::pair<int, int>> own, other;
     const auto add = [&](int tile_a, int chain_a, int tile_b, int chain_b) {
@@ -132,14 +134,14 @@ Points3 boundary_points(const Tile& tile) {
     return points;
 }
 
-/// The holes that a tile could have fallen out of: their outlines and the edges round them.
+/// A hole that a tile could have fallen out of: its outline and the edges around it.
 struct Hole {
     Points3 outline;
     std::vector<TargetEdge> edges;
     std::vector<int> tiles;
 };
 
-/// As they are without the edges of one tile.
+/// The holes of the envelope if the edges of one tile are removed.
 std::vector<Hole> find_holes(const Picture& picture, int without) {
     std::vector<LooseRun> loose;
     for (const LooseRun& run : picture.found.loose)
@@ -179,7 +181,7 @@ double length_round(const Points3& polygon) {
     return sum;
 }
 
-/// Into the hole whose outline it has, at whatever size; the best of them.
+/// Fits the tile to the hole whose outline matches it best, at any scale.
 std::optional<TileFit> fit_to_hole(const Picture& picture, int tile, std::vector<int>& around) {
     const std::vector<Hole> holes = find_holes(picture, tile);
     const Points3 points = boundary_points(picture.tiles[static_cast<std::size_t>(tile)]);
@@ -200,7 +202,7 @@ std::optional<TileFit> fit_to_hole(const Picture& picture, int tile, std::vector
 
 EnvelopeIssue moved_issue(const Tile& tile, const Similarity& move, const std::vector<std::string>& neighbours) {
     const Vec3 centre = boundary_points(tile).colwise().mean().transpose();
-    const double scale = 1 / move.scale;  // what was done to the tile undoes the move
+    const double scale = 1 / move.scale;  // undoing the fault is the inverse of the move
     const double shift = (move(centre) - centre).norm();
     const double turn = std::abs(Eigen::AngleAxisd(move.turn).angle());
     const std::string turned =
@@ -269,7 +271,7 @@ std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found
             for (Eigen::Index v = 0; v < positions.rows(); ++v) positions.row(v) = move(positions.row(v).transpose());
         }
         FoundSeams mended_seams = find_seams(mended, options);
-        if (length_sewn(mended_seams) < length_sewn(found) - options.tolerance) {  // that mends nothing
+        if (length_sewn(mended_seams) < length_sewn(found) - options.tolerance) {  // the moves mend nothing
             issues.resize(issues_before);
             break;
         }

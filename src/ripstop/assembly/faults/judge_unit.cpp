@@ -9,22 +9,22 @@
 namespace ripstop {
 namespace {
 
-constexpr double tallest = 100, smallest = 0.1;       // [m] beyond these the unit is wrong
+constexpr double tallest = 100, smallest = 0.1;       // [m] sizes beyond these are wrong
 constexpr double balloon_low = 5, balloon_high = 60;  // [m]
-constexpr double model_low = 0.5;                     // [m] of what else is sewn of several pieces
-constexpr double rounding = 1e-9;                     // of what a unit is multiplied with
-constexpr double two_allowances = 0.05;               // [m] of an inch each
+constexpr double model_low = 0.5;                     // [m] of sewn things other than balloons
+constexpr double rounding = 1e-9;                     // relative rounding of a conversion factor
+constexpr double two_allowances = 0.05;               // [m] two allowances of an inch each
 
-/// To a tenth, or to a tenth of a millimetre where that says more.
+/// Rounds to 0.1 m, or to 0.1 mm below a metre.
 std::string size_text(double length) {
     const double digits = length < 1 ? 1e4 : 10;
     return length < 1e4 ? format_shortest(std::round(length * digits) / digits) : format_fixed(length, 0);
 }
 
 struct Extent {
-    double size = 0;    ///< of the box of all [m]
-    double robust = 0;  ///< without the outermost fiftieth at either end [m]
-    double tile = 0;    ///< median diagonal [m]
+    double size = 0;    ///< of the common bounding box [m]
+    double robust = 0;  ///< without the outermost 2 % of the tiles at either end [m]
+    double tile = 0;    ///< median diagonal of a tile [m]
 };
 
 Extent extent_of(const std::vector<Eigen::AlignedBox3d>& surfaces) {
@@ -52,15 +52,16 @@ Extent extent_of(const std::vector<Eigen::AlignedBox3d>& surfaces) {
 
 struct Candidate {
     std::string unit;
-    double factor;  ///< of the size as it is read
+    double factor;  ///< factor on the size as read
 };
 
-/// How far a size is from a balloon's, as a ratio from 1 on.
+/// The ratio, at least 1, by which a size misses the range of balloons.
 double off_balloon(double size) {
     return std::max({1.0, balloon_low / size, size / balloon_high});
 }
 
-/// The other units, the likeliest first; a model or a balloon by each of them. `any`: feet and inches as likely as the others.
+/// Other units that give a balloon or a model, the likeliest first. With `any`, feet and inches are as likely as
+/// metric units.
 std::vector<Candidate> fitting_units(double extent, double metres, bool any) {
     std::vector<Candidate> metric, others;
     for (const char* unit : {"mm", "cm", "m", "ft", "in"}) {

@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace {
 
-/// Least squares over pairs of points [U91].
+/// The least-squares similarity between paired points [U91].
 Similarity best_similarity(const Points3& from, const Points3& to, bool with_scale) {
     const Vec3 centre_from = from.colwise().mean(), centre_to = to.colwise().mean();
     const Points3 a = from.rowwise() - centre_from.transpose(), b = to.rowwise() - centre_to.transpose();
@@ -39,7 +39,7 @@ Vec3 nearest(const std::vector<TargetEdge>& edges, const Vec3& point) {
     return point_at(*best->curve, foot_on_edge(*best->curve, best->edge, point).at);
 }
 
-/// Length, centre and spread of a closed polygon's outline.
+/// Length, centre and spread of a closed polygon.
 struct Outline {
     double length = 0, spread = 0;
     Vec3 centre = Vec3::Zero();

@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace {
 
-/// Edge and place on it; for a curve without ends any `at` will do.
+/// An edge and the parameter on it. For a closed curve, `at` may have any value.
 struct OnEdge {
     int edge;
     double t;
@@ -43,7 +43,8 @@ Vec3 slope(const ChainCurve& curve, int edge, double t) {
            Vec3(curve.end_slopes.row(edge)) * (t * (3 * t - 2));
 }
 
-/// Arc length of an edge from its start to t: Gauss of five points, true to the tenth order of the turn.
+/// The arc length of an edge from its start to t, by Gauss quadrature with five points; the error is of tenth
+/// order in the edge's turn.
 double arc(const ChainCurve& curve, int edge, double t) {
     constexpr std::array<double, 3> place{0, 0.5384693101056831, 0.9061798459386640};
     constexpr std::array<double, 3> weight{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
@@ -58,7 +59,7 @@ Vec3 mirrored_about(const Vec3& tangent, const Vec3& chord) {
     return 2 * tangent.dot(chord) * chord - tangent;
 }
 
-/// Tangents at both ends of each edge, unit length.
+/// Sets the unit tangents at both ends of each edge.
 void set_tangents(ChainCurve& curve) {
     const int count = static_cast<int>(curve.points.rows()) - 1;
     Points3 chords(count, 3);
@@ -91,14 +92,15 @@ void set_tangents(ChainCurve& curve) {
     }
 }
 
-/// A loop with one corner begins there: with a turn, or elsewhere than the boundary does.
+/// True for a loop whose only corner is an arbitrary start. A real corner has a turn, or is elsewhere than the
+/// boundary's start.
 bool is_without_corner(const Tile& tile, const Points3& points) {
     if (tile.chains.size() != 1 || tile.chains.front().vertices.front() != tile.boundary.front()) return false;
     const Eigen::Index last = points.rows() - 1;
     return angle_between(points.row(last) - points.row(last - 1), points.row(1) - points.row(0)) <= corner_turn;
 }
 
-/// The angle between the surface's normals at two vertices.
+/// The angle between the surface normals at two vertices.
 double turn_of_normal(const TriangleMesh& mesh, int from, int to) {
     Vec3 at_from = Vec3::Zero(), at_to = Vec3::Zero();
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -164,7 +166,8 @@ FootPoint foot_on_edge(const ChainCurve& curve, int edge, const Vec3& point) {
     const Vec3 chord = Vec3(curve.points.row(edge + 1)) - start;
     double t = std::clamp((point - start).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
     for (int k = 0; k < 20;
-         ++k) {  // Newton without the second derivative: the cubic hardly bends, so it gains a digit a step
+         ++k) {  // Newton's method without the second derivative: the cubic is nearly straight, so each step gains
+                 // a digit
         const Vec3 along = slope(curve, edge, t);
         const double next = std::clamp(t + (point - cubic(curve, edge, t)).dot(along) / along.squaredNorm(), 0.0, 1.0);
         const bool done = std::abs(next - t) < 1e-14;

@@ -9,31 +9,30 @@
 
 namespace ripstop {
 
-/// Tells the two edges of a strip from two edges that miss each other: straight across, from one place of a boundary to
-/// another, lies cloth.
+/// Distinguishes the two edges of a strip from two edges that miss each other: cloth lies straight across a strip.
 ///
-/// From the one place a walk goes over the triangles, in the plane that holds the other place and the surface's normal.
-/// It ends at the first boundary edge, or goes on in the next tile where seams are known and the edge is sewn. Cloth
-/// joins the two places where the walk ends at the other one within twice their distance: a channel that is open by
-/// half its width or more is a strip, a tube with a slit is not. In a gap the cloth lies on the far sides and the walk
-/// does not begin; in an overlap it runs on beneath the other edge.
+/// From one place of a boundary, a walk crosses the triangles in the plane that contains the other place and the
+/// surface's normal. It ends at the first boundary edge; if seams are known and that edge is sewn, it continues on
+/// the next tile. Cloth joins the two places if the walk ends at the other one within twice their distance. So a
+/// channel that is open by half its width or more is a strip, and a tube with a slit is not. At a gap the cloth
+/// lies on the far sides, so the walk cannot start. At an overlap it passes under the other edge.
 class ClothAcross {
   public:
-    /// Keeps references to both.
+    /// Keeps references to both arguments.
     ClothAcross(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains);
     ~ClothAcross();
 
-    /// Walks go on across these seams from now on.
+    /// From now on, walks cross these seams.
     void cross(const std::vector<Seam>& seams);
 
-    /// Does cloth join the two places of a touch? None does where a tile is an outline without triangles. O(#triangles
-    /// crossed), and O(#F log #F) once a tile. Not to be asked by several threads at once.
+    /// True if cloth joins the two places of a touch. False if a tile is an outline without triangles.
+    /// O(#triangles crossed), plus O(#F log #F) once for each tile. Not thread-safe.
     bool joins(const Touch& touch) const;
 
     bool in_one_tile(const Touch& touch) const;
 
-    /// How wide the tile of a chain is in the mean, twice its area over its boundary: of a strip its width, of a square
-    /// half its side [m].
+    /// The mean width of a chain's tile, twice its area over its boundary: the width of a strip, half the side of
+    /// a square [m].
     double width_at(int chain) const;
 
   private:

@@ -18,12 +18,13 @@
 namespace ripstop {
 namespace {
 
-constexpr double shortest_chain = 20;   // tolerances, in the middle of an envelope
+constexpr double shortest_chain = 20;   // in tolerances: the median chain of an envelope
 constexpr double same_length = 1e-6;    // [m]
-constexpr std::size_t few_chains = 40;  // so few are searched whatever their size
-constexpr double widest_slit = 0.1;     // of a tile's width: further apart its own edges miss nothing
+constexpr std::size_t few_chains = 40;  // envelopes with so few chains are searched at any size
+constexpr double widest_slit = 0.1;     // share of the tile's width; edges of one tile that are farther apart do
+                                        // not miss each other
 
-/// The touches of each pair of chains and direction that pass `wanted`, joined.
+/// Joins the touches that pass `wanted` into runs, for each pair of chains and direction.
 template <class Wanted>
 std::vector<Run> runs_where(const std::vector<PlacedChain>& chains, const std::vector<Touch>& touches, double tolerance,
                             Wanted&& wanted) {
@@ -40,7 +41,7 @@ std::vector<Run> runs_where(const std::vector<PlacedChain>& chains, const std::v
     return runs;
 }
 
-/// The names of the tiles of a run, the first of the alphabet first.
+/// The names of a run's tiles, in alphabetical order.
 std::pair<std::string, std::string> names_of(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                                              const Run& run) {
     const auto name = [&](int chain) {
@@ -49,8 +50,8 @@ std::pair<std::string, std::string> names_of(const std::vector<Tile>& tiles, con
     return std::minmax(name(run.a), name(run.b));
 }
 
-/// Takes the longest run first, of those that compete the one of lowest rank, and of the others what it leaves free, down
-/// to the shortest allowed.
+/// Greedily takes the longest run, and among competing runs the one of lowest rank. Shorter runs keep what is left
+/// free, down to the shortest that `long_enough` allows.
 template <class LongEnough>
 std::vector<Run> take_longest_first(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                                     std::vector<Run> runs, RunClaims& claims, LongEnough&& long_enough) {
@@ -58,7 +59,7 @@ std::vector<Run> take_longest_first(const std::vector<Tile>& tiles, const std::v
         const Run &r = runs[p], &s = runs[q];
         const auto turn = [](const Run& run) { return std::tuple(-std::max(run.turn, run.length), run.rank); };
         if (turn(r) != turn(s)) return turn(r) < turn(s);
-        if (r.rank != 0) {  // whichever comes first in the file, and whatever rounding says
+        if (r.rank != 0) {  // independent of the order in the file and of rounding
             const auto first = std::tuple(-std::round(r.length / same_length), names_of(tiles, chains, r));
             const auto second = std::tuple(-std::round(s.length / same_length), names_of(tiles, chains, s));
             if (first != second) return first < second;
@@ -86,7 +87,7 @@ std::vector<Run> take_longest_first(const std::vector<Tile>& tiles, const std::v
     return taken;
 }
 
-/// Leaves the runs that end as seams do, and their claims; returns the others.
+/// Removes the runs that do not end as seams do, with their claims, and returns them.
 std::vector<Run> drop_crossings(const std::vector<PlacedChain>& chains, const std::vector<Touch>& touches,
                                 std::vector<Run>& runs, double tolerance, RunClaims& claims) {
     const std::vector<bool> ends_well = find_well_ended(chains, touches, runs, tolerance);
@@ -103,13 +104,13 @@ bool is_same_place(const Run& p, const Run& q) {
     return place(p) == place(q);
 }
 
-/// The runs that are seams; takes those out of `runs` that are none though nothing is sewn there.
+/// The runs that are seams. Also removes from `runs` those that are no seams although nothing is sewn there.
 std::vector<Run> sew(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                      const std::vector<Touch>& touches, std::vector<Run>& runs, double tolerance, RunClaims& claims) {
     const auto no_touch = [&](const Run& run) { return run.length > shortest_run * tolerance; };
     std::vector<Run> sewn = take_longest_first(tiles, chains, runs, claims, no_touch);
     const std::vector<Run> dropped = drop_crossings(chains, touches, sewn, tolerance, claims);
-    if (!dropped.empty()) {  // a seam may lie where one of them lay
+    if (!dropped.empty()) {  // a seam may lie where one of them was
         std::erase_if(runs, [&](const Run& run) {
             return std::any_of(dropped.begin(), dropped.end(), [&](const Run& one) { return is_same_place(one, run); });
         });
@@ -172,12 +173,13 @@ double median_length(const std::vector<PlacedChain>& chains) {
     return lengths.empty() ? 0 : *middle;
 }
 
-/// Beyond this everything lies beside everything: no seam means anything, and the search would take minutes.
+/// True if the chains are so short that every edge is near every other. Seams mean nothing then, and the search
+/// would take minutes.
 bool are_too_short(const std::vector<PlacedChain>& chains, double tolerance) {
     return chains.size() > few_chains && !(median_length(chains) > shortest_chain * tolerance);
 }
 
-/// The seams and where they are: those of two sheets, then the further sheets in them.
+/// Makes the seams, and returns their places: first those of two sheets, then the further sheets sewn into them.
 std::vector<RunOnSeam> make_seams(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                                   const std::vector<Touch>& touches, std::vector<Run>& opposed, double tolerance,
                                   RunClaims& claims, FoundSeams& found) {
@@ -198,7 +200,7 @@ std::vector<RunOnSeam> make_seams(const std::vector<Tile>& tiles, const std::vec
     return places;
 }
 
-/// Edges on edges that run the same way, though neither is a further sheet's.
+/// The pairs of edges that run the same way, although neither belongs to a further sheet.
 std::vector<NearMiss> find_same_way(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                                     const std::vector<Touch>& touches, const std::vector<Run>& same_way,
                                     const SheetOrder& order, const RunClaims& claims, double tolerance) {

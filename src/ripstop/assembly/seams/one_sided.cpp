@@ -11,11 +11,11 @@
 namespace ripstop {
 namespace {
 
-constexpr int samples = 8;          // triangles of a tile
-constexpr int half_sphere = 16;     // directions; their opposites are looked along too
-constexpr double own_cloth = 1e-4;  // of the tile: what is nearer is the tile itself
+constexpr int samples = 8;          // triangles sampled per tile
+constexpr int half_sphere = 16;     // directions; their opposites are used too
+constexpr double own_cloth = 1e-4;  // share of the tile's size: nearer hits are the tile itself
 
-/// Evenly over the sphere, along a spiral.
+/// Directions spread evenly over the sphere, along a spiral.
 std::array<Vec3, 2 * half_sphere> directions() {
     std::array<Vec3, 2 * half_sphere> found;
     const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
@@ -35,7 +35,7 @@ double one_sidedness(const Tile& tile, const SightLines& cloth) {
     const int count = tile.mesh.triangle_count();
     std::array<double, 2> seen{0, 0}, open{0, 0};
     for (int s = 0; s < std::min(samples, count); ++s) {
-        // by the golden section, since triangles in rows would be met at one end of each
+        // the golden section, because triangles in rows would always be hit at the same end
         const double place = (s + 1) * 0.6180339887498949;
         const int t = static_cast<int>((place - std::floor(place)) * count);
         const Vec3 a = tile.mesh.corner(t, 0), b = tile.mesh.corner(t, 1), c = tile.mesh.corner(t, 2);

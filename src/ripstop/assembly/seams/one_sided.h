@@ -7,13 +7,14 @@
 
 namespace ripstop {
 
-/// How much more of the open one side of a tile sees than the other, 0 to 1: 1 for the skin of something closed, 0 for
-/// what has the inside on both sides, as ribs and diaphragms have, or the outside, as fins have. Of 32 directions fixed
-/// in space, from eight of the tile's triangles, the share that meets no cloth on the one side less that on the other.
-/// Neither the order of the tiles nor which side is up plays a part. `cloth`: all tiles.
+/// How much more open sky one side of a tile sees than the other, 0 to 1. It is 1 for the skin of a closed shape.
+/// It is 0 for tiles with the inside on both sides (ribs, diaphragms) or the outside on both sides (fins). From
+/// eight of the tile's triangles, 32 fixed directions are tested; the value is the difference between the shares
+/// of directions without cloth on the two sides. It depends neither on the order of the tiles nor on which side is
+/// up. `cloth` holds all tiles.
 double one_sidedness(const Tile& tile, const SightLines& cloth);
 
-/// The same of the tiles with `wanted`; 0 of the others. In parallel; O(#F log #F) and the lines of the tiles.
+/// One-sidedness of each tile that is `wanted`; 0 for the others. Parallel. O(#F log #F) plus the lines of sight.
 std::vector<double> one_sidedness(const std::vector<Tile>& tiles, const std::vector<char>& wanted);
 
 }  // namespace ripstop

@@ -52,7 +52,7 @@ void RunClaims::take_beside(const Run& run, int chain, double from, double to) {
         const Run& other = beside_[r];
         const bool by_b = other.b == chain;
         const int across = by_b ? other.a : other.b;
-        if (is_of_one_tile(across, run)) continue;  // a pleat: its layers are sewn to one another
+        if (is_of_one_tile(across, run)) continue;  // a pleat: its layers are sewn to each other
         const ChainCurve& its = chains_[static_cast<std::size_t>(across)].curve;
         for (const double turn : {-lap, 0.0, lap}) {
             if (const auto part = cut_run(chains_, other, by_b, from + turn, to + turn))

@@ -10,10 +10,9 @@
 namespace ripstop {
 namespace {
 
-constexpr double one_place =
-    0.1;  // tolerances: vertices nearer than this are one, which those of edges that cross are not
+constexpr double one_place = 0.1;  // tolerances: vertices this close coincide; those of crossing edges rarely do
 
-/// One end of a run, by arc length on both chains.
+/// One end of a run, as arc length on both chains.
 struct RunEnd {
     double on_a = 0, on_b = 0;
 };
@@ -76,14 +75,14 @@ class EndFinder {
                meets_at_corner(r, which);
     }
 
-    /// Do the two share every vertex up to one, and none from there?
+    /// True if the chains share every vertex up to this end and none beyond it.
     bool parts_at_vertices(const Run& run, std::size_t which) const {
         const Touch& last = which == 0 ? run.touches.front() : run.touches.back();
         return run.gap < one_place * tolerance_ && std::abs(last.at_a - std::round(last.at_a)) < one_vertex &&
                std::abs(last.at_b - std::round(last.at_b)) < one_vertex;
     }
 
-    /// Do the two chains come together again where both end? Between, curves of few vertices stray from each other.
+    /// True if the two chains meet again where both end. Between, curves with few vertices may diverge.
     bool meets_at_corner(std::size_t r, std::size_t which) const {
         const Run& run = runs_[r];
         const double ahead = which == 1 ? 1 : -1;
@@ -102,7 +101,7 @@ class EndFinder {
         return false;
     }
 
-    /// Does another run end at this place of the chain?
+    /// True if another run ends at this place of the chain.
     bool meets_another(std::size_t r, int chain, double at) const {
         for (const std::size_t other : runs_on_.at(chain)) {
             if (other == r || !kept_[other]) continue;
@@ -114,7 +113,7 @@ class EndFinder {
         return false;
     }
 
-    /// Does another run on the same two chains go on from here, further on along both?
+    /// True if another run on the same two chains continues farther along both.
     bool goes_on(std::size_t r, std::size_t which) const {
         const double ahead = which == 1 ? 1 : -1;
         for (const std::size_t other : runs_on_.at(runs_[r].a)) {

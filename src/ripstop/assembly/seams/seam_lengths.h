@@ -7,29 +7,29 @@
 
 namespace ripstop {
 
-/// The seam of a run, both sides measured on one curve (`find_seams`); without an id.
+/// The seam of a run, with both sides measured on one curve (`find_seams`); the id is left empty.
 Seam make_seam(const std::vector<PlacedChain>& chains, const Run& run, double tolerance);
 
-/// Where a run begins and ends on each side: at a vertex where there is one within the tolerance.
+/// The ends of a run on each side, moved to a vertex within the tolerance.
 RunEnds ends_of(const std::vector<PlacedChain>& chains, const Run& run, double tolerance);
 
-/// Do both sides of a seam have the same vertices, within 1e-6 of its length?
+/// True if both sides of a seam have the same vertices, within 1e-6 of its length.
 bool conforms(const ChainCurve& a, const ChainCurve& b, const RunEnds& ends);
 
-/// What the vertices leave open of a curve's smooth length between two places (`find_seams`) [m].
+/// The uncertainty of a curve's smooth length between two places (`find_seams`) [m].
 double open_length(const ChainCurve& curve, double low, double high);
 
-/// The chains of a seam, and from where to where.
+/// The chains of a seam and its ends on them.
 struct RunOnSeam {
     int a, b;
     RunEnds ends;
 };
 
-/// What no seam covers of each tile's boundary.
+/// The parts of each tile's boundary that no seam covers.
 std::vector<LooseRun> loose_runs_of(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                                     const std::vector<RunOnSeam>& runs, double tolerance);
 
-/// `Tile::curve_lengths` of every tile: the parts on seams and the chord's share of what is on none. Empty where each
+/// `Tile::curve_lengths` of every tile: the parts on seams, plus the chord for the parts on none. Empty if every
 /// edge has the length of its chord.
 std::vector<Eigen::VectorXd> curve_lengths_of(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                                               const std::vector<Seam>& seams, const std::vector<RunOnSeam>& runs,

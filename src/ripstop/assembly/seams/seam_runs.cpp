@@ -9,13 +9,13 @@
 namespace ripstop {
 namespace {
 
-/// The tolerance as a share of the edge at a place: two places nearer than this are one.
+/// The tolerance as a share of the edge at a place: places closer than this coincide.
 double blur(const ChainCurve& curve, double at, double tolerance) {
     const int edge = std::clamp(static_cast<int>(at), 0, curve.edge_count() - 1);
     return std::min(0.25, tolerance / chord_of_edge(curve, edge));
 }
 
-/// Does a vertex lie between two places, further than a blur from both?
+/// True if a vertex lies between two places, more than `blur` from both.
 bool vertex_between(double low, double high, double blur) {
     return std::ceil(low + blur) < high - blur;
 }
@@ -46,7 +46,7 @@ void measure(Run& run, const ChainCurve& a, const ChainCurve& b) {
                           station_at(b, run.high_b) - station_at(b, run.low_b));
 }
 
-/// `next` set behind `run` where it goes on from there, past the start of a loop if need be.
+/// Appends `next` to `run` if it continues it, also across the start of a loop.
 bool append(Run& run, const Run& next, const Joiner& join) {
     const double lap_a = join.a.closed ? join.a.edge_count() : 0, lap_b = join.b.closed ? join.b.edge_count() : 0;
     const Touch& tail = run.touches.back();
@@ -68,7 +68,7 @@ bool append(Run& run, const Run& next, const Joiner& join) {
     return false;
 }
 
-/// Loops have no ends: runs that the start of a loop parts are one.
+/// A loop has no ends, so runs that its start separates are joined.
 void join_over_starts(std::vector<Run>& runs, const Joiner& join) {
     if (!join.a.closed && !join.b.closed) return;
     for (bool joined = true; joined;) {

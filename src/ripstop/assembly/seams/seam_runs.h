@@ -8,41 +8,43 @@
 
 namespace ripstop {
 
-/// A chain among all chains of an envelope, with its curve.
+/// A chain of an envelope, with its curve.
 struct PlacedChain {
     int tile = 0, chain = 0;
-    int first_edge = 0;      ///< the place of the chain's first edge in the tile's boundary
-    int boundary_edges = 0;  ///< of the tile
+    int first_edge = 0;      ///< index of the chain's first edge in the tile's boundary
+    int boundary_edges = 0;  ///< number of edges of the tile's boundary
     ChainCurve curve;
 };
 
-/// Every chain of every tile, in their order. In parallel; O(#V).
+/// All chains of all tiles, in order. Parallel; O(#V).
 std::vector<PlacedChain> place_chains(const std::vector<Tile>& tiles);
 
-/// A vertex of one of two chains and the place of the other nearest to it.
+/// A vertex of one chain and the closest place on another.
 struct Touch {
     int a = 0, b = 0;           ///< chains, a <= b
-    double at_a = 0, at_b = 0;  ///< one of them a whole number, the vertex; at_a <= at_b where a = b
+    double at_a = 0, at_b = 0;  ///< one of them is an integer, the vertex; at_a <= at_b if a = b
     double distance = 0;        ///< [m]
-    double slack = 0;           ///< what the curve may be off at this place for want of vertices [m]
-    bool same_way = false;      ///< the two chains run the same way, as those of a seam never do
+    double slack = 0;           ///< possible error of the curve at this place, because vertices are far apart [m]
+    bool same_way = false;      ///< the chains run in the same direction, which those of a seam never do
 };
 
-/// A place where two chains run beside each other.
+/// A part along which two chains run beside each other.
 struct Run {
     int a = 0, b = 0;
     bool same_way = false;
-    std::vector<Touch> touches;  ///< at_a ascending; at_b descending, or ascending where they run the same way
+    std::vector<Touch> touches;  ///< at_a ascending; at_b descending, or ascending if the chains run in the same
+                                 ///< direction
     double start_a() const { return touches.front().at_a; }
     double end_a() const { return touches.back().at_a; }
     double low_b = 0, high_b = 0;
-    double length = 0;  ///< the shorter of the two sides [m]
+    double length = 0;  ///< of the shorter side [m]
     double gap = 0;     ///< largest distance [m]
-    double turn = 0;    ///< its turn among the runs (`order_sheets`): the length of the longest it competes with [m]
-    double rank = 0;    ///< and among those, lower first
+    double turn = 0;    ///< priority among the runs (`order_sheets`): the length of the longest run it competes
+                        ///< with [m]
+    double rank = 0;    ///< and among those, lower ranks come first
 };
 
-/// How far from each other two chains are looked at: twenty tolerances, or 5 % of the shorter one but no more than a
+/// The distance up to which two chains are compared: twenty tolerances, or 5 % of the shorter chain, but at most a
 /// fifth of the median chain, so that one huge tile does not meet everything.
 struct Reach {
     double least = 0, most = 0;  ///< [m]
@@ -50,26 +52,28 @@ struct Reach {
 };
 Reach make_reach(const std::vector<PlacedChain>& chains, double tolerance);
 
-/// For each vertex of each chain the nearest place of every other chain within `reach`, once running against it and
-/// once running the same way; where a chain folds back on itself, the fold. Sorted by a, b, same_way, at_a, so the
-/// same on any number of threads. A grid of cells over all edges: O(#V) for edges of like length.
+/// For each vertex of each chain, the closest place of every other chain within `reach`, once for opposite and
+/// once for equal directions. Where a chain folds back on itself, the fold too. Sorted by a, b, same_way and at_a,
+/// so the result does not depend on the number of threads. Uses a grid over all edges: O(#V) for edges of similar
+/// length.
 std::vector<Touch> find_touches(const std::vector<PlacedChain>& chains, double tolerance);
 
-/// Joins the touches of two chains into runs: from one to the next there is no vertex of either chain between. Takes
-/// one pair of chains and direction; runs of no length are left out.
+/// Joins the touches of two chains into runs: between neighbouring touches there is no vertex of either chain.
+/// Takes one pair of chains and one direction. Runs without length are dropped.
 std::vector<Run> join_touches(const std::vector<PlacedChain>& chains, std::vector<Touch> touches, double tolerance);
 
-/// The part of a run between two places of its chain b, or of chain a: its ends lie between touches where they must.
-/// Nothing where the run does not reach there.
+/// The part of a run between two places of its chain b, or of chain a; its ends may lie between touches. Nothing
+/// if the run does not reach that far.
 std::optional<Run> cut_run(const std::vector<PlacedChain>& chains, const Run& run, bool by_b, double low, double high);
 
-/// The same run seen from its other chain: a and b change places.
+/// The same run with a and b exchanged.
 Run seen_from_b(const Run& run);
 
-/// Which of the runs end as seams do, at both ends: where either chain ends, at the tip of a dart, where another of
-/// them begins, all round a loop, or at the last of vertices that coincide; or where the two chains come together
-/// again, at the next run on both no further off than the two are long, or at a corner of both no further off than
-/// twice its length. Edges that merely cross leave each other in mid-chain. `touches` as `find_touches` returns them.
+/// For each run, whether both its ends are ends of a seam. These are: the end of either chain; the tip of a dart;
+/// the start of another such run; a full loop; the last of coinciding vertices. Also a place from which the chains
+/// come together again: at the next run on both, no farther off than the two are long, or at a corner of both, no
+/// farther off than twice the run's length. Edges that merely cross separate in mid-chain. `touches` is the result
+/// of `find_touches`.
 std::vector<bool> find_well_ended(const std::vector<PlacedChain>& chains, const std::vector<Touch>& touches,
                                   const std::vector<Run>& runs, double tolerance);
 

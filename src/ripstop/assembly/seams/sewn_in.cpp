@@ -9,14 +9,14 @@
 namespace ripstop {
 namespace {
 
-constexpr double shortest_edge = 0.25;  // of the shorter of the sheet's chain and the seam
-constexpr double same_vertex = 1e-9;    // of an edge
+constexpr double shortest_edge = 0.25;  // share of the shorter of the sheet's chain and the seam
+constexpr double same_vertex = 1e-9;    // share of an edge
 
 const ChainCurve& curve_of(const std::vector<PlacedChain>& chains, int c) {
     return chains[static_cast<std::size_t>(c)].curve;
 }
 
-/// A seam's side as a run of its chain, ascending.
+/// A side of a seam as an ascending run of its chain.
 struct Side {
     int chain;
     double low, high;
@@ -26,7 +26,7 @@ Side side_of(const RunOnSeam& place, bool b) {
              : Side{place.a, place.ends.start_a, place.ends.end_a};
 }
 
-/// Ends of `sheet` brought to vertices and to the seam's ends where these are within the tolerance.
+/// The ends of the sheet, moved to vertices and to the seam's ends within the tolerance.
 RunEnds ends_on(const std::vector<PlacedChain>& chains, const Run& run, const Side& side, double tolerance) {
     const ChainCurve &a = curve_of(chains, run.a), &b = curve_of(chains, run.b);
     const auto brought = [&](const ChainCurve& curve, double at, double to) {
@@ -40,7 +40,8 @@ RunEnds ends_on(const std::vector<PlacedChain>& chains, const Run& run, const Si
             on_b(run.low_b, side.low), on_b(run.high_b, side.high)};
 }
 
-/// Does the sheet end as one does: where its own chain ends or goes round, where the seam does, or at a vertex of both?
+/// True if the sheet ends properly: at the end of its own chain or after a full loop, at the seam's end, or at a
+/// vertex of both.
 bool ends_well(const std::vector<PlacedChain>& chains, const SewnInRun& sheet, const Side& side, double tolerance) {
     const ChainCurve &a = curve_of(chains, sheet.run.a), &b = curve_of(chains, sheet.run.b);
     const double near = near_end * tolerance, from = station_at(a, sheet.ends.start_a),
@@ -55,7 +56,7 @@ bool ends_well(const std::vector<PlacedChain>& chains, const SewnInRun& sheet, c
            ends(to, sheet.ends.end_a, sheet.ends.start_b, side.low);
 }
 
-/// The sheet along one seam, if it lies there.
+/// Adds the part of the sheet along one seam, if there is one.
 void add_along(const std::vector<PlacedChain>& chains, const Run& run, std::size_t seam, bool on_side_b,
                const RunOnSeam& place, double tolerance, std::vector<SewnInRun>& found) {
     const Side side = side_of(place, on_side_b);
@@ -80,7 +81,7 @@ void add_along(const std::vector<PlacedChain>& chains, const Run& run, std::size
     }
 }
 
-/// The seam's curve along one of its sides: arc length at places of the side's chain.
+/// Arc length along the seam's curve, at places of the chain of one side.
 class SideLength {
   public:
     SideLength(const SeamSide& parts, const Side& side) : at_{side.low}, length_{0} {
@@ -102,8 +103,8 @@ class SideLength {
     std::vector<double> at_, length_;
 };
 
-/// Places on the seam's curve of the sheet's breaks, descending: each vertex at the place of the seam nearest to it, or all
-/// in proportion where that would squeeze an edge.
+/// The places of the sheet's breaks on the seam's curve, descending. Each vertex is projected onto the seam; if
+/// that would squeeze an edge, all are placed in proportion.
 std::vector<double> places_of(const ChainCurve& sheet, const std::vector<double>& breaks, const Run& run,
                               const SideLength& along, double low, double high) {
     std::vector<double> places(breaks.size());

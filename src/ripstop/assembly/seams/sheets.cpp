@@ -14,16 +14,16 @@ namespace ripstop {
 namespace {
 
 constexpr double shortest_touch = 4;                 // tolerances
-constexpr double shortest_common = 0.25;             // of the shorter chain
-constexpr double competing = 0.5;                    // of the shorter run
-constexpr double named_inside = 20;                  // more than all that geometry tells
+constexpr double shortest_common = 0.25;             // share of the shorter chain
+constexpr double competing = 0.5;                    // share of the shorter run
+constexpr double named_inside = 20;                  // more than all geometric terms together
 constexpr double skin_weighs = 3;                    // more than any angle
-constexpr double least_skin = 0.5, all_skin = 0.75;  // of one-sidedness: a flap beside a sheet hides less
-constexpr double clearly_lower = 0.3;                // of ranks
-constexpr double rank_step = 1e-6;                   // below it ranks are equal: rounding decides nothing
+constexpr double least_skin = 0.5, all_skin = 0.75;  // of one-sidedness; a flap beside a sheet hides less
+constexpr double clearly_lower = 0.3;                // difference of ranks
+constexpr double rank_step = 1e-6;                   // smaller differences of ranks are rounding and count as equal
 constexpr std::size_t most_samples = 16;
 
-/// For each boundary edge of a tile the direction from it into the tile, at right angles to it.
+/// For each boundary edge of a tile, the direction into the tile, perpendicular to the edge.
 class Inward {
   public:
     Inward(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains) : tiles_(tiles), chains_(chains) {}
@@ -37,7 +37,7 @@ class Inward {
     }
 
   private:
-    /// From an edge to a point, at right angles to the edge.
+    /// The direction from an edge to a point, perpendicular to the edge.
     static Vec3 across(const Tile& tile, int from, int to, const Vec3& point) {
         const Vec3 start = tile.mesh.positions.row(from);
         const Vec3 along = (Vec3(tile.mesh.positions.row(to)) - start).normalized(), way = point - start;
@@ -52,7 +52,7 @@ class Inward {
         for (std::size_t i = 0; i < count; ++i)
             edges[{tile.boundary[i], tile.boundary[(i + 1) % count]}] = static_cast<Eigen::Index>(i);
         Points3 inward = Points3::Zero(static_cast<Eigen::Index>(count), 3);
-        if (tile.mesh.triangle_count() == 0) {  // an outline: towards its middle
+        if (tile.mesh.triangle_count() == 0) {  // an outline: towards its centre
             const Vec3 middle = tile.mesh.positions.colwise().mean().transpose();
             for (const auto& [edge, at] : edges) inward.row(at) = across(tile, edge.first, edge.second, middle);
         }
@@ -72,7 +72,7 @@ class Inward {
     std::map<int, Points3> found_;
 };
 
-/// The mean over a run of the cosine between its two sheets.
+/// The mean cosine between the two sheets along a run.
 double mean_cosine(Inward& inward, const Run& run) {
     double sum = 0;
     const std::size_t steps = run.touches.size() - 1, samples = std::min(steps, most_samples);
@@ -84,10 +84,10 @@ double mean_cosine(Inward& inward, const Run& run) {
     return sum / static_cast<double>(samples);
 }
 
-/// A run along one of its chains.
+/// A run as seen along one of its chains.
 struct Along {
     std::size_t run;
-    double low, high;  ///< by arc length [m]
+    double low, high;  ///< arc lengths [m]
 };
 
 class Competition {
@@ -162,7 +162,7 @@ SheetOrder order_sheets(const std::vector<Tile>& tiles, const std::vector<Placed
         for (const int chain : {runs[r]->a, runs[r]->b})
             if (!competition.against(r).empty()) competes[tile_of(chain)] = true;
     if (std::any_of(tiles.begin(), tiles.end(), [](const Tile& tile) { return tile.mesh.triangle_count() == 0; }))
-        competes.assign(tiles.size(), false);  // outlines block no line of sight
+        competes.assign(tiles.size(), false);  // outlines without triangles block no line of sight
     const std::vector<double> sided = one_sidedness(tiles, competes);
     std::vector<double> ranks(runs.size(), 0), longest(runs.size(), 0);
     for (std::size_t r = 0; r < runs.size(); ++r) {

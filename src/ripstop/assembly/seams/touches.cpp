@@ -10,10 +10,10 @@
 namespace ripstop {
 namespace {
 
-constexpr double opposed = 0.3;         // cosine: chains nearer to square than this run neither way
-constexpr double fold = -0.5;           // cosine: an edge that turns back further than this folds
-constexpr double sagitta_share = 0.25;  // of sagitta times turn, by how much a curve of enough vertices may be off
-constexpr double unseen_share = 1.25;   // of the sagitta, for a chain of one edge, which shows none itself
+constexpr double opposed = 0.3;         // cosine: chains closer to perpendicular have neither direction
+constexpr double fold = -0.5;           // cosine: an edge that turns back farther than this is a fold
+constexpr double sagitta_share = 0.25;  // of sagitta times turn: the possible error of a curve with enough vertices
+constexpr double unseen_share = 1.25;   // of the sagitta, for a chain with one edge, which shows no turn itself
 
 struct EdgeRef {
     int chain, edge;
@@ -31,13 +31,13 @@ double sagitta(const ChainCurve& curve, int edge) {
     return chord_of_edge(curve, edge) * turn_of_edge(curve, edge) / 8;
 }
 
-/// The most that the curve of an edge may be off.
+/// The largest possible error of an edge's curve.
 double most_slack(const ChainCurve& curve, int edge, const Reach& reach) {
     const double unseen = curve.edge_count() == 1 ? 0.1 * chord_of_edge(curve, edge) : 0.0;
     return std::min(reach.most, unseen + sagitta_share * turn_of_edge(curve, edge) * sagitta(curve, edge));
 }
 
-/// Which edges come near a place: each is listed in every cell that it passes, widened by its reach.
+/// Finds the edges near a place. Each edge is stored in every cell that it passes within its reach.
 class EdgeGrid {
   public:
     EdgeGrid(const std::vector<PlacedChain>& chains, const Reach& reach) : size_(cell_size(chains, reach)) {
@@ -54,7 +54,8 @@ class EdgeGrid {
     }
 
   private:
-    /// Piece by piece, as the box of a long slanting edge holds far more cells than the edge passes.
+    /// Adds an edge in pieces, because the bounding box of a long slanting edge has far more cells than the edge
+    /// passes.
     void add(const ChainCurve& curve, const EdgeRef& edge, double around) {
         const double longest = chord_of_edge(curve, edge.edge) / size_;
         const int pieces = std::max(1, static_cast<int>(std::min(1e4, longest)));
@@ -74,7 +75,8 @@ class EdgeGrid {
                     }
         }
     }
-    /// The mean edge and its reach: few edges a cell, few cells an edge. One huge tile counts no more than another.
+    /// The cell size: the mean edge plus its reach, so that there are few edges per cell and few cells per edge.
+    /// One huge tile counts no more than any other.
     static double cell_size(const std::vector<PlacedChain>& chains, const Reach& reach) {
         std::vector<double> sizes;
         for (const PlacedChain& chain : chains)
@@ -95,7 +97,7 @@ class EdgeGrid {
     std::unordered_map<Cell, std::vector<EdgeRef>, CellHash> cells_;
 };
 
-/// By how much the chain's curve turns a length about one of its vertices [1/m].
+/// The curvature of the chain at one of its vertices: turn per length [1/m].
 double curvature_at(const ChainCurve& curve, int vertex) {
     double turn = 0, length = 0;
     for (int e = std::max(0, vertex - 1); e <= std::min(vertex, curve.edge_count() - 1); ++e) {
@@ -105,7 +107,7 @@ double curvature_at(const ChainCurve& curve, int vertex) {
     return length > 0 ? turn / length : 0;
 }
 
-/// What the curve of an edge may be off at place t of it, as judged from itself and from the curvature of its
+/// The possible error of an edge's curve at parameter t, from the edge itself and from the curvature of its
 /// neighbour.
 double slack_on_edge(const ChainCurve& curve, int edge, double t, double other_curvature, const Reach& reach) {
     const double chord = chord_of_edge(curve, edge);
@@ -120,7 +122,7 @@ bool is_next_to(const ChainCurve& curve, int vertex, int edge) {
     return curve.closed && (edge == vertex % count || edge == (vertex + count - 1) % count);
 }
 
-/// Past the end of a chain nothing runs alongside it.
+/// Nothing runs alongside a chain past its end.
 bool is_past_end(const ChainCurve& curve, const FootPoint& foot, const Vec3& point, double tolerance) {
     if (curve.closed || (foot.at > 0 && foot.at < curve.edge_count())) return false;
     return std::abs((point - point_at(curve, foot.at)).dot(direction_at(curve, foot.at))) > tolerance;
@@ -179,7 +181,7 @@ class TouchFinder {
         }
     }
 
-    /// The start of a loop is its end too.
+    /// Adds touches at the end of a loop, which is also its start.
     void add_other_ends(std::size_t first, std::vector<Touch>& touches) const {
         constexpr double near = 1e-3;
         for (std::size_t i = first, end = touches.size(); i < end; ++i) {
