@@ -6,7 +6,7 @@ namespace ripstop {
 
 namespace {
 
-constexpr double rounding = 2e-6;  // more than single precision takes away within 16 m
+constexpr double rounding = 2e-6;  // more than the rounding error of single precision within 16 m
 
 }  // namespace
 

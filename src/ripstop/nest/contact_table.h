@@ -7,16 +7,18 @@
 
 namespace ripstop {
 
-/// For every two shapes and every whole number of rows between their bases, the shifts along the roll by which they
-/// overlap: the no-fit polygons of all pairs, cut into rows. Single precision: for searching, not for the last word.
+/// For every two shapes and every integer number of rows between their bases: the shifts along the roll at which
+/// they overlap. This is the no-fit polygon of each pair, cut into rows. It is in single precision, so it serves
+/// the search and not the final placement.
 class ContactTable {
   public:
-    /// The shapes' profiles have `profile_rows` rows to a row that items lie on. O(shapes2 rows2 profile_rows) time on
-    /// up to `threads` threads, O(shapes2 rows) memory: some 100 MB for 400 shapes a third of 200 rows high.
+    /// The shapes' profiles have `profile_rows` rows for each row that items lie on. O(shapes² rows² profile_rows)
+    /// time on up to `threads` threads, O(shapes² rows) memory: about 100 MB for 400 shapes that are a third of
+    /// 200 rows high.
     ContactTable(const std::vector<LaidShape>& shapes, int profile_rows, int threads);
 
-    /// Calls `taken(lower, upper)` for the places x of `other`, `rows` rows above `placed` that lies at 0, at which
-    /// they overlap.
+    /// Calls `taken(lower, upper)` for each interval of places x of `other` at which it overlaps `placed`, which
+    /// lies at 0; `other` lies `rows` rows higher.
     template <class Taken>
     void each(int placed, int other, int rows, Taken&& taken) const {
         if (placed <= other) {
@@ -36,9 +38,10 @@ class ContactTable {
         const ShortInterval* end() const { return last; }
     };
     struct Pair {
-        int below = 0;                         ///< rows that the second may lie below the first
-        std::vector<int> first;                ///< of each row's intervals, and one more; none where each has one
-        std::vector<ShortInterval> intervals;  ///< all rows'
+        int below = 0;                         ///< rows that the second shape may lie below the first
+        std::vector<int> first;                ///< index of each row's first interval, plus the end; empty if each
+                                               ///< row has one interval
+        std::vector<ShortInterval> intervals;  ///< of all rows
     };
 
     Range at(int a, int b, int rows) const {
@@ -54,7 +57,7 @@ class ContactTable {
     }
 
     std::size_t count_;
-    std::vector<Pair> pairs_;  ///< of a <= b; the others stay empty
+    std::vector<Pair> pairs_;  ///< for a <= b; the other half stays empty
 };
 
 }  // namespace ripstop

@@ -9,8 +9,8 @@ namespace ripstop {
 namespace {
 
 constexpr double steps_per_metre = 1e7;
-constexpr double left_out = 1e-4;          // [m]
-constexpr double clipper_rounding = 1e-6;  // more than Clipper's steps can take away [m]
+constexpr double left_out = 1e-4;          // [m] points this close to a line are left out
+constexpr double clipper_rounding = 1e-6;  // [m] more than Clipper's rounding
 
 Points2 closed(const Points2& outline) {
     Points2 line(outline.rows() + 1, 2);
@@ -30,7 +30,7 @@ Points2 grown_outline(const Points2& outline, double distance) {
     ClipperLib::Paths grown;
     offset.Execute(grown, (distance + left_out + clipper_rounding) * steps_per_metre);
     if (grown.empty()) return outline;
-    // The outside; where the growth closes a hollow, what is left inside it is not used.
+    // Takes the outer contour. Growing may close a hollow; the hole left inside it is not used.
     std::size_t largest = 0;
     for (std::size_t i = 1; i < grown.size(); ++i)
         if (ClipperLib::Area(grown[i]) > ClipperLib::Area(grown[largest])) largest = i;

@@ -21,11 +21,11 @@ namespace ripstop {
 namespace {
 
 constexpr int rows_across = 200;
-constexpr int profile_rows = 2;       // to a row
-constexpr int fine_profile_rows = 8;  // to a row, where shapes are few
+constexpr int profile_rows = 2;       // per row
+constexpr int fine_profile_rows = 8;  // per row, if there are few shapes
 constexpr int few_shapes = 80;
-constexpr int fine = 24;          // rows to a row when all slide together at the end
-constexpr int most_shapes = 600;  // laid together: their contact table takes some 300 MB
+constexpr int fine = 24;          // fine rows per row, in the final slide
+constexpr int most_shapes = 600;  // per batch; their contact table takes about 300 MB
 constexpr double most_copies = 50000;
 constexpr double length_rounding = 1e-9;  // [m]
 
@@ -33,12 +33,12 @@ std::string in_millimetres(double length) {
     return format_fixed(length / millimetre, 0) + " mm";
 }
 
-/// What is laid: a piece or its mirror image, and how often.
+/// A piece or its mirror image, and the number of copies to lay.
 struct Kind {
     std::size_t piece;
     bool mirrored;
     int copies;
-    bool half_turned = false;  ///< in place of pieces that were flattened the other way round
+    bool half_turned = false;  ///< for pieces that were flattened the other way round
 };
 
 class Nester {
@@ -46,7 +46,7 @@ class Nester {
     Nester(const PieceSet& set, const OwnPieces& own, const NestOptions& options, double width, StepCounter& counter)
         : set_(set), own_(own), options_(options), counter_(counter), width_(width), row_height_(width / rows_across) {}
 
-    /// Lays one fabric and colour.
+    /// Lays the pieces of one fabric and colour.
     Marker lay(const std::vector<Kind>& kinds, std::vector<Refusal>& refusals) {
         Marker marker;
         marker.roll_width = width_;
@@ -93,7 +93,7 @@ class Nester {
         return all;
     }
 
-    /// Where all shapes' rows start, below any point of theirs.
+    /// The height at which the rows of all shapes start, below all their points.
     double base() const { return -2 * (options_.gap / 2 + millimetre); }
 
     LaidShape make_shape(const Kind& kind, double turn, bool face_down) const {
@@ -105,7 +105,7 @@ class Nester {
         shape.size = outline.colwise().maxCoeff();
         shape.area = std::abs(signed_area(outline));
         shape.last_row = static_cast<int>(std::floor((width_ - shape.size.y() + length_rounding) / row_height_));
-        shape.grown = std::move(outline);  // where it fits, that is to come
+        shape.grown = std::move(outline);  // not offset yet; see `add_shape`
         return shape;
     }
 
@@ -113,7 +113,7 @@ class Nester {
         shape.grown = grown_outline(shape.grown, options_.gap / 2);
         shape.profile = make_row_profile(shape.grown, base(), row_height_ / profile_rows_);
         strip_.shapes.push_back(shape);
-        // The same with its upper end at the cloth's: rows alone would leave up to one of them free there.
+        // The same, aligned with the upper edge of the cloth, where whole rows would leave up to a row unused.
         const double profile_row = row_height_ / profile_rows_;
         const double rest = width_ - shape.size.y() - shape.last_row * row_height_;
         shape.lift = std::floor(rest / profile_row) * profile_row;
@@ -152,13 +152,13 @@ class Nester {
 
     void refuse(const Kind& kind, std::string reason, std::vector<Refusal>& refusals) const {
         const std::string& name = set_.pieces[kind.piece].name;
-        if (!refusals.empty() && refusals.back().piece == name)  // its kinds follow one another
+        if (!refusals.empty() && refusals.back().piece == name)  // the kinds of a piece are adjacent
             refusals.back().quantity += kind.copies;
         else
             refusals.push_back({name, std::move(reason), kind.copies});
     }
 
-    /// Only the last part comes again and again; earlier ones may be full when a piece's turn comes.
+    /// Only the last part length repeats; earlier ones may be full when a piece's turn comes.
     double longest() const {
         return options_.part_lengths.empty() ? std::numeric_limits<double>::infinity() : options_.part_lengths.back();
     }
@@ -213,7 +213,7 @@ class Nester {
         return placements;
     }
 
-    /// Copies are counted from the start of the roll on.
+    /// Numbers copies from the start of the roll.
     void number_copies(Marker& marker) const {
         const auto begins = [this](const Placement& placement) {
             return placement.placed(set_.pieces[placement.piece].outline()).col(0).minCoeff();
@@ -246,15 +246,15 @@ class Nester {
     const PieceSet& set_;
     const OwnPieces& own_;
     const NestOptions& options_;
-    StepCounter& counter_;  ///< of items, once a round of a search
+    StepCounter& counter_;  ///< counts items once per round of a search
     double width_, row_height_;
-    int profile_rows_ = 1;     ///< to a row
-    std::vector<Kind> kinds_;  ///< of the batch
-    Strip strip_;              ///< of the batch
+    int profile_rows_ = 1;     ///< per row
+    std::vector<Kind> kinds_;  ///< of the current batch
+    Strip strip_;              ///< of the current batch
 };
 
-/// A piece as often as it is cut; where nothing may be turned, those of its own pieces apart that lie the other way
-/// round.
+/// Adds a piece with its number of copies. If pieces may not be turned, copies that stand for pieces lying the
+/// other way round form a kind of their own.
 void add_kinds(const PieceSet& set, const OwnPieces& own, std::size_t piece, bool may_turn, std::vector<Kind>& kinds) {
     for (const bool mirrored : {false, true}) {
         const int copies = mirrored ? set.pieces[piece].quantity_mirrored : set.pieces[piece].quantity;

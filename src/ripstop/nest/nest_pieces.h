@@ -9,34 +9,35 @@
 
 namespace ripstop {
 
-/// The roll, and how pieces may lie on it.
+/// The roll, and the ways pieces may lie on it.
 struct NestOptions {
-    std::optional<double> roll_width = {};  ///< [m]; else each fabric's own
+    std::optional<double> roll_width = {};  ///< [m]; default: each fabric's own width
     double gap = 0.005;                     ///< between outlines [m]
-    double grain_tolerance = 0;             ///< a piece may also lie turned by this much, either way [rad]
-    bool may_turn = true;                   ///< by half a turn; not on cloth with a nap or a print: all +x one way
-    bool may_flip = false;                  ///< the cloth has no right side
-    std::vector<double> part_lengths =
-        {};           ///< of cloth without a join, one after the other, the last again and again [m]
-    int rounds = 40;  ///< of the search for a short marker; time grows with it
-    int starts = 2;   ///< searches from different orders, the best of which counts
-    int threads = 0;  ///< 0: one a core; never changes the result
+    double grain_tolerance = 0;             ///< a piece may also be turned by up to this angle, either way [rad]
+    bool may_turn = true;                   ///< by 180 degrees; set false for cloth with a nap or a print, so that
+                                            ///< all pieces point to +x
+    bool may_flip = false;                  ///< the cloth looks the same on both sides
+    std::vector<double> part_lengths = {};  ///< lengths of cloth without a join, in order; the last one repeats [m]
+    int rounds = 40;                        ///< of the search for a short marker; the run time is proportional
+    int starts = 2;                         ///< number of searches from different initial orders; the best one is kept
+    int threads = 0;                        ///< 0: one per core; does not change the result
     Progress progress = {};
 };
 
-/// Lays every piece `quantity` times, and its mirror image `quantity_mirrored` times, each with the drawing of the
-/// piece it becomes (`OwnPieces`), on the roll of its fabric and colour: the warp along it, +x or, where turning is
-/// allowed, -x; outlines at least `gap` apart and within the width; no piece over a join. A mirror image is cut as a
-/// mirrored outline with the outside of the cloth up, as every piece; where `may_flip`, any may lie face down instead,
-/// outline mirrored.
+/// Lays every piece `quantity` times, and its mirror image `quantity_mirrored` times, on the roll of its fabric
+/// and colour. Each copy carries the drawing of the piece it becomes (`OwnPieces`). The warp runs along the roll,
+/// in +x or, if turning is allowed, in -x. Outlines keep at least `gap` apart and stay within the width; no piece
+/// lies across a join. A mirror image is cut as a mirrored outline, with the outside of the cloth up as for every
+/// piece; if `may_flip`, any piece may lie face down instead, with its outline mirrored.
 ///
-/// Outlines, grown by half the gap, are compared row by row, 400 rows over the width or more, so hollows are used too
-/// (`ContactTable`, `search_order`); then all slide together along the roll in rows a twenty-fourth as high. Pieces as
-/// cut have no holes. Sets of many kinds are laid some hundred kinds after the other.
+/// Outlines are offset by half the gap and compared row by row, with 400 rows or more across the width, so hollows
+/// are used too (`ContactTable`, `search_order`). Finally all pieces slide together along the roll, in rows a
+/// twenty-fourth as high. Holes of pieces are not used. Sets of many kinds are laid in batches of some hundred
+/// kinds.
 ///
-/// Refused with the reason, and the others laid: what is wider than the roll or longer than the last length of cloth,
-/// the only one that never ends. Throws InputError for a width, a gap or a length that is none, and for more than
-/// 50,000 pieces. The same set and options give the same markers.
+/// Pieces that are wider than the roll, or longer than the last length of cloth (the only one that repeats), are
+/// refused with the reason; the others are laid. Throws InputError for an invalid width, gap or length, and for
+/// more than 50,000 pieces. The same set and options give the same markers.
 Markers nest_pieces(const PieceSet& set, const NestOptions& options = {});
 
 }  // namespace ripstop

@@ -9,7 +9,8 @@
 namespace ripstop {
 namespace {
 
-/// The furthest a point of `from`, turned and mirrored about its middle, lies off `to` about its own [m].
+/// The largest distance of the points of `from`, turned and mirrored about its centre, from `to` about its own
+/// [m].
 double misfit(const PatternPiece& from, const PatternPiece& to, const Vec2& signs) {
     const Vec2 middle = area_centroid(from.outline()), there = area_centroid(to.outline());
     double most = 0;
@@ -68,7 +69,7 @@ OwnPieces::Own OwnPieces::take(std::vector<Own>& waiting, bool may_turn, double 
     return own;
 }
 
-/// Where a piece has to lie to cover what the copy of its pattern covers.
+/// The placement at which a piece covers what the copy of its pattern covers.
 Placement OwnPieces::covering(const Placement& copy, const Own& own) const {
     const PatternPiece &pattern = set_.pieces[copy.piece], &piece = set_.pieces[own.piece];
     Placement placement = copy;

@@ -9,9 +9,9 @@
 namespace ripstop {
 namespace {
 
-constexpr double touching = 1e-9;  // rounding apart [m]
+constexpr double touching = 1e-9;  // [m] intervals this close touch, because of rounding
 
-/// Adds an interval to disjoint ones in order, joining what it touches.
+/// Adds an interval to sorted disjoint ones and merges those it touches.
 void add_interval(std::vector<Interval>& intervals, Interval added) {
     auto at = intervals.begin();
     while (at != intervals.end() && at->upper < added.lower - touching) ++at;
@@ -28,7 +28,7 @@ void add_interval(std::vector<Interval>& intervals, Interval added) {
     intervals.erase(at + 1, end);
 }
 
-/// What a segment covers in each row it passes.
+/// Adds the part that a segment covers in each row it passes.
 void add_segment(std::vector<std::vector<Interval>>& rows, Vec2 from, Vec2 to, double base, double height) {
     if (from.y() > to.y()) std::swap(from, to);
     const auto row_of = [&](double y) {
@@ -43,7 +43,7 @@ void add_segment(std::vector<std::vector<Interval>>& rows, Vec2 from, Vec2 to, d
     }
 }
 
-/// The shifts that make two rows overlap, each interval of the one with each of the other.
+/// Adds the shifts at which two rows overlap, for each pair of their intervals.
 void add_row(const RowProfile& a, int row_a, const RowProfile& b, int row_b, std::vector<Interval>& shifts) {
     const auto r = static_cast<std::size_t>(row_a), s = static_cast<std::size_t>(row_b);
     for (int i = a.first[r]; i < a.first[r + 1]; ++i)
@@ -67,7 +67,7 @@ RowProfile make_row_profile(const Points2& outline, double base, double row_heig
     profile.lower.setConstant(static_cast<Eigen::Index>(count), infinite);
     profile.upper.setConstant(static_cast<Eigen::Index>(count), -infinite);
     for (std::size_t row = 0; row < count; ++row) {
-        // From any point within, straight up or down to the row's middle, one stays within or meets a segment.
+        // From any inner point, the straight way up or down to the row's middle stays inside or meets a segment.
         for (const auto& [lower, upper] : horizontal_chords(outline, base + (double(row) + 0.5) * row_height))
             add_interval(rows[row], {lower, upper});
         profile.first.push_back(static_cast<int>(profile.intervals.size()));
@@ -84,7 +84,7 @@ RowProfile make_row_profile(const Points2& outline, double base, double row_heig
 void find_overlapping_shifts(const RowProfile& a, const RowProfile& b, int rows, std::vector<Interval>& shifts) {
     shifts.clear();
     const int start = std::max(0, rows), end = std::min(a.rows(), b.rows() + rows);
-    // Rows in which both are one interval follow one another without a break in their shifts: extremes will do.
+    // Consecutive rows that are single intervals give contiguous shifts, so their extremes suffice.
     const auto add_run = [&](int from, int to) {
         if (from >= to) return;
         const int count = to - from;

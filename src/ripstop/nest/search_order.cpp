@@ -8,11 +8,11 @@
 namespace ripstop {
 namespace {
 
-constexpr int window = 24;          // items that a change may touch
-constexpr int judged = 50;          // items whose places judge it
-constexpr int tries = 60;           // at each place of the window
-constexpr int tried_rows = 4;       // when an item is laid anew
-constexpr double first_heat = 0.4;  // of the mean moment that a shift of a metre gives an item
+constexpr int window = 24;          // items that a change may affect
+constexpr int judged = 50;          // items by whose places a change is judged
+constexpr int tries = 60;           // for each position of the window
+constexpr int tried_rows = 4;       // when an item is placed again
+constexpr double first_heat = 0.4;  // relative to the mean moment that a shift by a metre gives an item
 
 class Search {
   public:
@@ -39,8 +39,8 @@ class Search {
 
   private:
     struct Places {
-        std::vector<double> x;      ///< of each item
-        std::vector<double> clear;  ///< of each item: where all that are out of its reach have ended
+        std::vector<double> x;      ///< for each item
+        std::vector<double> clear;  ///< for each item: the end of all items that are out of its reach
     };
 
     int count() const { return static_cast<int>(items_.size()); }
@@ -89,7 +89,7 @@ class Search {
         return strip_.first_free(taken_, clear, strip_.shape(item).size.x());
     }
 
-    /// Lays items `from` to `end` and returns their moment.
+    /// Lays the items in [from, end) and returns their moment.
     double lay(const std::vector<LaidItem>& items, Places& places, int from, int end) {
         double moment = 0;
         for (int index = from; index < end; ++index) {
@@ -145,7 +145,7 @@ class Search {
         item.shape = strip_.first_shape[kind] + below(strip_.first_shape[kind + 1] - strip_.first_shape[kind]);
     }
 
-    /// Changes the trial among the items from `start` to `end`.
+    /// Makes a random change of the trial among the items from `start` to `end`.
     void change(int start, int end) {
         const int one = start + below(end - start), two = start + below(end - start);
         LaidItem &a = trial_[static_cast<std::size_t>(one)], &b = trial_[static_cast<std::size_t>(two)];

@@ -10,18 +10,18 @@
 namespace ripstop {
 
 struct OrderSearch {
-    int rounds = 40;         ///< over the whole strip
-    std::uint32_t seed = 1;  ///< another one, another search
+    int rounds = 40;         ///< passes over the whole strip
+    std::uint32_t seed = 1;  ///< a different seed gives a different search
     std::function<void()> after_round = {};
 };
 
-/// Items, one for each of `kinds`, on a short marker, in the order they were laid in.
+/// Searches a short marker of one item for each of `kinds`. Returns the items in the order they are laid.
 ///
-/// Begins bottom-left: kinds in a random order, each where it lies furthest to the start. Then simulated annealing
-/// [KGV83] in a window of 24 items that goes over the strip `rounds` times: items change places, are turned, moved
-/// across the roll or laid elsewhere. A change is judged by the moment of the window and 26 items after it about the
-/// roll's start, sum of area times place, so that it costs the same however long the roll is. The same arguments, the
-/// same order. O(rounds #items reach).
+/// Begins with a bottom-left fill: kinds in a random order, each as close to the start as it goes. Then simulated
+/// annealing [KGV83] in a window of 24 items, which passes over the strip `rounds` times. A change swaps, turns,
+/// shifts across the roll or places an item again. It is judged by the moment about the roll's start, the sum of
+/// area times position, of the window and 26 items behind it, so its cost does not depend on the length of the
+/// roll. The same arguments give the same order. O(rounds #items reach).
 std::vector<PlacedItem> search_order(const Strip& strip, const ContactTable& contacts, std::vector<int> kinds,
                                      const OrderSearch& search);
 

@@ -6,17 +6,17 @@
 namespace ripstop {
 namespace {
 
-/// An item lies at least `distance` beyond another.
+/// The item lies at least `distance` beyond another.
 struct Limit {
     std::size_t other;
     double distance;
 };
 
-/// By how much the item must lie beyond the other, which it may be before (no limit).
+/// Adds the distance that the item must keep beyond the other; no limit if it may lie before it.
 void add_limit(std::vector<Limit>& limits, std::size_t other, double apart, const std::vector<Interval>& overlapping) {
     for (auto shift = overlapping.rbegin(); shift != overlapping.rend(); ++shift) {
         if (apart < (shift->lower + shift->upper) / 2)
-            continue;  // a place on either side, never within but for rounding
+            continue;  // outside of the interval, on one of its sides, up to rounding
         limits.push_back({other, shift->upper});
         return;
     }
@@ -34,10 +34,10 @@ void slide_together(const Strip& strip, const FineRows& rows, std::vector<Placed
         longest = std::max(longest, shape.size.x());
         if (profile.rows() == 0) profile = make_row_profile(shape.grown, rows.base, rows.height);
     }
-    const double seen = longest + 2 * strip.gap + 0.01;  // farther apart, only the ends count
+    const double seen = longest + 2 * strip.gap + 0.01;  // farther apart, only the ends matter
     std::vector<std::vector<Limit>> limits(items.size());
     std::vector<double> first(items.size());
-    std::vector<std::size_t> before(items.size());  // how many lie farther before each
+    std::vector<std::size_t> before(items.size());  // number of items that lie farther before each
     std::vector<Interval> overlapping;
     for (std::size_t i = 0; i < items.size(); ++i) {
         first[i] = std::max(strip.start, strip.joins.before(items[i].x));
@@ -52,7 +52,7 @@ void slide_together(const Strip& strip, const FineRows& rows, std::vector<Placed
             add_limit(limits[k], i, items[k].x - items[i].x, overlapping);
         }
     }
-    std::vector<double> ends(items.size());  // the last of each item and those before it
+    std::vector<double> ends(items.size());  // for each item, the largest end of it and those before it
     for (bool has_moved = true; has_moved;) {
         has_moved = false;
         for (std::size_t i = 0; i < items.size(); ++i) {

@@ -15,7 +15,7 @@ double Joins::after(double x) const {
     }
     const double past = std::floor((x - end) / lengths.back());
     end += past * lengths.back();
-    while (end <= x) end += lengths.back();  // once, but for rounding
+    while (end <= x) end += lengths.back();  // usually once; again only because of rounding
     return end;
 }
 
