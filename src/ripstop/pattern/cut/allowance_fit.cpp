@@ -10,9 +10,10 @@
 namespace ripstop {
 namespace {
 
-constexpr double least_slot = 5e-5, half_slot = 5e-4;  // [m]
-constexpr double slot_share = 0.1;                     // of the room on each side
-constexpr double narrowest_mitre = 0.5;                // cosine: cut across at twice the allowance
+constexpr double least_slot = 5e-5, half_slot = 5e-4;  // [m] slot between allowances that meet
+constexpr double slot_share = 0.1;                     // share of the room on each side
+constexpr double narrowest_mitre = 0.5;                // cosine of half the turn; sharper corners are cut across
+                                                       // at twice the allowance
 constexpr double never = std::numeric_limits<double>::infinity();
 
 struct Ray {
@@ -29,7 +30,7 @@ void meet_point(const Ray& ray, const SewSegment& segment, double along, BallCon
     if (is_outside && reach < contact.reach) contact = {reach, point};
 }
 
-/// The least reach beyond `least` at which the ray lies in the polygon.
+/// The smallest reach, not below `least`, at which the ray enters the polygon.
 double enters(const Ray& ray, const std::vector<Vec2>& polygon, double least) {
     std::vector<double> crossings;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

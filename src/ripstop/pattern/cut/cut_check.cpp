@@ -22,7 +22,7 @@ namespace {
 
 constexpr double tolerance = 0.06 * millimetre;
 constexpr double sparsest = 20 * millimetre;   // between places
-constexpr double least_left = 1 * millimetre;  // less is nothing to sew
+constexpr double least_left = 1 * millimetre;  // less cloth cannot be sewn
 
 std::string short_millimetres(double metres) {
     std::string text = format_fixed(metres / millimetre, 1);
@@ -42,10 +42,10 @@ std::vector<AllowedEdge> edges_of(const PatternPiece& piece) {
     return edges;
 }
 
-/// What is missing of an edge: where the cut line is too near, and where it is not at all.
+/// What is wrong along an edge: where the cut line is too near, or missing.
 struct Breach {
     double length = 0;
-    double nearest = std::numeric_limits<double>::infinity();  ///< the cut line [m]
+    double nearest = std::numeric_limits<double>::infinity();  ///< smallest distance of the cut line [m]
     Vec2 at = Vec2::Zero();
 };
 
@@ -145,7 +145,8 @@ class CutChecker {
                furthest_corner * widest;
     }
 
-    /// Does the allowance of a part that is apart, or of one that is not, cover the point?
+    /// True if the allowance of another part covers the point; `from_apart` selects parts that are apart, or those
+    /// that are not.
     bool is_covered(const SewPlace& place, const Vec2& point, bool from_apart) const {
         for (std::size_t i = 0; i < contour_.segments().size(); ++i) {
             const SewSegment& other = contour_.segments()[i];
@@ -165,7 +166,7 @@ class CutChecker {
     std::vector<CutFault> faults_;
 };
 
-/// Where a place of the piece lies in space: on the boundary edge that is nearest to it.
+/// The place in space of a place on the piece, moved to the nearest boundary edge.
 Vec3 in_space(const FlatTile& flat, const Vec2& at) {
     const std::vector<int>& loop = flat.tile.boundary;
     double best = std::numeric_limits<double>::infinity();

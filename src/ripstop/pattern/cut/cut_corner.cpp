@@ -11,10 +11,11 @@ namespace ripstop {
 namespace {
 
 constexpr double mitre_limit = 2;   // times the larger allowance
-constexpr double least_rise = 0.2;  // of a fold: flatter, its end would run far out
+constexpr double least_rise = 0.2;  // of a fold: a flatter one would end far out
 
-/// Both allowances run on until they meet; beyond the limit they are cut at right angles to the way out of the corner. Where
-/// they would meet behind the end of one, that one being the wider by much, there is nothing between the two ends.
+/// Extends both allowances until they meet; beyond the limit, cuts across at right angles to the corner's
+/// bisector. If the wider one is so much wider that they meet behind the end of one, nothing is added between the
+/// two ends.
 void add_mitre(std::vector<Vec2>& contour, const SewCorner& corner, double limit) {
     const Vec2 a = corner.end_in(), b = corner.end_out();
     Vec2 tip;
@@ -37,15 +38,15 @@ void add_mitre(std::vector<Vec2>& contour, const SewCorner& corner, double limit
 /// A hem that ends at a corner, and the other edge there.
 struct HemEnd {
     Vec2 at;
-    Vec2 hem;          ///< unit way along the hem, into the corner
+    Vec2 hem;          ///< unit direction along the hem, into the corner
     Vec2 hem_outward;  ///< unit normal of the hem, away from the piece
     double hem_reach;
-    Vec2 other;      ///< unit way along the other edge, out of the corner
+    Vec2 other;      ///< unit direction along the other edge, out of the corner
     Vec2 other_end;  ///< of the other edge's allowance, at the corner
 };
 
-/// The end of a hem: its tip, and where it meets the fold. It is the mirror image of the other edge's cut line about the hem's
-/// sew line. Nothing where the two run too nearly alike for that.
+/// The end of a hem: its tip, and where it meets the fold. It mirrors the other edge's cut line about the hem's
+/// sew line. Nothing if the two are too close to parallel.
 std::optional<std::array<Vec2, 2>> folded_end(const HemEnd& end) {
     const Vec2 mirrored = end.other - 2 * end.other.dot(end.hem_outward) * end.hem_outward;
     const double rise = mirrored.dot(end.hem_outward);

@@ -6,18 +6,19 @@
 
 namespace ripstop {
 
-/// How the cut line goes round the corners at the ends of an edge.
+/// The shape of the cut line at the corners at the ends of an edge.
 enum class CornerRule {
-    mitre,   ///< the allowances run on until they meet; on a sharp corner cut across at twice the larger from it
-    square,  ///< cut across at the larger allowance from the corner
-    fold,    ///< folded back about its sew line, the allowance ends where the piece does, its mirror image
-    hem,     ///< as `fold`, and goes before it: a hem is folded when the seam beside it is sewn
+    mitre,   ///< the allowances extend until they meet; a sharp corner is cut across at twice the larger allowance
+    square,  ///< cut across, at the distance of the larger allowance from the corner
+    fold,    ///< the end of the allowance mirrors the piece about the sew line, so that it matches the piece when
+             ///< folded back
+    hem,     ///< as `fold`, with priority: a hem is folded after the seam beside it is sewn
 };
 
 /// A corner of the sew line and the allowances that end there.
 struct SewCorner {
     Vec2 at;
-    Vec2 in, out;                        ///< unit ways into and out of it along the sew line
+    Vec2 in, out;                        ///< unit directions into and out of it, along the sew line
     double reach_in = 0, reach_out = 0;  ///< [m]
     CornerRule rule_in = CornerRule::mitre, rule_out = CornerRule::mitre;
 
@@ -27,13 +28,14 @@ struct SewCorner {
     Vec2 end_out() const { return at + reach_out * away_out(); }
 };
 
-/// No point of a corner is further from it than this times the larger allowance.
+/// No point of a corner is farther from it than this times the larger allowance.
 inline constexpr double furthest_corner = 2.5;
 
-/// Where the lines p + s u and q + t v meet; false where they are parallel.
+/// The intersection of the lines p + s u and q + t v; false if they are parallel.
 bool lines_meet(const Vec2& p, const Vec2& u, const Vec2& q, const Vec2& v, Vec2& at);
 
-/// The cut line from `end_in` to `end_out`, both left out, round a corner that turns outward: see `make_cut_line`.
+/// The cut line around a corner that turns outward, between `end_in` and `end_out`, both excluded; see
+/// `make_cut_line`.
 std::vector<Vec2> corner_points(const SewCorner& corner);
 
 }  // namespace ripstop

@@ -17,19 +17,20 @@ using ClipperLib::cInt;
 using ClipperLib::IntPoint;
 using ClipperLib::Path;
 
-constexpr double steps_per_metre = 1e7;   // a tenth of a micrometre; 64 bits hold a million kilometres of it
+constexpr double steps_per_metre = 1e7;   // 0.1 micrometre; 64-bit integers hold a million kilometres
 constexpr double fit_error = 1e-5;        // of a reach between two of its samples [m]
 constexpr double finest = 1e-4;           // between samples [m]
-constexpr double coarsest = 5e-3;         // the same, where nothing is allowed [m]
-constexpr double chord_error = 5e-6;      // of the cut line where it is fitted [m]
-constexpr double nothing_missing = 6e-5;  // [m]: what a slot between allowances that just fit takes, and rounding
+constexpr double coarsest = 5e-3;         // between samples, where there is no allowance [m]
+constexpr double chord_error = 5e-6;      // of the fitted cut line [m]
+constexpr double nothing_missing = 6e-5;  // [m]: the slot between allowances that just fit, plus rounding
 
 IntPoint to_steps(const Vec2& p) {
     return {static_cast<cInt>(std::llround(p.x() * steps_per_metre)),
             static_cast<cInt>(std::llround(p.y() * steps_per_metre))};
 }
 
-/// Outside of a contour that may cross itself: the largest outline of what it goes round counter-clockwise.
+/// The outer boundary of a contour that may cross itself: the largest contour around what it winds round
+/// counter-clockwise.
 Points2 outside_of(const std::vector<Vec2>& contour) {
     Path path;
     for (const Vec2& p : contour) path.push_back(to_steps(p));
@@ -41,7 +42,8 @@ Points2 outside_of(const std::vector<Vec2>& contour) {
         return ClipperLib::Area(a) < ClipperLib::Area(b);
     });
     if (largest == parts.end()) return Points2(0, 2);
-    ClipperLib::CleanPolygon(*largest, 2);  // points within 0.2 micrometres of the line through their neighbours
+    ClipperLib::CleanPolygon(*largest, 2);  // removes points within 0.2 micrometres of the line through their
+                                            // neighbours
     Points2 outline(static_cast<Eigen::Index>(largest->size()), 2);
     for (std::size_t i = 0; i < largest->size(); ++i)
         outline.row(static_cast<Eigen::Index>(i)) << static_cast<double>((*largest)[i].X) / steps_per_metre,
@@ -82,7 +84,7 @@ class ReachProfile {
         return {along, fit_.limit({index_, along}, segment_.outward, segment_.allowance)};
     }
 
-    /// Adds what lies between the last sample and this one, and this one.
+    /// Adds the samples between the last one and `end`, then `end`.
     void refine(const Sample& end) {
         const Sample start = samples_.back();
         const bool is_met = start.limit.segment >= 0 || end.limit.segment >= 0;
@@ -104,7 +106,7 @@ class ReachProfile {
     std::vector<Sample> samples_;
 };
 
-/// Collects where allowances meet, by edge and edge met.
+/// Collects the places where allowances meet, by edge and the edge it meets.
 class AllowanceMeetings {
   public:
     explicit AllowanceMeetings(const SewContour& contour) : contour_(contour) {}
@@ -122,7 +124,7 @@ class AllowanceMeetings {
         }
     }
 
-    /// What two edges take of each other once. What a corner at the end of a longer meeting adds to it is told with it.
+    /// The meetings of two edges, each pair once. A corner at the end of a longer meeting is merged into it.
     std::vector<MetAllowances> list() const {
         const std::vector<Meeting> all = pairs();
         std::vector<MetAllowances> told;
@@ -140,7 +142,7 @@ class AllowanceMeetings {
   private:
     struct Meeting {
         MetAllowances met;
-        Vec2 lower = Vec2::Constant(std::numeric_limits<double>::infinity()), upper = -lower;  // its box
+        Vec2 lower = Vec2::Constant(std::numeric_limits<double>::infinity()), upper = -lower;  // its bounding box
     };
 
     double allowance(int edge) const {
@@ -189,8 +191,8 @@ class AllowanceMeetings {
     std::map<std::pair<int, int>, Meeting> met_;
 };
 
-/// Adds what lies between the allowances of two segments. Where the sew line bends inward they cross, and the way
-/// over it makes the loop between them run clockwise.
+/// Adds the points between the allowances of two segments. Where the sew line bends inward, the allowances cross,
+/// and a detour over the sew line makes the loop between them clockwise.
 void add_joint(std::vector<Vec2>& line, const SewContour& contour, const AllowanceFit& fit, std::size_t segment,
                double reach_in, double reach_out) {
     const Vec2 at = contour.segments()[segment].from;

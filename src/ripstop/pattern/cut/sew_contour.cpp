@@ -10,7 +10,7 @@ namespace {
 
 constexpr double same_point = 1e-9;                           // [m]
 constexpr double corner_reach = 2;                            // times both allowances
-constexpr double pocket_turn = 127 * std::numbers::pi / 180;  // [rad]: of the corner whose sides are so long
+constexpr double pocket_turn = 127 * std::numbers::pi / 180;  // [rad]: turn of the corner whose sides have that length
 constexpr double least_edge = 0.2;                            // times its allowance
 
 }  // namespace
@@ -70,7 +70,7 @@ double SewContour::forward_turn(const SewPlace& a, const SewPlace& b) const {
     return turned_[b.segment] - turned_[a.segment] + (is_round ? turned_.back() : 0);
 }
 
-/// Of the sew line from a to b and straight back.
+/// The signed area between the sew line from a to b and the straight way back.
 double SewContour::forward_area(const SewPlace& a, const SewPlace& b) const {
     const Vec2 from = segments_[a.segment].at(a.along), to = segments_[b.segment].at(b.along);
     const bool is_round = b.segment < a.segment || (b.segment == a.segment && b.along < a.along);
@@ -106,7 +106,7 @@ bool SewContour::is_apart(const SewPlace& a, const SewPlace& b) const {
 
 bool SewContour::may_be_apart(std::size_t a, std::size_t b) const {
     const double both = segments_[a].length + segments_[b].length;
-    const auto span = [&](std::size_t first, std::size_t last) {  // that holds both
+    const auto span = [&](std::size_t first, std::size_t last) {  // contains both
         const double length = forward_length({first, 0}, {last, segments_[last].length});
         return length < both - same_point ? length_ : length;
     };
@@ -123,7 +123,7 @@ SewContour::Part SewContour::part_apart(const SewPlace& place, std::size_t other
     const Pocket between = pocket(place, middle);
     if (is_open(between, place, middle)) return {0, segment.length};
     const double least = corner_reach * (segments_[place.segment].allowance + segment.allowance);
-    const double missing = least - between.length;  // from the middle on
+    const double missing = least - between.length;  // starting from the middle
     if (between.forward) return {std::max(0.0, segment.length / 2 + missing), segment.length};
     return {0, std::min(segment.length, segment.length / 2 - missing)};
 }

@@ -7,17 +7,17 @@
 
 namespace ripstop {
 
-/// One edge of a sew line and the cloth beyond it.
+/// An edge of a sew line and its allowance.
 struct AllowedEdge {
     Points2 sew_line;      ///< #P x 2, both ends included, counter-clockwise round the piece
     double allowance = 0;  ///< [m], not negative
     CornerRule corner = CornerRule::mitre;
 };
 
-/// A straight part of a sew line.
+/// A straight segment of a sew line.
 struct SewSegment {
     Vec2 from, to;
-    Vec2 way, outward;  ///< unit vectors; the piece is on the left of `way`
+    Vec2 way, outward;  ///< unit vectors; the piece is to the left of `way`
     double length = 0;  ///< [m]
     double start = 0;   ///< length of the sew line before it [m]
     int edge = 0;
@@ -26,52 +26,51 @@ struct SewSegment {
     Vec2 at(double along) const { return from + along * way; }
 };
 
-/// A place on the sew line: `along` [m] from the start of a segment.
+/// A place on the sew line, `along` [m] from the start of a segment.
 struct SewPlace {
     std::size_t segment = 0;
     double along = 0;
 };
 
-/// What the sew line runs round between two of its places that face each other across the outside.
+/// What the sew line surrounds between two of its places that face each other across the outside.
 struct Pocket {
     double length = 0;    ///< of the sew line between them [m]
-    double turn = 0;      ///< clockwise, so that two sides that face each other squarely have pi [rad]
-    bool forward = true;  ///< it runs from the first place counter-clockwise to the second
+    double turn = 0;      ///< clockwise; pi if the two sides are parallel and face each other [rad]
+    bool forward = true;  ///< it runs counter-clockwise from the first place to the second
 };
 
-/// The sew line of a piece as straight parts, with what is asked of two places of it. A corner that turns inward has
-/// allowances that share its cloth, and every sewer clips into it. So two places are *apart* only where the sew line
-/// between them
+/// The sew line of a piece as segments, with queries about pairs of places. At a corner that turns inward, the two
+/// allowances share cloth, and sewers clip into it. So two places are *apart* only if the sew line between them
 ///
-///     is longer than 2 (a + b)        with their allowances a and b: a corner of some 55 degrees or less, or a slit
-///     or holds a whole edge and turns by more than 127 degrees: a notch or a keyhole smaller than that
+///     is longer than 2 (a + b), with their allowances a and b: a corner of about 55 degrees or less, or a slit;
+///     or contains a whole edge and turns by more than 127 degrees: a notch or a keyhole smaller than that
 ///
-/// (an edge shorter than a fifth of its allowance does not count). Allowances may overlap unless their places are
+/// (edges shorter than a fifth of their allowance do not count). Allowances may overlap unless their places are
 /// apart.
 class SewContour {
   public:
-    /// Edges that close on themselves, in order; parts shorter than a nanometre are left out. O(#P).
+    /// The edges must form a closed line, in order. Segments shorter than a nanometre are dropped. O(#P).
     explicit SewContour(const std::vector<AllowedEdge>& edges);
 
     const std::vector<SewSegment>& segments() const { return segments_; }
     std::size_t next(std::size_t segment) const { return (segment + 1) % segments_.size(); }
     std::size_t before(std::size_t segment) const { return (segment + segments_.size() - 1) % segments_.size(); }
-    /// Where the segment starts, with these allowances [m].
+    /// The corner at the start of a segment, with these allowances [m].
     SewCorner corner(std::size_t segment, double reach_in, double reach_out) const;
-    /// Is it a corner between two edges, and not a bend within one?
+    /// True for a corner between two edges; false for a bend within an edge.
     bool starts_edge(std::size_t segment) const;
     bool turns_outward(std::size_t segment) const;
     double length() const { return length_; }
 
-    /// The pocket between two places: of the two ways round the one that goes round less. O(1).
+    /// The pocket between two places: of the two ways along the sew line, the one that surrounds less. O(1).
     Pocket pocket(const SewPlace& a, const SewPlace& b) const;
     /// O(1), O(#edges) for short pockets.
     bool is_apart(const SewPlace& a, const SewPlace& b) const;
-    /// False where no places of the two segments are apart.
+    /// False only if no places of the two segments are apart.
     bool may_be_apart(std::size_t a, std::size_t b) const;
 
-    /// The part of segment `other` that is apart from `place`, as lengths from its start; none where the second is
-    /// not larger.
+    /// The part of segment `other` that is apart from `place`, as lengths from its start; empty unless the second
+    /// is larger.
     struct Part {
         double from = 0, to = 0;
     };
@@ -86,7 +85,7 @@ class SewContour {
 
     std::vector<SewSegment> segments_;
     double length_ = 0;
-    std::vector<double> turned_, swept_;  ///< up to the start of each segment, and over all
+    std::vector<double> turned_, swept_;  ///< up to the start of each segment, and in total
     struct Edge {
         double start, length;
         bool counts;

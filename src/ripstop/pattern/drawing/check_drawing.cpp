@@ -17,7 +17,7 @@ namespace ripstop {
 namespace {
 
 constexpr double join_tolerance = 0.01 * millimetre;
-constexpr double smallest_piece = 5 * millimetre, largest_piece = 80;  // [m]: beyond these the unit is doubted
+constexpr double smallest_piece = 5 * millimetre, largest_piece = 80;  // [m]: sizes beyond these suggest a wrong unit
 
 std::string millimetres(double metres, int decimals = 1) {
     return format_fixed(metres / millimetre, decimals);
@@ -102,7 +102,7 @@ class Checker {
         return true;
     }
 
-    /// A square with a length written in it: a text such as `100 mm`.
+    /// Measures a square that contains a length as text, such as `100 mm`.
     void measure_square(const std::vector<LayerLines>& layers) {
         for (const LayerLines& layer : layers)
             for (const JoinedLine& line : layer.lines) {
@@ -150,7 +150,7 @@ class Checker {
         }
     }
 
-    /// By the grain line of the piece; without one it may lie either way.
+    /// The width of a piece across its grain line; without one, the smaller width, because it may lie either way.
     double width_across_grain(const FoundContour& contour) const {
         Vec2 grain = Vec2::Zero();
         for (const DrawnPath& path : drawing_.paths) {

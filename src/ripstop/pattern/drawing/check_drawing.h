@@ -8,22 +8,23 @@
 
 namespace ripstop {
 
-/// What `check_drawing` is told that a drawing does not say.
+/// What `check_drawing` must know beyond the drawing.
 struct DrawingCheckOptions {
-    std::optional<LengthUnit> unit = {};  ///< of the drawing, whatever it says of itself
-    std::optional<double> roll = {};      ///< width of the cloth that pieces have to fit on [m]
+    std::optional<LengthUnit> unit = {};  ///< overrides the unit that the drawing states
+    std::optional<double> roll = {};      ///< width of the cloth that pieces must fit on [m]
 };
 
-/// Is a pattern file sound: does it say its unit, are its contours closed, each there once, crossing themselves and
-/// each other nowhere, of a size that pieces have, with their sew lines in them; is each block a piece?
+/// Checks a pattern file: does it state its unit? Are its contours closed and unique, without crossing themselves
+/// or each other? Do they have the size of pieces and contain their sew lines? Is each block a piece?
 ///
-/// Convention: numbered layers where blocks hold lines on layer 1 (contours on 1, 11 and 14), named where there is a
-/// layer CUT (CUT and SEW), else none known, and every line that closes is a contour. Lines that meet within 0.01 mm
-/// are one, so an outline in edges is closed. Of the places with a fault the first of each kind and piece is told. A
-/// drawing without contour is not sound. O(n log n) for n points, and at worst each contour against itself.
+/// The layer convention is recognized. It is numbered if blocks have lines on layer 1 (contours on 1, 11 and 14),
+/// and named if there is a layer CUT (CUT and SEW). Otherwise it is unknown, and every closed line is a contour.
+/// Lines that meet within 0.01 mm are joined, so an outline in separate edges is closed. Of the faults of one kind
+/// and piece, the first is reported. A drawing without contours fails. O(n log n) for n points; at worst each
+/// contour is compared with itself.
 DrawingCheck check_drawing(const PatternDrawing& drawing, const DrawingCheckOptions& options = {});
 
-/// What is left out, in words: `line 12: 2 image on layer art at (10, 20) mm not looked at`.
+/// A sentence on an entity that was not read: `line 12: 2 image on layer art at (10, 20) mm not looked at`.
 std::string unread_text(const UnreadEntity& entity, double metres_per_unit);
 
 }  // namespace ripstop

@@ -53,7 +53,7 @@ LayerUse use_of(LayerConvention convention, const std::string& layer) {
     const auto found = table.find(convention == LayerConvention::named ? upper_case(layer) : layer);
     if (found != table.end()) return found->second;
     return convention == LayerConvention::numbered && is_number(layer) && layer.size() == 2 && layer[0] == '8'
-               ? LayerUse::data  // 84 to 87: contours once more, finer
+               ? LayerUse::data  // layers 84 to 87 repeat contours more finely
                : LayerUse::other;
 }
 

@@ -10,28 +10,28 @@
 
 namespace ripstop {
 
-/// What the layers of a drawing mean.
+/// The convention for the names of a drawing's layers.
 enum class LayerConvention { named, numbered, unknown };
 LayerConvention convention_of(const PatternDrawing& drawing);
 std::string convention_text(LayerConvention convention);
 
-/// What the lines of a layer are for.
+/// The purpose of a layer's lines.
 enum class LayerUse { cut, sew, grain, text, reference, data, other };
 LayerUse use_of(LayerConvention convention, const std::string& layer);
 
-/// The lines of one layer and one group, joined, in metres.
+/// The joined lines of one layer and one group, in metres.
 struct LayerLines {
     std::string layer;
     int group = -1;
-    std::vector<const DrawnPath*> paths;  ///< what `JoinedLine::lines` counts
+    std::vector<const DrawnPath*> paths;  ///< `JoinedLine::lines` indexes them
     std::vector<JoinedLine> lines;
 };
 
-/// The lines by layer and group, in the order of the drawing.
+/// Joins the lines of each layer and group, in the order of the drawing.
 std::vector<LayerLines> join_layers(const std::vector<const DrawnPath*>& paths, double metres_per_unit,
                                     double tolerance);
 
-/// Length of an open or a closed line.
+/// The length of an open or closed line.
 double line_length(const JoinedLine& line);
 
 }  // namespace ripstop

@@ -15,9 +15,9 @@ namespace ripstop {
 namespace {
 
 constexpr double same_point = 0.01 * millimetre;
-constexpr double slit_reach = 0.05 * millimetre;  // of a notch that is drawn from the contour
+constexpr double slit_reach = 0.05 * millimetre;  // distance of a notch's slit from the contour it starts at
 
-/// Lines drawn over each other have the same box and the same length.
+/// Lines drawn over each other have the same bounding box and length.
 using Key = std::tuple<std::string, double, double, double, double, double>;
 
 Key key_of(const DrawingSurvey& survey, const DrawnPath& path) {
@@ -27,7 +27,7 @@ Key key_of(const DrawingSurvey& survey, const DrawnPath& path) {
             step(upper.x()), step(upper.y()), step(line_length({path.points, {}, path.is_closed}))};
 }
 
-/// A rising and a falling diagonal have the same box: one point tells.
+/// Compares one more point, because a rising and a falling diagonal have the same box.
 bool meet(const DrawnPath& a, const DrawnPath& b, double tolerance) {
     const Vec2 start = a.points.row(0);
     return (b.points.rowwise() - start.transpose()).rowwise().norm().minCoeff() <= tolerance;
@@ -37,7 +37,7 @@ double box_size(const Points2& points) {
     return Vec2(points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
 }
 
-/// How far an end is from where it could go on: the nearest other end of an open line of the layer.
+/// The distance from an end of an open line to the nearest other end on its layer.
 struct Gap {
     double width = -1;
     Vec2 from, to;
@@ -48,7 +48,7 @@ Gap nearest_gap(const std::vector<const JoinedLine*>& open, const JoinedLine& li
     const auto last = [](const JoinedLine& l) { return Vec2(l.points.row(l.points.rows() - 1)); };
     Gap gap{(last(line) - first(line)).norm(), last(line), first(line)};
     constexpr std::size_t most = 500;
-    if (open.size() > most) return gap;  // the own ends tell enough
+    if (open.size() > most) return gap;  // the line's own ends suffice
     for (const JoinedLine* other : open)
         for (const Vec2& here : {first(line), last(line)})
             for (const Vec2& there : {first(*other), last(*other)})
@@ -56,7 +56,7 @@ Gap nearest_gap(const std::vector<const JoinedLine*>& open, const JoinedLine& li
     return gap;
 }
 
-/// A closed line with its box, widened by what a slit may miss it by.
+/// A closed line and its box, widened by the reach of slits.
 struct Ring {
     const JoinedLine* line;
     Vec2 lower, upper;
@@ -94,7 +94,7 @@ class ContourFinder {
         for (const Ring& ring : closed_) contours.push_back(contour_of(*ring.line));
     }
 
-    /// What is left open. `contours` are those of all layers.
+    /// Reports the outlines that are open. `contours` holds those of all layers.
     void report_open(const std::vector<FoundContour>& contours) {
         if (!counts()) return;
         OpenLines marks;
@@ -117,7 +117,7 @@ class ContourFinder {
     }
 
   private:
-    /// Lines that are no outlines.
+    /// Lines that are not outlines.
     struct OpenLines {
         int count = 0;
         double length = 0;
@@ -158,7 +158,7 @@ class ContourFinder {
         return found;
     }
 
-    /// On layers that are cut or sewn along, where every line is to be closed.
+    /// Reports an open line on a layer for cutting or sewing, where every line must be closed.
     bool tell_open(const JoinedLine& line) {
         const double length = line_length(line);
         const Gap gap = nearest_gap(open_, line);
@@ -173,8 +173,8 @@ class ContourFinder {
         return true;
     }
 
-    /// Where no layer tells what is cut: a line whose ends all but meet, or that goes round cloth which no contour
-    /// goes round.
+    /// Reports an open outline where no layer tells what is cut: a line whose ends nearly meet, or that surrounds
+    /// cloth outside of every contour.
     bool tell_open_outline(const JoinedLine& line, const std::vector<FoundContour>& contours) {
         const double length = line_length(line);
         const Gap gap = nearest_gap(open_, line);
@@ -211,7 +211,7 @@ class ContourFinder {
         });
     }
 
-    /// Cutters see the drawing from above, so a contour that rises is cut too short.
+    /// Cutters see the drawing from above, so a contour that is not level is cut too short.
     void check_plane(const JoinedLine& line, const std::string& piece) {
         double low = std::numeric_limits<double>::infinity(), high = -low;
         for (const int number : line.lines) {

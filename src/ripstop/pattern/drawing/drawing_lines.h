@@ -7,7 +7,7 @@
 
 namespace ripstop {
 
-/// What the parts of a check share: what is looked at, in which unit, and where findings go.
+/// State that the parts of a check share: the drawing, its unit, and the findings.
 struct DrawingSurvey {
     const PatternDrawing& drawing;
     LayerConvention convention;
@@ -15,10 +15,10 @@ struct DrawingSurvey {
     DrawingCheck& check;
 };
 
-/// Names lines without length and lines drawn twice in `survey.check`, and gives all the others.
+/// Reports lines without length and duplicate lines in `survey.check`; returns all others.
 std::vector<const DrawnPath*> sound_lines(DrawingSurvey& survey);
 
-/// A contour with its points, and where it belongs.
+/// A contour with its points, layer and group.
 struct FoundContour {
     DrawingContour facts;
     int group = -1;
@@ -26,15 +26,16 @@ struct FoundContour {
     Points2 points;
 };
 
-/// The contours of the drawing. Names those that are open, by how much and where, those that cross themselves and those
-/// that do not lie in a plane. Where no layers are known, an open line that goes round cloth outside of every contour
-/// is an outline left open; other open lines are counted and noted.
+/// Finds the contours of the drawing. Reports contours that are open (by how much and where), that cross
+/// themselves, and that are not planar. If no layers are known, an open line around cloth outside of every contour
+/// is an open outline; other open lines are counted and noted.
 std::vector<FoundContour> find_contours(DrawingSurvey& survey, const std::vector<LayerLines>& layers);
 
 /// `(12.3, 4) mm`.
 std::string place_text(const Vec2& metres);
 
-/// Of the piece: the text `Piece Name:` of its block, the largest text inside, the group's name, or where it is.
+/// A piece's name: the text `Piece Name:` of its block, else the largest text inside, the group's name, or its
+/// place.
 std::string piece_name(const DrawingSurvey& survey, int group, const Points2& contour);
 
 }  // namespace ripstop

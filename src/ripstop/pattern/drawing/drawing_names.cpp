@@ -4,7 +4,7 @@
 namespace ripstop {
 namespace {
 
-/// What follows `PIECE NAME:` in any case of letters.
+/// The text after `PIECE NAME:`, in any case.
 std::string named_by(const std::string& text) {
     constexpr std::string_view key = "PIECE NAME:";
     if (text.size() <= key.size()) return "";

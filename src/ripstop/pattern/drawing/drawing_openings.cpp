@@ -12,12 +12,13 @@
 namespace ripstop {
 namespace {
 
-constexpr double on_the_line = 0.1 * millimetre;  // no cutter is better
+constexpr double on_the_line = 0.1 * millimetre;  // cutters are not more precise
 constexpr double usual_share = 0.9;
 constexpr double most_places = 400;
-constexpr double sparsest = 0.01;  // of the sew line between most_places, least [m]
+constexpr double sparsest = 0.01;  // least distance on the sew line between most_places [m]
 
-/// A place, how far straight away from it something is cut, and the largest ball outside that touches it, with what that meets.
+/// A place, the distance straight outward to the next cut, and the largest empty ball outside that touches the
+/// place, with what limits it.
 struct Outside {
     SewPlace place;
     double cut = std::numeric_limits<double>::infinity(), radius = std::numeric_limits<double>::infinity();  ///< [m]
@@ -68,7 +69,7 @@ std::vector<Outside> look_outside(const SewContour& contour, const std::vector<c
     return found;
 }
 
-/// What nine in ten most_places that are cut within their ball have at most.
+/// The allowance that nine in ten places do not exceed, among those that are cut within their ball.
 double usual_allowance(const std::vector<Outside>& all) {
     std::vector<double> cut;
     for (const Outside& outside : all)

@@ -6,7 +6,7 @@
 namespace ripstop {
 namespace {
 
-/// The part of a segment that lies in one triangle: from and to, as shares of the segment.
+/// The part of a segment inside one triangle, as parameters of the segment from 0 to 1.
 struct LiftedRun {
     double from = 0, to = 1;
     int triangle = 0;
@@ -54,7 +54,7 @@ Points3 rows_of(const std::vector<Vec3>& points) {
 }  // namespace
 
 std::vector<Points3> lift_line(const TriangleMesh& mesh, const Points2& flat, const Points2& line) {
-    constexpr double meeting = 1e-9;  // shares of a segment that are one point, up to rounding
+    constexpr double meeting = 1e-9;  // parameters of a segment this close are equal, up to rounding
     std::vector<FlatTriangle> triangles;
     for (int f = 0; f < mesh.triangle_count(); ++f) triangles.emplace_back(mesh, flat, f);
 
@@ -74,7 +74,7 @@ std::vector<Points3> lift_line(const TriangleMesh& mesh, const Points2& flat, co
         double reached = 0;
         if (runs.empty() || runs.front().from > meeting) end_line();
         for (const LiftedRun& run : runs) {
-            if (run.to <= reached + meeting) continue;  // along an edge two triangles have the same run
+            if (run.to <= reached + meeting) continue;  // both triangles of an edge have the same run
             if (run.from > reached + meeting) end_line();
             const auto lift = [&](double share) {
                 const Vec3 weights =

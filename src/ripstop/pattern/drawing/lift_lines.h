@@ -6,11 +6,12 @@
 
 namespace ripstop {
 
-/// A line drawn on the flat cloth, carried to the tile in space: the way back of `draw_lines`.
+/// Maps a line drawn on the flat cloth to the tile in space; the inverse of `draw_lines`.
 ///
-/// Each point goes where its triangle has it, and the line gets a point at every edge of the mesh it crosses, so it
-/// lies in the surface. Where it leaves the cloth it ends, and begins again where it comes back (#P x 3 each, at least
-/// 2 rows). `flat`: #V x 2, the tile on the cloth, no triangle without area. `line`: #points x 2. O(#points x #F).
+/// Each point is mapped by its triangle. The line gets a point at every mesh edge it crosses, so it lies in the
+/// surface. Where it leaves the cloth it ends, and it starts again where it returns (#P x 3 each, at least 2
+/// rows). `flat` is #V x 2, the tile on the cloth, without degenerate triangles. `line` is #points x 2. O(#points
+/// x #F).
 std::vector<Points3> lift_line(const TriangleMesh& mesh, const Points2& flat, const Points2& line);
 
 }  // namespace ripstop

@@ -11,12 +11,12 @@ constexpr double smallest_readable = 0.003;
 constexpr double smallest = 0.001;
 constexpr double upright = std::numbers::pi / 2;
 
-/// Lines of writing one below the other, measured in heights of the first. A letter takes one height of width: plotter
-/// fonts are that wide, screen fonts narrower.
+/// Lines of writing below each other, in units of the first line's height. A letter is as wide as high: plotter
+/// fonts are, screen fonts are narrower.
 struct Writing {
     std::vector<std::string> lines;
     static double scale(std::size_t line) { return line == 0 ? 1 : 0.6; }
-    /// Of the middle of the line below that of the first.
+    /// The distance from the middle of the first line down to that of another.
     static double drop(std::size_t line) { return line == 0 ? 0 : 1.3 + 0.9 * static_cast<double>(line - 1); }
 
     double width() const {
@@ -51,7 +51,7 @@ struct Fit {
     double turn = 0;
 };
 
-/// The largest height in [least, most] at which the writing fits at `middle`, 0 if none.
+/// The largest height in [least, most] at which the writing fits at `middle`; 0 if there is none.
 double fitting_height(const Points2& outline, const Writing& writing, const Fit& place, double least, double most) {
     const auto fits = [&](double height) { return contains(outline, writing.box(place.middle, height, place.turn)); };
     if (least > most || !fits(least)) return 0;
@@ -63,7 +63,7 @@ double fitting_height(const Points2& outline, const Writing& writing, const Fit&
     return least;
 }
 
-/// The pole, then a grid over the piece from the pole outward.
+/// Candidate places: the pole of inaccessibility, then a grid over the piece from the pole outward.
 std::vector<Vec2> places(const Points2& outline, const Vec2& pole) {
     const Vec2 lower = outline.colwise().minCoeff();
     const Vec2 size = Vec2(outline.colwise().maxCoeff()) - lower;
@@ -84,7 +84,8 @@ Fit best_fit(const Points2& outline, const std::vector<Vec2>& middles, const Wri
              double most) {
     Fit best;
     for (const double turn : {0.0, upright}) {
-        // Level is read more easily: upright writing has to be half as high again. Away from the pole, a fifth.
+        // Level text is easier to read, so upright text must be half as high again. Away from the pole, text must
+        // be a fifth higher.
         double needed = std::max(least, (turn == 0 ? 1 : 1.5) * best.height);
         for (const Vec2& middle : middles) {
             const double height = fitting_height(outline, writing, {middle, 0, turn}, needed, most);
@@ -103,7 +104,7 @@ bool overlaps(const Box& box, const Box& other) {
     return (apart.array() < (reach(box) + reach(other)).array()).all();
 }
 
-/// The parts of a chord that keep clear of the label.
+/// The parts of a chord that do not meet the label.
 std::vector<std::array<double, 2>> clear_of(const std::array<double, 2>& chord, double y, const Box& label) {
     const Vec2 reach = label.turn == 0 ? label.half : Vec2(label.half.y(), label.half.x());
     if (std::abs(y - label.centre.y()) >= reach.y()) return {chord};
@@ -120,8 +121,8 @@ struct Arrow {
     double length = 0;
 };
 
-/// The longest arrow on a part of a chord, as near to the pole as it goes, whose head and barbs stay inside and off the
-/// label; length 0 if none is longer than `least`.
+/// The longest arrow on a part of a chord, as near to the pole as possible, with head and barbs inside the outline
+/// and off the label; its length is 0 if none is longer than `least`.
 Arrow longest_arrow(const Points2& outline, const std::array<double, 2>& part, double y, const Vec2& pole, double least,
                     const Box& label) {
     const double width = part[1] - part[0];

@@ -7,8 +7,8 @@
 
 namespace ripstop {
 
-/// The lines of a tile on its cloth: each point by the triangle it is nearest to, points left out that the line does
-/// without at `chord_error` [m]. Requires flat positions. O(#points x #F).
+/// The lines of a tile on its cloth. Each point is mapped by the triangle closest to it; points that the line can
+/// do without at `chord_error` [m] are dropped. Requires flat positions. O(#points x #F).
 std::vector<DrawnLine> draw_lines(const FlatTile& tile, double chord_error);
 
 }  // namespace ripstop

@@ -9,7 +9,7 @@ namespace ripstop {
 namespace {
 
 constexpr double air = 0.004;        // between the sew line and the letters [m]
-constexpr double label_share = 0.8;  // of a mate's length that its name may take
+constexpr double label_share = 0.8;  // largest share of a mate's length for its name
 constexpr std::array heights{0.008, 0.006, 0.0045, 0.003};
 constexpr std::array label_shares{0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8};
 
@@ -27,7 +27,7 @@ struct LabelPoint {
     Vec2 at, way;
 };
 
-/// The point `walked` along a polyline, and the way it goes there.
+/// The point at distance `walked` along a polyline, and the direction there.
 LabelPoint along(const Points2& line, double walked) {
     LabelPoint place{line.row(0), Vec2::UnitX()};
     for (Eigen::Index i = 0; i + 1 < line.rows(); ++i) {
@@ -89,7 +89,7 @@ std::vector<Label> place_edge_labels(const PatternPiece& piece, std::vector<Box>
                 labels.push_back(*label);
                 taken.push_back(label_box(*label));
             }
-            // several sheets of one seam lie beside each other, so their names stand beside each other
+            // the sheets of one seam lie beside each other, and so do their names
             if (m + 1 == mates.size() || mates[m + 1].seam != mate.seam) from += mate.length;
         }
     }

@@ -8,7 +8,7 @@ namespace ripstop {
 namespace {
 
 struct NotchPlace {
-    double along;  ///< the edge from its start [m]
+    double along;  ///< along the edge, from its start [m]
     const PieceNotch* notch;
 };
 
@@ -29,7 +29,7 @@ double place_along(const Points2& line, const Vec2& point) {
     return best;
 }
 
-/// The notches of each edge, in its order.
+/// The notches of each edge, in order along it.
 std::vector<std::vector<NotchPlace>> notch_places(const PatternPiece& piece) {
     std::vector<std::vector<NotchPlace>> places(piece.edges.size());
     for (const PieceNotch& notch : piece.notches) {
@@ -41,7 +41,7 @@ std::vector<std::vector<NotchPlace>> notch_places(const PatternPiece& piece) {
     return places;
 }
 
-/// Where each edge starts and its middle (2 #edges x 2).
+/// The start and the middle of each edge (2 #edges x 2).
 Points2 marks_of(const PatternPiece& piece) {
     Points2 marks(2 * static_cast<Eigen::Index>(piece.edges.size()), 2);
     for (std::size_t e = 0; e < piece.edges.size(); ++e) {
@@ -62,7 +62,7 @@ Points2 marks_of(const PatternPiece& piece) {
     return marks;
 }
 
-/// By how many numbers the edges of `b` are on from those of `a`.
+/// By how much the numbers of the edges of `b` are ahead of those of `a`.
 std::size_t shift_of_numbers(const PatternPiece& a, const PatternPiece& b, const OutlineFit& motion) {
     const Points2 from = motion.moved(marks_of(a)), to = marks_of(b);
     std::size_t best = 0;

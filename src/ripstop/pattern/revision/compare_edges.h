@@ -8,10 +8,10 @@
 
 namespace ripstop {
 
-/// The edges of `a` that are others in `b`, each beside the one that lies where the motion takes it: of all the
-/// numberings that keep their order, that whose corners and middles lie nearest. None where there are not as many.
-/// Mates are told by the names of their pieces and the lengths sewn to them, not by the ids of seams. Lengths that
-/// differ by no more than `tolerance` [m] are the same. O(#edges^2).
+/// The edges of `a` that differ in `b`. Of all cyclic numberings, the one whose corners and middles are closest
+/// after the motion pairs the edges. Returns none if the numbers of edges differ. Mates are compared by the names
+/// of their pieces and the lengths sewn to them, not by seam ids. Lengths that differ by at most `tolerance` [m]
+/// are equal. O(#edges²).
 std::vector<EdgeChange> compare_edges(const PatternPiece& a, const PatternPiece& b, const OutlineFit& motion,
                                       double tolerance);
 

@@ -14,7 +14,7 @@
 namespace ripstop {
 namespace {
 
-/// From the warp to the head of the arrow [rad].
+/// The angle from the warp to the direction of the grain arrow [rad].
 double grain_angle(const PatternPiece& piece) {
     const Vec2 way = piece.grain_line.row(1) - piece.grain_line.row(0);
     return std::atan2(way.y(), way.x());
@@ -49,7 +49,7 @@ bool is_point_by_point(const Points2& a, const Points2& b, double tolerance) {
     return a.rows() == b.rows() && (a - b).rowwise().norm().maxCoeff() <= tolerance;
 }
 
-/// Lines of one name are matched with the nearest of that name.
+/// Matches each line with the nearest of the same name.
 std::vector<LineChange> compare_lines(const PatternPiece& a, const PatternPiece& b, const OutlineFit& motion,
                                       double tolerance) {
     std::vector<const DrawnLine*> there;
@@ -93,7 +93,7 @@ bool has_same_outline(const PatternPiece& a, const PatternPiece& b) {
     return a.outline().rows() == b.outline().rows() && a.outline() == b.outline();
 }
 
-/// Fills in what a piece measures in one revision.
+/// Sets the measurements of a piece in one revision.
 void measure(const PatternPiece& piece, double& area, double& length, int& edges) {
     area = piece.outline().rows() < 3 ? 0 : signed_area(piece.outline());
     length = piece.sew_line.rows() < 2 ? 0 : perimeter(piece.sew_line);

@@ -7,15 +7,15 @@
 
 namespace ripstop {
 
-/// What changed from one revision to the next, pieces matched by name: those gone and changed in the order of `before`,
-/// then those added. Lengths that differ by no more than `tolerance` [m] are the same (areas: by that times the
-/// perimeter; the turn of the grain: by that over half the piece's size, of its arrow over half its length). Edges
-/// (`compare_edges`), sew lines and drawn lines are compared where the best motion of the cut line takes them
-/// (`fit_outline`); drawn lines of one name with the nearest of that name.
+/// The changes from one revision to the next. Pieces are matched by name. Removed and changed pieces come first,
+/// in the order of `before`, then added ones. Lengths that differ by at most `tolerance` [m] are equal. The
+/// tolerance of areas is that times the perimeter; of the grain's turn, that over half the piece's size; of its
+/// arrow's turn, that over half its length. Edges (`compare_edges`), sew lines and drawn lines are compared after
+/// the best motion of the cut line (`fit_outline`); drawn lines, with the nearest of the same name.
 std::vector<PieceChange> compare_pieces(const PieceSet& before, const PieceSet& after, double tolerance);
 
-/// The seam types of both sets, by name, that are sewn otherwise: allowance, rows, tape. One that only one set has
-/// shows in the edges that name it.
+/// The seam types of both sets, by name, that differ in allowance, rows or tape. A type that only one set has
+/// shows in the edges that use it.
 std::vector<SeamTypeChange> compare_seam_types(const PieceSet& before, const PieceSet& after, double tolerance);
 
 }  // namespace ripstop

@@ -26,7 +26,7 @@ Points2 evenly_spaced(const Points2& outline) {
             points.row(next++) = (from + left / length * (to - from)).transpose();
         left -= length;
     }
-    for (; next < samples; ++next) points.row(next) = outline.row(0);  // rounding of the last
+    for (; next < samples; ++next) points.row(next) = outline.row(0);  // against rounding of the last samples
     return points;
 }
 
@@ -52,7 +52,7 @@ double furthest(const Points2& points, const Points2& outline) {
     return most;
 }
 
-/// The furthest a point of one line, corners and some between, lies off the other.
+/// The largest distance of points on one line, its corners and some between, from the other.
 double furthest_off(const Points2& line, const Points2& other) {
     constexpr int steps = 8;
     double most = 0;
@@ -67,7 +67,7 @@ double furthest_off(const Points2& line, const Points2& other) {
     return most;
 }
 
-/// Direction of the longest spread of points.
+/// The principal axis of points.
 double principal_axis(const Points2& points) {
     const Points2 centred = points.rowwise() - points.colwise().mean();
     const Mat22 spread = centred.transpose() * centred;

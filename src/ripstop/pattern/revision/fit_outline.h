@@ -4,28 +4,28 @@
 
 namespace ripstop {
 
-/// A rigid motion of one outline onto another, and how well it then covers it.
+/// A rigid motion of one outline onto another, and the quality of the fit.
 struct OutlineFit {
-    double turn = 0;           ///< of the first before it is moved onto the second [rad]
-    Vec2 from = Vec2::Zero();  ///< about this point of the first,
-    Vec2 to = Vec2::Zero();    ///< which comes here
+    double turn = 0;           ///< rotation of the first outline [rad],
+    Vec2 from = Vec2::Zero();  ///< about this point of it,
+    Vec2 to = Vec2::Zero();    ///< which moves here
     double root_mean_square = 0;
-    double distance = 0;  ///< the largest, of either outline's points from the other [m]
+    double distance = 0;  ///< largest distance of either outline's points from the other [m]
 
-    /// Points of the first, where the motion takes them (#P x 2).
+    /// Points of the first outline after the motion (#P x 2).
     Points2 moved(const Points2& points) const;
 };
 
-/// The rigid motion (no mirroring) of outline `a` onto `b` of least mean squared distance: iterated closest points
-/// [BM92] between 200 points spaced evenly along `a` and the outline `b`, from where they lie with the centroids
-/// together, and from principal axis on principal axis either way; a turned fit counts only where it is better by a
-/// tenth.
+/// The rigid motion (without mirroring) of outline `a` onto `b` with least mean squared distance, by iterated
+/// closest points [BM92] from 200 evenly spaced points of `a` to outline `b`. Starts with coinciding centroids,
+/// unrotated and with aligned principal axes, both ways. A rotated fit is chosen only if it is better by a tenth.
 OutlineFit fit_outline(const Points2& a, const Points2& b);
 
-/// Largest distance of the points of either outline, corners and 200 between, from the other [m].
+/// The largest distance of points of either outline (corners and 200 others) from the other [m].
 double outline_distance(const Points2& a, const Points2& b);
 
-/// The same of two lines that are not closed, of at least two points each; between corners, seven points.
+/// The largest distance of points of either open line from the other [m]. Lines have at least two points; seven
+/// points between neighbouring corners are tested too.
 double line_distance(const Points2& a, const Points2& b);
 
 }  // namespace ripstop
