@@ -13,13 +13,13 @@
 namespace ripstop {
 namespace {
 
-constexpr int chunk = 256;  // elements a task
+constexpr int chunk = 256;  // elements per task
 
 int directions(Freedom freedom) {
     return may_move(freedom, 0) + may_move(freedom, 1) + may_move(freedom, 2);
 }
 
-/// z of the middle, as a share of each corner's: the lever of weight.
+/// Adds the potential energy of a weight at the centroid of the corners.
 void add_weight(double weight, int corners, const Vec3* points, SpaceElement& element) {
     for (int k = 0; k < corners; ++k) {
         element.energy += weight / corners * points[k].z();
@@ -32,15 +32,15 @@ void add_weight(double weight, int corners, const Vec3* points, SpaceElement& el
 /// A triangle of cloth, a triangle of a cap, or a piece of tape.
 struct Balance::Element {
     enum class Kind { cloth, cap, tape } kind = Kind::cloth;
-    int number = 0;     ///< in its own list
+    int number = 0;     ///< index in its own list
     double weight = 0;  ///< [N]
     bool gas = false;
-    std::vector<RelaxedMembrane> membrane = {};  ///< one, of cloth
+    std::vector<RelaxedMembrane> membrane = {};  ///< for cloth only: one entry
     std::array<const Place*, 3> places = {};
     int corners = 3;
     std::vector<int> unknowns = {};
-    bool is_plain = false;     ///< each corner is a node free to go everywhere: the unknowns are its coordinates
-    Eigen::MatrixXd map = {};  ///< else: of the unknowns to the corners' coordinates
+    bool is_plain = false;     ///< each corner is a node that may move freely, so the unknowns are its coordinates
+    Eigen::MatrixXd map = {};  ///< otherwise: from the unknowns to the corners' coordinates
     int group = -1;
 };
 
@@ -85,7 +85,7 @@ Balance::~Balance() = default;
 
 void Balance::add_element(const std::vector<const Place*>& places, Element element) {
     element.corners = static_cast<int>(places.size());
-    std::map<int, int> column;  // of each node
+    std::map<int, int> column;  // first column of each node
     element.is_plain = true;
     for (std::size_t k = 0; k < places.size(); ++k) {
         element.places[k] = places[k];
@@ -182,7 +182,7 @@ double Balance::energy(const Points3& nodes) const {
     return sum;
 }
 
-/// Calls `visit` with each element and its result, in their order.
+/// Calls `visit` with each element and its result, in order.
 template <class Visit>
 void Balance::visit_results(const Points3& nodes, bool with_hessian, Visit&& visit) const {
     struct Result {

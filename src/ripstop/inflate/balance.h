@@ -10,19 +10,20 @@
 
 namespace ripstop {
 
-/// The potential energy of a sewn envelope as a function of where its nodes are:
+/// The potential energy of a sewn envelope as a function of its node positions:
 ///
 ///     Pi(x) = sum A psi_r(E) + sum L EA <e>+^2 / 2 + weight - integral of p dV       [J]
 ///
-/// cloth (`TensionField`), tapes (`tape_element`), weight of both and of the valve, gas (`gas_element`). Of one sector,
-/// where the envelope has equal ones. The unknowns are the free directions of the nodes.
+/// with cloth (`TensionField`), tapes (`tape_element`), the weight of both and of the valve, and gas (`gas_element`).
+/// If the envelope has equal sectors, the energy is that of one sector. The unknowns are the free directions of the
+/// nodes.
 class Balance {
   public:
-    /// `sewn` must outlive it. `threads` (0: one a core) do not change the result.
+    /// `sewn` must outlive it. The result does not depend on `threads` (0: one per core).
     Balance(const SewnEnvelope& sewn, const GasPressure& gas, int threads);
     ~Balance();
 
-    void set_residual(double residual);  ///< share of the unrelaxed cloth (`TensionField`); 0 at first
+    void set_residual(double residual);  ///< fraction of the unrelaxed cloth energy (`TensionField`); initially 0
     void set_gas(const GasPressure& gas) { gas_ = gas; }
 
     int unknowns() const { return pattern_->size(); }
@@ -32,30 +33,30 @@ class Balance {
 
     double energy(const Points3& nodes) const;
     Eigen::VectorXd gradient(const Points3& nodes) const;
-    /// Energy, gradient and Hessian, the pattern's lower triangle. The Hessian of cloth and tapes is positive
-    /// semi-definite, that of the gas is not.
+    /// Computes energy, gradient and Hessian (the pattern's lower triangle). The Hessian of cloth and tapes is
+    /// positive semi-definite, that of the gas is not.
     double assemble(const Points3& nodes, Eigen::VectorXd& gradient, Eigen::VectorXd& values) const;
 
-    /// The nodes moved by a step in the unknowns.
+    /// The node positions after a step in the unknowns.
     Points3 moved(const Points3& nodes, const Eigen::VectorXd& step) const;
-    /// The farthest that a node is moved by a step [m].
+    /// The largest displacement of a node in a step [m].
     double longest(const Eigen::VectorXd& step) const;
 
-    /// The force that everything together puts on the held nodes, all sectors [N]: what hangs below must pull back.
+    /// The total force on the held nodes, all sectors [N]: the load below must balance it.
     double lift(const Points3& nodes) const;
-    /// What the gas lifts by itself less `weight`: the vertical force of the gas on skin and caps, all sectors [N].
+    /// The lift of the gas minus `weight`: the vertical force of the gas on skin and caps, all sectors [N].
     double net_lift(const Points3& nodes) const;
-    /// What the gas would push up on lids that close the openings it leaves by (`SewnEnvelope::lids`), all sectors
-    /// [N]: it is no lift.
+    /// The upward force that the gas would exert on lids over the openings where it escapes (`SewnEnvelope::lids`),
+    /// all sectors [N]. It is not part of the lift.
     double thrust_on_lids(const Points3& nodes) const;
-    double weight() const;                      ///< of cloth, tapes and valve, all sectors [N]
-    double volume(const Points3& nodes) const;  ///< within skin, caps and lids, all sectors [m3]
-    /// Masses with which explicit integration at a time step of 1 is stable: a node's stiffness by its elements
-    /// unrelaxed and with every tape taut, times `safety`.
+    double weight() const;                      ///< weight of cloth, tapes and valve, all sectors [N]
+    double volume(const Points3& nodes) const;  ///< volume inside skin, caps and lids, all sectors [m3]
+    /// Masses for which explicit integration with time step 1 is stable: the stiffness at each node with unrelaxed
+    /// elements and every tape taut, times `safety`.
     Eigen::VectorXd fictitious_masses(const Points3& nodes, double safety) const;
 
-    double angle() const { return angle_; }  ///< of a sector [rad]
-    /// Corners of a triangle of the skin in space, from the axis.
+    double angle() const { return angle_; }  ///< angle of a sector [rad]
+    /// The corners of a skin triangle in space, relative to the axis.
     std::array<Vec3, 3> corners(const Points3& nodes, int triangle) const;
 
   private:
@@ -72,8 +73,8 @@ class Balance {
     GasPressure gas_;
     int threads_;
     double angle_;
-    std::vector<TensionField> cloth_;  ///< of each fabric
-    std::vector<int> first_unknown_;   ///< of each node; of as many as its freedom has directions
+    std::vector<TensionField> cloth_;  ///< one per fabric
+    std::vector<int> first_unknown_;   ///< of each node; it has as many unknowns as free directions
     std::vector<Element> elements_;
     std::unique_ptr<SparsePattern> pattern_;
 };

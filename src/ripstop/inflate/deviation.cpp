@@ -10,14 +10,14 @@
 namespace ripstop {
 namespace {
 
-/// The drawn tiles, for one thread: a finder builds what it needs as it is asked.
+/// The drawn tiles, for one thread: a finder builds its search structure at the first query.
 class Drawing {
   public:
     explicit Drawing(const CutPlan& plan) : plan_(plan) {
         for (const FlatTile& tile : plan.tiles) finders_.emplace_back(tile.tile.mesh);
     }
 
-    /// Signed distance of a point whose own drawn place is `drawn`, on tile `own`.
+    /// The signed distance of a point on tile `own` from the drawn surface; `drawn` is its own drawn place.
     double distance(const Vec3& point, const Vec3& drawn, std::size_t own) {
         double reach = (point - drawn).norm() * (1 + 1e-9) + 1e-12, signed_distance = (point - drawn).norm();
         look(own, point, reach, signed_distance);
@@ -50,7 +50,7 @@ Eigen::VectorXd vertex_areas(const TriangleMesh& mesh) {
     return areas;
 }
 
-/// Sums up a tile; `weight` is its area.
+/// Accumulates the deviation of the tiles; `weight` is the area of a tile.
 struct Sum {
     double off = 0, moved = 0, area = 0;
     Deviation most;

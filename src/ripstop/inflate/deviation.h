@@ -5,10 +5,10 @@
 
 namespace ripstop {
 
-/// Fills in how far each tile's `positions` are from the drawn envelope (`InflatedTile::deviation`, `off`) and the
-/// whole's `Inflated::off`: distance to the nearest point of any drawn tile, positive outside; root mean squares by the
-/// area at each vertex. In parallel; for each vertex the tiles nearer than its own drawn place are searched, O(#F) of
-/// each.
+/// Computes the deviation of each tile's `positions` from the drawn envelope (`InflatedTile::deviation`, `off`) and
+/// the total `Inflated::off`: the distance to the nearest point of any drawn tile, positive outside. Root mean
+/// squares are weighted by the area at each vertex. Parallel. For each vertex, tiles closer than its own drawn place
+/// are searched, in O(#F) each.
 void measure_deviation(const CutPlan& plan, int threads, Inflated& inflated);
 
 }  // namespace ripstop

@@ -37,7 +37,7 @@ class Descent {
           unit_(force_unit(balance, nodes_)),
           cap_(0.05 * size_of(nodes_)) {}
 
-    /// Goes on until `tolerance` is met (true), or no step gets through, or the iterations are used up.
+    /// Iterates until `tolerance` is met (true), no step succeeds, or the iterations are used up.
     bool run(double tolerance) {
         energy_ = balance_.assemble(nodes_, gradient_, values_);
         while (true) {
@@ -50,7 +50,7 @@ class Descent {
             if (!factorize()) return false;
             const Eigen::VectorXd step = -solver_.solve(gradient_);
             if (!step.allFinite() || !advance(step)) {
-                // Too bold a model: once more with a heavier shift.
+                // The quadratic model is poor: repeat with a larger shift.
                 if (shift_ > 1e3 * scale_) return false;
                 shift_ = std::max(16 * shift_, 1e-4 * scale_);
             }
@@ -63,14 +63,14 @@ class Descent {
     double unit() const { return unit_; }
     bool is_settled() const { return is_settled_; }
 
-    /// Is the matrix where it stands positive definite without a shift?
+    /// Whether the Hessian at the present point is positive definite without a shift.
     bool is_stable() {
         ++summary_.factorizations;
         return solver_.factorize(values_) && solver_.inertia().negative == 0;
     }
 
   private:
-    /// Since it was asked before.
+    /// Whether the shape has settled since the last call.
     bool has_settled() {
         const bool has_before = before_.rows() > 0;
         const double moved = has_before ? (nodes_ - before_).norm() / std::sqrt(static_cast<double>(nodes_.rows())) : 0;
@@ -140,7 +140,7 @@ class Descent {
     Points3 nodes_;
     Points3 before_;
     bool is_settled_ = false;
-    int steps_ = 0;  // taken since `before_`
+    int steps_ = 0;  // steps taken since `before_`
     double unit_, cap_, energy_before_ = 0, energy_ = 0, scale_ = 1, shift_ = 0, most_ = 0;
     Eigen::VectorXd gradient_, values_;
 };
@@ -182,7 +182,7 @@ Equilibrium find_equilibrium(Balance& balance, const Points3& start, const Equil
             if (has_converged || result.summary.iterations >= options.iterations || round + 1 == rounds) break;
             const Equilibrium relaxed = relax_dynamically(balance, result.nodes, relaxation_steps, options.tolerance);
             if (relaxed.energy < result.energy) result.nodes = relaxed.nodes;
-            // And on from a state of cloth that pushes a little more.
+            // Continue from an equilibrium with more compressive stiffness.
             balance.set_residual(100 * options.residuals[stage]);
             Descent eased(balance, result.nodes, options, result.summary);
             eased.run(100 * options.tolerance);

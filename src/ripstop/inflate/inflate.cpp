@@ -14,7 +14,7 @@
 namespace ripstop {
 namespace {
 
-/// The nodes where tiles are to start: what hangs on nodes follows.
+/// The node positions for the given start positions of the tiles; points that depend on nodes follow.
 Points3 start_nodes(const SewnEnvelope& sewn, const std::vector<Points3>& start) {
     Points3 nodes = sewn.nodes;
     for (std::size_t i = 0; i < start.size(); ++i)
@@ -35,7 +35,7 @@ Eigen::VectorXd flat_areas(const FlatTile& tile) {
     });
 }
 
-/// What a tile's cloth goes through, for positions in flight.
+/// Computes strain, stress and state of a tile's cloth for its positions in flight.
 void read_cloth(const FlatTile& tile, const Fabric& fabric, RestState rest, InflatedTile& inflated) {
     const TensionField cloth(fabric);
     const TriangleMesh& mesh = tile.tile.mesh;
@@ -82,7 +82,7 @@ void read_tapes(const SewnEnvelope& sewn, const Points3& nodes, double angle, In
     }
 }
 
-/// Highest to lowest, and the widest across the vertical axis through the middle.
+/// The height from highest to lowest point, and the largest diameter about the vertical axis through the middle.
 void measure_sizes(const std::vector<Points3>& tiles, double& height, double& diameter) {
     Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
     for (const Points3& tile : tiles) {
@@ -131,7 +131,7 @@ void read_tiles(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& no
 constexpr double limit_load = 1.4;
 
 SafetyFactor factor_of_cloth(const Inflated& inflated, const CutPlan& plan, double knock_down, double required) {
-    constexpr double left_out = 1e-3;  // of the area
+    constexpr double left_out = 1e-3;  // fraction of the area to ignore
     struct Part {
         double load, strength, area;
         std::size_t tile;
@@ -173,8 +173,8 @@ Inflated inflate(const CutPlan& plan, const InflateOptions& options) {
     inflated.floor = options.load.mouth_plane.value_or(sewn.floor);
     inflated.sectors = sewn.sectors;
     inflated.seam_gap = sewn.seam_gap;
-    // From the mouth's height on, wherever the gas has no pressure: so the mouth needs no cap, for force nor for
-    // volume.
+    // Integrate from the height of the mouth, or from where the pressure is zero, so that the mouth needs no cap for
+    // force or volume.
     const double at_mouth = options.load.extra_pressure + inflated.rise * (sewn.floor - inflated.floor);
     Balance balance(sewn, {at_mouth, inflated.rise, sewn.floor}, options.threads);
     EquilibriumOptions solving;

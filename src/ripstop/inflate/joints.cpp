@@ -48,7 +48,8 @@ bool Joints::join(const Place& a, const Place& b) {
         if (left[0].turns != right[0].turns) on_axis_.insert(left[0].node);
         return true;
     }
-    // The later point hangs on the earlier, so that which one is free does not depend on the order of the joints.
+    // The later point depends on the earlier one, so that the choice of free points does not depend on the order of
+    // joints.
     const bool swap = left.size() == 1 && right.size() == 1 && left[0].node < right[0].node;
     if (!swap && left.size() == 1 && replace(left, right)) return true;
     if (right.size() == 1 && replace(right, left)) return true;

@@ -7,27 +7,29 @@
 
 namespace ripstop {
 
-/// How a tile is one that came before it, somewhere else.
+/// The relation of a tile to an earlier tile that is congruent to it.
 struct Likeness {
     int to = -1;                  ///< the earlier tile; -1: this one is the first of its kind
-    bool mirrored = false;        ///< it is that one's mirror image
-    bool grain_reversed = false;  ///< its warp points the other way; a thread has no head, so the cloth is the same
+    bool mirrored = false;        ///< the two are mirror images
+    bool grain_reversed = false;  ///< its warp points the other way; a thread has no direction, so the cloth is the
+                                  ///< same
     Eigen::Isometry3d motion =
-        Eigen::Isometry3d::Identity();  ///< from the earlier tile (mirrored: its x -> -x) to this
+        Eigen::Isometry3d::Identity();  ///< from the earlier tile (mirrored: with x -> -x) to this one
     std::vector<int> vertex =
-        {};  ///< of the earlier tile, the place of each of this one's vertices; empty where the two are
-             ///< meshed differently, or lie apart by more than 1e-9 m
+        {};  ///< vertex of the earlier tile for each of this one's vertices; empty if the two are meshed differently,
+             ///< or lie more than 1e-9 m apart
 };
 
-/// Which tiles are the same cut: alike up to a turn and a shift, or up to a mirror too (rights and lefts), in surface,
-/// drawn edge lengths, corners, warp, fabric and compensation. Names and numbering of vertices do not matter.
+/// Finds tiles with the same pattern: congruent up to a rigid motion, or also a reflection (rights and lefts), in
+/// surface, drawn edge lengths, corners, warp, fabric and compensation. Names and vertex numbering do not matter.
 ///
-/// Two tiles are the same surface where, after the rigid fit of their outlines (32 points a chain, least squares), no
-/// vertex of either is farther than `tolerance` from the other's triangles. Chains' lengths must agree to `tolerance`,
-/// the warp to `tolerance` at the tile's far end. Always compared with the first of a kind, so likeness does not creep.
+/// Two tiles have the same surface if, after the rigid fit of their outlines (32 points per chain, least squares), no
+/// vertex of either is farther than `tolerance` from the other's triangles. Chain lengths must agree to `tolerance`,
+/// and the warp to `tolerance` at the far end of the tile. Tiles are always compared with the first of a kind, so
+/// errors do not accumulate.
 ///
-/// Candidates are found by area, perimeter and number of chains: O(#tiles log #tiles) and, for each pair compared,
-/// about O(#F log #F) where the meshes correspond vertex by vertex, O(#V #F) otherwise.
+/// Candidates are found by area, perimeter and number of chains: O(#tiles log #tiles). A comparison costs about O(#F
+/// log #F) if the meshes correspond vertex by vertex, otherwise O(#V #F).
 std::vector<Likeness> find_equal_tiles(const std::vector<Tile>& tiles, double tolerance = 1e-4);
 
 }  // namespace ripstop

@@ -12,14 +12,15 @@ std::string percent_text(double ratio) {
     return format_fixed(std::abs(ratio) / percent, 3) + " %";
 }
 
-/// The middle of the chain, by edges.
+/// The middle vertex of the chain.
 Vec3 middle_of(const Tile& tile, const Chain& chain) {
     return tile.mesh.positions.row(chain.vertices[chain.vertices.size() / 2]);
 }
 
-constexpr double plotter_step = 0.025 * millimetre;  // of HP-GL: no cutter makes an edge right to less, however short
+constexpr double plotter_step = 0.025 * millimetre;  // of HP-GL: no cutter makes an edge more accurate than this,
+                                                     // however short it is
 constexpr double certified_length = 1e-8;
-constexpr double certified_force = 1e-6;  // in mean stiffness times mean boundary edge
+constexpr double certified_force = 1e-6;  // relative to mean stiffness times mean boundary edge
 
 void judge_bounds(const Bounds& bounds, const Tolerances& tolerances, Verdict& verdict) {
     const double least = (1 - tolerances.area) / ((1 + tolerances.length) * (1 + tolerances.length));

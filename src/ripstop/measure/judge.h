@@ -9,15 +9,15 @@
 
 namespace ripstop {
 
-/// The paper's tolerances, with the strain and shear that `fabric` stands.
+/// The paper's tolerances with the strain and shear limits of `fabric`.
 Tolerances tolerances_of(const Fabric& fabric);
 
-/// Can the tile be made as drawn? Every reason against it is a finding with its value, limit and place:
-///
-/// `isoperimetric`, `stretch_bound` (impossible for any flattening); `unsolved` (the method gave nothing, or is not at
-/// rest), `uncertified` (its certificate does not show a strict minimum with exact edges), `flipped`, `overlap`,
-/// `outline`, `area`, `perimeter`, `chain` (off by more than a plotter's step too, 0.025 mm), `warp_strain`,
-/// `weft_strain`, `shear`. Values and limits are in % and degrees, counts and ratios as they are.
+/// Judges whether the tile can be made as drawn. Every reason against it is a finding with value, limit and place.
+/// The codes: `isoperimetric`, `stretch_bound` (impossible for any flattening); `unsolved` (the method returned
+/// nothing, or did not converge), `uncertified` (its certificate shows no strict minimum with exact edges),
+/// `flipped`, `overlap`, `outline`, `area`, `perimeter`, `chain` (only if also off by more than a plotter step, 0.025
+/// mm), `warp_strain`, `weft_strain`, `shear`. Values and limits are in % and degrees; counts and ratios are as they
+/// are.
 Verdict judge(const Tile& tile, const Bounds& bounds, const Flattening& flattening, const Accuracy& accuracy,
               const Tolerances& tolerances);
 

@@ -7,18 +7,19 @@
 
 namespace ripstop {
 
-/// Measures the zigzags of a tile by the curve that each stands for (`FairCurve`): its length in space, times what the
-/// compensation adds to the edges along it, against that of its image on the cloth; and the area that the tile has
-/// within all of them, as polygons through the same vertices on both. Nothing where the tile was not flattened.
+/// Measures the zigzags of a tile on the curve that each stands for (`FairCurve`): its length in space, including the
+/// compensation of the edges along it, and the length of its image on the cloth. Also measures the area of the tile
+/// inside all curves, as polygons through the same vertices on both. Empty if the tile was not flattened.
 /// O(#boundary).
 std::vector<ZigzagWalk> walk_zigzags(const Tile& tile, const Points2& flat, const std::vector<Zigzag>& zigzags);
 
-/// A curve off its length by more than the tolerance on lengths is a finding of its tile, `zigzag`: value and limit in
-/// %. No mate forgives it: teeth that fold alike on both sides are sewn to a seam of another length than was drawn.
+/// Adds the finding `zigzag` to a tile if a curve misses its length by more than the length tolerance; value and
+/// limit in %. There is no waiver for a matching mate: teeth that fold alike on both sides give a seam of another
+/// length than drawn.
 void judge_zigzags(const Tile& tile, const std::vector<ZigzagWalk>& walks, const Tolerances& tolerances,
                    Verdict& verdict);
 
-/// Finds, measures and judges those of a whole plan whose tiles are judged.
+/// Finds, measures and judges the zigzags of a whole plan. Requires that its tiles are judged.
 void judge_zigzags(CutPlan& plan);
 
 }  // namespace ripstop

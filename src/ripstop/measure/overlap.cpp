@@ -17,7 +17,7 @@ Corners corners(const Triangles& triangles, const Points2& flat, int t) {
     return result;
 }
 
-/// Whether a line along an edge of the counter-clockwise `a` has all of `b` on its outer side, within rounding.
+/// Whether an edge of the counter-clockwise triangle `a` has all of `b` on its outer side, within rounding.
 bool separated_by_edge_of(const Corners& a, const Corners& b) {
     for (std::size_t k = 0; k < 3; ++k) {
         const Vec2 edge = a[(k + 1) % 3] - a[k];
@@ -32,7 +32,7 @@ bool separated_by_edge_of(const Corners& a, const Corners& b) {
     return false;
 }
 
-/// Square cells of about a triangle's size over the flat positions.
+/// A grid over the flat positions with square cells of about a triangle's size.
 class Grid {
   public:
     Grid(const Triangles& triangles, const Points2& flat) : lower_(flat.colwise().minCoeff()) {

@@ -7,9 +7,9 @@
 
 namespace ripstop {
 
-/// The pairs of triangles whose insides lie on one another on the cloth (#V x 2), each as (smaller, larger), sorted.
-/// Empty exactly where no cloth would have to be in two places at once. Decided triangle by triangle, so it holds
-/// whatever made the flattening; touching along an edge or in a point is no overlap. About O(#F) through a grid.
+/// The pairs of triangles whose interiors overlap on the cloth (#V x 2), each as (smaller, larger), sorted. Empty if
+/// and only if the map is injective. The test compares triangles, so it holds for any flattening method; a common
+/// edge or point is no overlap. About O(#F) by a grid.
 std::vector<std::array<int, 2>> overlapping_triangles(const Triangles& triangles, const Points2& flat);
 
 }  // namespace ripstop

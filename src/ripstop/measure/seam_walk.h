@@ -6,32 +6,32 @@
 
 namespace ripstop {
 
-/// How densely a walk places the notches of a seam.
+/// The density of the notches in a walk.
 struct WalkOptions {
-    double notch_spacing = 0.25;  ///< at most this far apart [m]
-    int least_intervals = 4;      ///< a short seam too is cut into so many parts by its notches
+    double notch_spacing = 0.25;  ///< largest distance between notches [m]
+    int least_intervals = 4;      ///< the notches divide even a short seam into at least this many parts
 };
 
-/// How long each boundary edge came out on the cloth [m] (boundary[i] to boundary[i + 1]), free of how finely the edge
-/// is meshed. A method that holds edges at their lengths on the seams' curves (`edges_on_curve`) has made the cut line
-/// as long as it says: the flat edge is taken as it is. Any other has worked on the mesh, whose edges are chords and
-/// short of the curve by about theta^2 / 24 at a turn of theta an edge; that share is not its error, so what it did to
-/// the chord is done to the curve:
+/// The length of each boundary edge on the cloth [m] (boundary[i] to boundary[i + 1]), independent of the mesh
+/// resolution. A method that holds edges at their lengths on the seams' curves (`edges_on_curve`) gives the cut line
+/// that length directly, so the flat edge counts as it is. Other methods work on the mesh, whose edges are chords,
+/// shorter than the curve by about theta^2 / 24 at a turn of theta per edge. That is not their error, so the curve
+/// gets the same stretch as the chord:
 ///
 ///     on the cloth = |flat edge| * drawn length / chord
 ///
-/// Two sides of a seam that are meshed differently are so measured alike.
+/// Two sides of a seam with different meshes are therefore measured alike.
 Eigen::VectorXd boundary_on_cloth(const Tile& tile, const Points2& flat, bool edges_on_curve);
 
-/// Walks every seam. The flat length of a part of an edge is its share of the edge's:
+/// Walks every seam. A part of an edge has its share of the flat edge's length:
 ///
 ///     flat(part) = on the cloth(edge) * part.length / drawn length(edge)
 ///
-/// so the sides agree to rounding wherever every edge has its drawn length, however the sides are meshed and wherever
-/// other seams end along them. drift(s) = flat_b(s) - flat_a(s) is linear between the ends of the parts of both sides,
-/// so its largest value is found exactly. Its limit is the tolerance on lengths times the seam's length, everywhere
-/// along it: two sides of equal length whose marks do not meet halfway are not sewn flat. Real lengths are compared:
-/// with compensation the sides agree where both are compensated alike. O(parts + notches).
+/// So the sides agree to rounding wherever every edge has its drawn length, whatever the meshes and the other seams
+/// along them. drift(s) = flat_b(s) - flat_a(s) is linear between the ends of the parts of both sides, so its maximum
+/// is exact. Its limit is the length tolerance times the seam's length, at every place: two sides of equal length
+/// cannot be sewn flat if their marks do not meet halfway. Actual lengths are compared: with compensation the sides
+/// agree if both are compensated alike. O(parts + notches).
 std::vector<SeamWalk> walk_seams(const std::vector<FlatTile>& tiles, const std::vector<Seam>& seams,
                                  const Tolerances& tolerances, const WalkOptions& options = {});
 

@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::size_t enough = 24;  // neighbours: a cubic has nine unknowns
 constexpr int most_rings = 4;
-constexpr std::size_t too_many = 80;  // of needles about one vertex
-constexpr double nearness = 0.1;      // how much more near neighbours weigh than far ones
+constexpr std::size_t too_many = 80;  // neighbours, as round a vertex of many needles
+constexpr double nearness = 0.1;      // controls how much more weight near neighbours have than far ones
 constexpr double least_normal_agreement = 0.7;
 
-/// Triangles and neighbours about one vertex, on one side of the creases there.
+/// The triangles and neighbours of a vertex on one side of its creases.
 class Surroundings {
   public:
     Surroundings(const TriangleMesh& mesh, const Adjacency& adjacency, const std::vector<bool>& crease)
@@ -28,10 +28,10 @@ class Surroundings {
           seen_triangle_(static_cast<std::size_t>(mesh.triangle_count()), -1),
           seen_vertex_(static_cast<std::size_t>(mesh.vertex_count()), -1) {}
 
-    /// The corners at the vertex of `corner` that no crease divides from it, as half-edges that leave it.
+    /// The corners at the vertex of `corner` that no crease separates from it, as half-edges that leave the vertex.
     std::vector<int> fan(int corner) const {
         std::vector<int> corners{corner};
-        for (int h = corner;;) {  // counter-clockwise: across the edge that comes in
+        for (int h = corner;;) {  // counter-clockwise: across the incoming edge
             const int in = Adjacency::previous(h);
             if (adjacency_.is_boundary(in) || crease_[static_cast<std::size_t>(in)]) break;
             h = adjacency_.twin(in);
@@ -46,7 +46,7 @@ class Surroundings {
         return corners;
     }
 
-    /// Vertices round the fan, ring by ring until there are enough.
+    /// The vertices round the fan, ring by ring until there are enough.
     std::vector<int> neighbours(const std::vector<int>& fan) {
         ++mark_;
         std::vector<int> found, front;
@@ -57,7 +57,7 @@ class Surroundings {
             std::vector<int> next;
             for (const int t : front)
                 for (int k = 0; k < 3 && found.size() < too_many; ++k) {
-                    // Through the corners, not only the sides: rings of vertices, not of triangles.
+                    // Neighbours share a corner, not only a side: these are rings of vertices, not of triangles.
                     for (const int h : this->fan(3 * t + k)) take(h / 3, next, found);
                 }
             front = std::move(next);
@@ -85,7 +85,7 @@ class Surroundings {
     int mark_ = 0;
 };
 
-/// The mean of a fan's triangles, by their angles.
+/// The mean normal of a fan, weighted by angle.
 Vec3 mean_normal(const TriangleMesh& mesh, const std::vector<int>& fan) {
     Vec3 sum = Vec3::Zero();
     for (const int h : fan) {
@@ -96,7 +96,8 @@ Vec3 mean_normal(const TriangleMesh& mesh, const std::vector<int>& fan) {
     return sum.normalized();
 }
 
-/// The normal of the height function with `unknowns` terms over the plane across `up`; nothing where it is not determined.
+/// The normal of a fitted height function with `unknowns` terms over the plane across `up`; empty if the fit is
+/// singular.
 std::optional<Vec3> fitted_normal(const TriangleMesh& mesh, int vertex, const std::vector<int>& neighbours,
                                   const Vec3& up, int unknowns) {
     const int count = static_cast<int>(neighbours.size());

@@ -8,10 +8,10 @@
 
 namespace ripstop {
 
-/// The normal of the surface at each corner of each triangle (3 #F x 3, corner k of triangle t in row 3 t + k), of unit
-/// length, outward: of a cubic height function through the vertex, fitted to 24 or more vertices within four rings,
-/// weighted by distance; a quadratic, at last the mean of the triangles, where they do not determine it. Corners on
-/// different sides of a crease have their own. O(#F).
+/// The unit normal of the surface at each corner of each triangle (3 #F x 3, corner k of triangle t in row 3 t + k),
+/// outward. A cubic height function through the vertex is fitted to at least 24 vertices within four rings, weighted
+/// by distance. If they do not determine it, a quadratic is fitted, and finally the mean of the triangles is taken.
+/// Corners on different sides of a crease have separate normals. O(#F).
 Points3 corner_normals(const TriangleMesh& mesh, const Adjacency& adjacency,
                        const std::vector<std::array<int, 2>>& creases);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double meant = 45 * degree;
 constexpr double room = 1.5;
 
-/// The mean square of the turns from triangle to triangle.
+/// The mean square of the dihedral turns between triangles.
 double mean_square_turn(const TriangleMesh& mesh, const Adjacency& adjacency) {
     double squares = 0, weights = 0;
     for (const int h : adjacency.edges()) {
@@ -29,7 +29,7 @@ double mean_square_turn(const TriangleMesh& mesh, const Adjacency& adjacency) {
     return weights > 0 ? squares / weights : 0;
 }
 
-/// The mean of the angles that are missing, or too many, about the interior vertices.
+/// The mean of the absolute angle defects of the interior vertices, each capped at the square of an intended turn.
 double mean_defect(const Tile& tile) {
     const TriangleMesh& mesh = tile.mesh;
     Eigen::VectorXd missing = Eigen::VectorXd::Constant(mesh.vertex_count(), 2 * std::numbers::pi);
@@ -49,7 +49,8 @@ Vec3 point_on_old_boundary(const Tile& tile, const BoundaryPlace& place) {
     return start + place.share * (end - start);
 }
 
-/// From the old edges outward to the new ones: between two nodes a polygon, seen along the old triangles there.
+/// The area between the old edges and the new ones, positive outward: a polygon between every two nodes, projected
+/// along the normal of the old triangles there.
 double area_between_boundaries(const Tile& tile, const Adjacency& adjacency, const NewBoundary& boundary) {
     const int count = static_cast<int>(tile.boundary.size());
     std::vector<int> place(static_cast<std::size_t>(tile.mesh.vertex_count()), -1);

@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_place = 1e-6;  // of an edge
+constexpr double same_place = 1e-6;  // relative to an edge
 constexpr int foot_steps = 12;
 
 }  // namespace
@@ -20,7 +20,7 @@ Vec3 FacetRow::chord_at(const Side& side, double u) const {
     return p + (side.from + u * (side.to - side.from)) * (q - p);
 }
 
-/// On the cubic of its edge.
+/// The point on the cubic of its edge.
 Vec3 FacetRow::curve_at(const Side& side, double u) const {
     if (side.from == side.to) return chord_at(side, 0);
     const double t = side.from + u * (side.to - side.from), s = 1 - t;
@@ -29,7 +29,7 @@ Vec3 FacetRow::curve_at(const Side& side, double u) const {
     return chord_at(side, u) + (start - chord) * (s * s * t) - (end - chord) * (t * t * s);
 }
 
-/// Gauss-Newton on the bilinear cell.
+/// The nearest parameters in a bilinear cell, by Gauss-Newton.
 FacetRow::Foot FacetRow::foot_in(const Cell& cell, const Vec3& point) const {
     const Vec3 a0 = chord_at(cell.a, 0), a1 = chord_at(cell.a, 1), b0 = chord_at(cell.b, 0), b1 = chord_at(cell.b, 1);
     Foot foot{0.5, 0.5, 0};
@@ -41,7 +41,7 @@ FacetRow::Foot FacetRow::foot_in(const Cell& cell, const Vec3& point) const {
         const Vec3 off = point - (1 - foot.v) * on_a - foot.v * on_b;
         foot.off = off.norm();
         Mat22 normal = slopes.transpose() * slopes;
-        normal.diagonal().array() += 1e-12 * normal.trace();  // at a tip u means nothing
+        normal.diagonal().array() += 1e-12 * normal.trace();  // u is undefined at a tip
         const Vec2 change = normal.ldlt().solve(slopes.transpose() * off);
         foot.u = std::clamp(foot.u + change[0], 0.0, 1.0);
         foot.v = std::clamp(foot.v + change[1], 0.0, 1.0);
@@ -83,7 +83,7 @@ std::optional<double> FacetRow::along(const BoundaryPlace& place, Side Cell::*si
     for (int q = 0; q < cell_count(); ++q) {
         const Side& here = cells_[static_cast<std::size_t>(q)].*side;
         if (here.from == here.to) continue;
-        // The start of an edge is the end of the one before it.
+        // The start of an edge is the end of the previous one.
         const bool is_next = place.share == 0 && place.edge == (here.edge + 1) % count;
         if (place.edge != here.edge && !is_next) continue;
         const double u = ((is_next ? 1 : place.share) - here.from) / (here.to - here.from);

@@ -12,9 +12,9 @@ namespace ripstop {
 namespace {
 
 constexpr double flat_turn = 0.2 * degree;
-constexpr double flat_share = 0.5;  // of the sharpest edge beside it
-constexpr double straight = 1e-3;   // of a crease's length
-constexpr double same_foot = 1e-6;  // of a side's length
+constexpr double flat_share = 0.5;  // relative to the sharpest edge beside it
+constexpr double straight = 1e-3;   // relative to a crease's length
+constexpr double same_foot = 1e-6;  // relative to a side's length
 
 }  // namespace
 
@@ -28,7 +28,7 @@ class RowFinder {
         for (int i = 0; i < count_; ++i) place_[static_cast<std::size_t>(vertex(i))] = i;
     }
 
-    /// False: they do not lie in a row.
+    /// Returns false if the facets do not form a row.
     bool find(FacetRow& row) {
         measure_turns();
         join_facets();
@@ -47,7 +47,7 @@ class RowFinder {
     }
 
   private:
-    /// A crease, or an end: from side a to side b, as places in the boundary.
+    /// A crease or an end, from side a to side b, as places in the boundary.
     struct Rung {
         int a, b;
     };
@@ -98,7 +98,7 @@ class RowFinder {
         }
     }
 
-    /// The facets from one end of the row to the other.
+    /// Sorts the facets from one end of the row to the other.
     bool order_facets() {
         for (int h = 0; h < adjacency_.half_edge_count(); ++h) {
             if (!is_bent(h)) continue;
@@ -126,8 +126,8 @@ class RowFinder {
         return static_cast<int>(order_.size()) == facets_;
     }
 
-    /// Each crease as a straight path from boundary to boundary, in the sense of the facet before it: so it begins where the
-    /// boundary of what follows does.
+    /// Turns each crease into a straight path from boundary to boundary, in the orientation of the facet before it,
+    /// so that it begins where the boundary of the following facets begins.
     bool order_creases() {
         rungs_.push_back({});
         for (std::size_t k = 0; k + 1 < order_.size(); ++k) {
@@ -171,20 +171,20 @@ class RowFinder {
         const Rung &start = rungs_[1], &last = rungs_[creases];
         const Rung after = creases > 1 ? rungs_[2] : Rung{-1, -1};
         const Rung before = creases > 1 ? rungs_[creases - 1] : Rung{-1, -1};
-        // Of a zigzag of triangles two creases share a vertex too, but there the side goes on.
+        // In a zigzag of triangles two creases share a vertex too, but the side continues there.
         const auto stays = [&](int at, int next) { return at == next && is_corner(at); };
         const std::optional<Rung> first =
             end_between(start.b, start.a, stays(start.b, after.b), stays(start.a, after.a));
         const std::optional<Rung> second =
             end_between(last.a, last.b, stays(last.a, before.a), stays(last.b, before.b));
         if (!first || !second) return false;
-        rungs_.front() = {first->b, first->a};  // the boundary comes from side b here
+        rungs_.front() = {first->b, first->a};  // here the boundary arrives from side b
         rungs_.back() = *second;
         return true;
     }
 
     /// The end of a row on the boundary between two places: the edge between its two corners, or a tip. `from_stays`,
-    /// `to_stays`: the creases before it fan out from that place, so its end does too.
+    /// `to_stays`: the creases before it fan out from that place, so the end does too.
     std::optional<Rung> end_between(int from, int to, bool from_stays, bool to_stays) const {
         const int edges = forward(from, to);
         const bool fans_out = (from_stays && is_straight_between(from, from + edges - 1)) ||
@@ -216,8 +216,8 @@ class RowFinder {
         return is_straight(path);
     }
 
-    /// The end with one corner of the tile: a tip, or an edge whose other end meets its side at too small an angle for a
-    /// corner. That edge is straight between sides of one edge each, and goes straight on into neither.
+    /// The end with a single corner of the tile: a tip, or an edge whose other end meets its side at too small an
+    /// angle for a corner. Such an edge is straight between sides of one edge each and continues neither of them.
     Rung end_at(int corner, int from, int edges) const {
         const int low = from + 1, high = from + edges - 1;
         const bool begins_or_ends = corner == low % count_ || corner == high % count_;
@@ -227,7 +227,7 @@ class RowFinder {
         return {corner, corner};
     }
 
-    /// Do both sides and both ends make up the boundary?
+    /// Whether both sides and both ends cover the boundary exactly once.
     bool goes_round_once() const {
         int sum = forward(rungs_.front().b, rungs_.front().a) + forward(rungs_.back().a, rungs_.back().b);
         for (std::size_t k = 0; k + 1 < rungs_.size(); ++k)
@@ -235,7 +235,7 @@ class RowFinder {
         return sum == count_;
     }
 
-    /// How far along a side its vertices are, 0 to 1, from one rung to the next; `step` is +1 or -1.
+    /// The relative arc length of the vertices of a side, 0 to 1, between two rungs; `step` is +1 or -1.
     std::vector<double> shares(int from, int edges, int step) const {
         std::vector<double> along{0};
         for (int i = 0; i < edges; ++i)
@@ -244,7 +244,7 @@ class RowFinder {
         return along;
     }
 
-    /// Where a share of a side lies: on which of its edges, and where there in the boundary's sense.
+    /// Locates a fraction of a side: the edge it lies on and the range there, in boundary direction.
     FacetRow::Side side_between(int start, const std::vector<double>& along, int step, double low, double high) const {
         if (along.size() == 1) return {(start + count_) % count_, 0, 0};
         const double middle = (low + high) / 2;
@@ -279,12 +279,13 @@ class RowFinder {
 
     const Tile& tile_;
     const Adjacency& adjacency_;
-    std::vector<int> place_;  ///< of each vertex in the boundary; -1 inside
+    std::vector<int> place_;  ///< place of each vertex in the boundary; -1 for interior vertices
     int count_;
-    std::vector<double> turn_;  ///< of each half-edge [rad]
+    std::vector<double> turn_;  ///< dihedral turn at each half-edge [rad]
     std::vector<int> facet_;
     int facets_ = 0;
-    std::map<std::array<int, 2>, std::vector<int>> creases_;  ///< half-edges of the first facet beside the second
+    std::map<std::array<int, 2>, std::vector<int>> creases_;  ///< for each pair of facets: the half-edges of the first
+                                                              ///< along the second
     std::vector<int> order_;
     std::vector<Rung> rungs_;
 };

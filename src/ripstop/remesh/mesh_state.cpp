@@ -20,9 +20,9 @@ constexpr double interior_limit = 4.7 * degree;
 constexpr double turn_wanted = 5 * degree;
 constexpr double most = 4000;  // triangles
 constexpr int too_many_corners = 50000;
-constexpr double far_below = 0.25;  // of the needed edge
+constexpr double far_below = 0.25;  // relative to the needed edge
 constexpr double coarse_share = 1.1;
-constexpr int most_corners = 6;  // of a tile cut along a mesh all the same
+constexpr int most_corners = 6;  // corners that a tile cut along mesh edges may still have
 constexpr double least_edges_a_chain = 3.5;
 
 void measure_boundary(const Tile& tile, MeshState& state) {

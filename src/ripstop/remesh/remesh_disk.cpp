@@ -1,4 +1,4 @@
-// The only source of the program that includes CGAL (GPL-3): docs/decisions/0003-cgal.md. It is slow to compile.
+// The only source that includes CGAL (GPL-3): docs/decisions/0003-cgal.md. It is slow to compile.
 #include "ripstop/remesh/remesh_disk.h"
 
 #include <Eigen/Geometry>
@@ -30,13 +30,13 @@ using Halfedge = Mesh::Halfedge_index;
 using Face = Mesh::Face_index;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
 
-constexpr int first_rounds = 3;          // before boundary vertices go: then every triangle there is tall
-constexpr int rounds = 6;                // of split, collapse, flip, move: more change nothing
-constexpr int collapse_rounds = 8;       // with a round of remeshing between them
-constexpr double longest = 4.0 / 3;      // edge lengths: CGAL splits beyond
-constexpr double shortest_locked = 0.7;  // edge lengths: in a tip there is no room for more
+constexpr int first_rounds = 3;          // before boundary vertices are removed, so that no triangle there is flat
+constexpr int rounds = 6;                // of split, collapse, flip and smooth; more have no effect
+constexpr int collapse_rounds = 8;       // with a remeshing round between them
+constexpr double longest = 4.0 / 3;      // in edge lengths: CGAL splits longer edges
+constexpr double shortest_locked = 0.7;  // in edge lengths: a tip has no room for longer ones
 constexpr double least_turned_angle = 15 * degree;
-constexpr int inner = -1, unwanted = -2;  // of a vertex, in place of the number of its boundary place
+constexpr int inner = -1, unwanted = -2;  // special values of a vertex's boundary place
 
 struct Projection {
     const Mesh* mesh;
@@ -58,7 +58,7 @@ Mesh surface_mesh(const TriangleMesh& mesh) {
     return result;
 }
 
-/// The mesh that is being changed: which vertices stand at the places of the boundary, which edges are to stay.
+/// The mesh during remeshing: the vertices at the requested boundary places and the edges to keep.
 class Remesher {
   public:
     Remesher(const TriangleMesh& mesh, double edge_length)
@@ -104,7 +104,8 @@ class Remesher {
         keep_border();
     }
 
-    /// Boundary vertices that nobody asked for go where the triangles beside them allow it, else after another round.
+    /// Collapses unwanted boundary vertices where the adjacent triangles allow it, with rounds of remeshing in
+    /// between.
     void thin_boundary() {
         if (count_unwanted() == 0) return;
         remesh(first_rounds);
@@ -177,7 +178,8 @@ class Remesher {
     }
 
   private:
-    /// A new vertex on an edge, joined to the corners across. Returns the halfedge that ends there; `h` begins there.
+    /// Splits an edge and connects the new vertex to the opposite corners. Returns the halfedge that ends there; `h`
+    /// starts there.
     Halfedge split(Halfedge h) {
         const Halfedge before = CGAL::Euler::split_edge(h, mesh_);
         if (!mesh_.is_border(before)) CGAL::Euler::split_face(before, mesh_.next(h), mesh_);
@@ -197,7 +199,8 @@ class Remesher {
         return count;
     }
 
-    /// One pass over the unwanted vertices, each onto the nearer of its neighbours on the boundary. True: some went.
+    /// One pass that collapses each unwanted vertex onto the nearer of its boundary neighbours. Returns true if any
+    /// collapsed.
     bool collapse_unwanted() {
         std::vector<Vertex> waiting;
         for (const Vertex v : mesh_.vertices())
@@ -205,7 +208,7 @@ class Remesher {
         bool changed = false;
         for (const Vertex v : waiting) {
             if (mesh_.is_removed(v) || place_[v] != unwanted) continue;
-            Halfedge into = mesh_.halfedge(v);  // of a boundary vertex the one that has no triangle
+            Halfedge into = mesh_.halfedge(v);  // for a boundary vertex, the halfedge without a triangle
             for (const Halfedge h : CGAL::halfedges_around_target(v, mesh_))
                 if (mesh_.is_border(h)) into = h;
             const Halfedge out = mesh_.next(into);
@@ -230,7 +233,7 @@ class Remesher {
         return true;
     }
 
-    /// Does no triangle at v turn over, or lose its area, when v moves onto w?
+    /// Whether no triangle at v flips or degenerates when v moves onto w.
     bool keeps_upright(Vertex v, Vertex w) const {
         const Vec3 to = vector_of(mesh_.point(w));
         for (const Halfedge h : CGAL::halfedges_around_target(v, mesh_)) {
@@ -273,7 +276,8 @@ class Remesher {
         if (mesh_.is_valid(mesh_.halfedge(r, s))) return;
         const Vec3 a = vector_of(mesh_.point(p)), b = vector_of(mesh_.point(q));
         const Vec3 c = vector_of(mesh_.point(r)), d = vector_of(mesh_.point(s));
-        const Vec3 one = (a - d).cross(c - d), other = (c - d).cross(b - d);  // (p, r, s) and (q, s, r), from s
+        // area vectors of (p, r, s) and (q, s, r), from s
+        const Vec3 one = (a - d).cross(c - d), other = (c - d).cross(b - d);
         if (!(one.dot(other) > 0.5 * one.norm() * other.norm())) return;
         const auto least = [](const Vec3& x, const Vec3& y, const Vec3& z) {
             return std::min({angle_at(x, y, z), angle_at(y, z, x), angle_at(z, x, y)});

@@ -19,16 +19,17 @@
 namespace ripstop {
 namespace {
 
-constexpr double least_agreement = 0.5;         // cosine between a new triangle and the old one beneath it
-constexpr double most_beyond = 0.05 * percent;  // of area, beyond what the mesh explains
-constexpr double most_triangles = 6000;         // of a second try: what does not fit then is not worth more
+constexpr double least_agreement = 0.5;         // cosine between a new triangle and the old one below it
+constexpr double most_beyond = 0.05 * percent;  // of area, in addition to what the mesh explains
+constexpr double most_triangles = 6000;         // limit for a second attempt
 constexpr double next_share = 0.7;
 
 Vec3 normal_of(const TriangleMesh& mesh, int t) {
     return (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)).normalized();
 }
 
-/// Near a crease a triangle may lie across it, or beside a nearer one of the other side.
+/// Throws if a new triangle deviates too much from the old one. At a crease the limit is wider: a triangle may lie
+/// across it, or be nearest to one of its other side.
 void require_upright(const TriangleMesh& old, const DiskRemesh& made, const std::vector<bool>& at_crease) {
     for (int t = 0; t < made.mesh.triangle_count(); ++t) {
         const int origin = made.origin[static_cast<std::size_t>(t)];
@@ -49,7 +50,7 @@ std::vector<bool> triangles_at(const TriangleMesh& mesh, const std::vector<std::
     return triangle;
 }
 
-/// The chains over vertices 0, 1, … of the boundary.
+/// The chains over the vertices 0, 1, … of the boundary.
 std::vector<Chain> chains_of(const NewBoundary& boundary) {
     const int count = static_cast<int>(boundary.nodes.size());
     std::vector<Chain> chains;
@@ -109,14 +110,14 @@ void require_explained(const Tile& tile, const TriangleMesh& made, const Explain
                                  " %, more than its turns explain");
 }
 
-/// The tile on the mesh of a row; nothing where that does not come out.
+/// The tile on the mesh of a facet row; empty if that fails.
 std::optional<RemeshedTile> remesh_row(const Tile& tile, const NewBoundary& boundary, const FacetRow& row) {
     std::optional<RowMesh> made = mesh_row(tile, row, boundary);
     if (!made) return {};
     return RemeshedTile{tile_on_mesh(tile, boundary, std::move(made->mesh), made->origin), made->distance_max};
 }
 
-/// The largest distance of the new vertices from the triangles as they were.
+/// The largest distance of the new vertices from the old triangles.
 double distance_between(const Tile& tile, const NewBoundary& boundary, const DiskRemesh& made) {
     double most = 0;
     for (std::size_t v = 0; v < made.places.size(); ++v) {
@@ -172,7 +173,7 @@ RemeshedTile remesh_tile(const Tile& tile, const NewBoundary& boundary, double e
     for (const double share : {1.0, next_share}) {
         try {
             return remesh_once(tile, boundary, surface, creases, explained, share * edge_length);
-        } catch (const std::exception&) {  // where the tile is narrow or folded, smaller triangles may fit
+        } catch (const std::exception&) {  // in a narrow or folded tile smaller triangles may fit
             if (next_share * share * edge_length < edge_of(area, most_triangles)) throw;
         }
     }

@@ -7,10 +7,10 @@
 namespace ripstop {
 namespace {
 
-constexpr double least_facet_agreement = 0.5;  // cosine between a new triangle and the facet beneath it
+constexpr double least_facet_agreement = 0.5;  // cosine between a new triangle and the facet below it
 constexpr int most_row_triangles = 6000;
 
-/// A vertex of the new mesh, and where it is on the row.
+/// A vertex of the new mesh and its place on the row.
 struct RowVertex {
     int index = 0;
     double along = 0, across = 0;
@@ -40,7 +40,8 @@ class RowMesher {
   private:
     const BoundaryNode& node(int i) const { return boundary_.nodes[static_cast<std::size_t>(i % count_)]; }
 
-    /// The nodes of both sides and both ends, corners in both; side b and the start as they run along side a and from a to b.
+    /// Collects the nodes of both sides and both ends, corners in both. Side b and the start run in the direction of
+    /// side a and from a to b.
     bool divide_boundary() {
         std::array<int, 4> at{};
         for (std::size_t k = 0; k < 4; ++k) {
@@ -81,7 +82,7 @@ class RowMesher {
         return line;
     }
 
-    /// From the row's own side to that of the new nodes, which may lie on a neighbour's curve.
+    /// The offset from the row's own side to the side of the new nodes, which may lie on a neighbour's curve.
     Vec3 offset_of(const Line& side, double along) const {
         const auto off = [&](const RowVertex& v) { return Vec3(node(v.index).position - row_.at(v.along, v.across)); };
         std::size_t i = 1;
@@ -128,7 +129,8 @@ class RowMesher {
         return line;
     }
 
-    /// Triangles between two lines, `right` to the right of the way along them, wherever one comes to its next vertex first.
+    /// Triangulates the strip between two lines, always advancing on the line whose next vertex comes first. `right`
+    /// lies to the right of the direction.
     template <class Place>
     void stitch(const Line& right, const Line& left, const Place& place) {
         std::size_t i = 0, j = 0;
@@ -136,7 +138,7 @@ class RowMesher {
             bool go_right = j + 1 == left.size();
             if (!go_right && i + 1 < right.size()) {
                 const double next_right = place(right[i + 1]), next_left = place(left[j + 1]);
-                // Of two that come together the shorter diagonal.
+                // If both come together, takes the shorter diagonal.
                 go_right = std::abs(next_right - next_left) > 1e-9
                                ? next_right < next_left
                                : apart(right[i + 1], left[j]) <= apart(right[i], left[j + 1]);
@@ -155,7 +157,8 @@ class RowMesher {
         return (vertices_[static_cast<std::size_t>(p.index)] - vertices_[static_cast<std::size_t>(q.index)]).norm();
     }
 
-    /// Of its middle; a vertex that is a whole side is nowhere along it.
+    /// The parameter along the row of a triangle's centroid; ignores vertices that form a whole side, which have
+    /// none.
     double along_of(const std::array<RowVertex, 3>& triangle) const {
         double sum = 0, count = 0;
         for (const RowVertex& v : triangle) {

@@ -19,7 +19,7 @@ SmoothSurface::SmoothSurface(const TriangleMesh& mesh, const Adjacency& adjacenc
         for (int k = 0; k < 3; ++k) {
             const int h = 3 * t + k, i = adjacency.from(h), j = adjacency.to(h);
             const Vec3 p = mesh.positions.row(i), q = mesh.positions.row(j);
-            Vec3 first, second;  // b_ij and b_ji
+            Vec3 first, second;  // the control points b_ij and b_ji
             if (adjacency.is_boundary(h)) {
                 const Eigen::Index e = place[static_cast<std::size_t>(i)];
                 first = p + Vec3(slopes.start.row(e)) / 3;

@@ -76,7 +76,7 @@ std::vector<Lock> Net::locks() const {
     return open;
 }
 
-/// The intersection of the circles of radius `spacing` round a and b that is farther from the origin.
+/// The intersection of the circles of radius `spacing` round a and b that is nearer to the origin.
 std::optional<Vec2> Net::meet(const Vec2& a, const Vec2& b) const {
     const Vec2 half = 0.5 * (b - a);
     const double rest = spacing_ * spacing_ - half.squaredNorm();
