@@ -9,7 +9,8 @@
 namespace ripstop::cad {
 namespace {
 
-/// The two triangles' faces at an edge, and whether they run through it the same way: then one of them is to be turned.
+/// The other triangle at an edge, and whether both traverse it in the same direction, so that one of them must be
+/// turned.
 struct Neighbour {
     std::size_t face;
     bool against;

@@ -20,15 +20,15 @@ namespace {
 
 constexpr int samples = 96;
 constexpr int fewest_of_closed = 6, fewest_of_bent = 3, fewest_spokes = 5;
-constexpr double mismatch = 5e-3;               // of edges that meet, in u and v, of the face's size there
-constexpr double straight_enough = 0.8;         // from end to end, of the length
-constexpr double spoke = std::numbers::pi / 3;  // between the edges at a pole
+constexpr double mismatch = 5e-3;               // of edges that meet, relative to the face's extent in u and v
+constexpr double straight_enough = 0.8;         // ratio of the distance between its ends to its length
+constexpr double spoke = std::numbers::pi / 3;  // angle between neighbouring edges at a pole
 
 Vec3 vec(const gp_Pnt& p) {
     return {p.X(), p.Y(), p.Z()};
 }
 
-/// Where an edge lies in u and v of a face, by the parameter of its curve in space.
+/// The place of an edge in u and v of a face, by the parameter of its curve in space.
 class OnFace {
   public:
     OnFace(const TopoDS_Edge& edge, const TopoDS_Face& face) {
@@ -49,7 +49,7 @@ class OnFace {
     double first_ = 0, last_ = 1, first_on_ = 0, last_on_ = 1;
 };
 
-/// Where to divide a curve so that each piece has its share of `density`, which is 1 by the length asked for.
+/// Parameters that divide a curve into pieces with equal shares of `density`, which is 1 per length asked for.
 std::vector<double> shares(const std::vector<double>& parameters, const std::vector<double>& lengths,
                            const std::vector<double>& densities, int fewest) {
     std::vector<double> sums{0};
@@ -68,12 +68,12 @@ std::vector<double> shares(const std::vector<double>& parameters, const std::vec
     return result;
 }
 
-/// How many straight pieces a pole is to have in u and v, so that the edges at it spread evenly.
+/// The number of straight pieces for a pole in u and v, chosen so that the edges at it spread evenly.
 int pieces_of_pole(const TopoDS_Face& face, const Vec2& from, const Vec2& to, const FaceSizes& sizes) {
     const BRepAdaptor_Surface surface(face);
     const Vec2 along = to - from;
     const Vec2 size = sizes.high() - sizes.low();
-    Vec2 inward(-along[1] / size[1], along[0] / size[0]);  // to the left, both seen as parts of the whole
+    Vec2 inward(-along[1] / size[1], along[0] / size[0]);  // to the left, in shares of the face's extent
     if (inward.norm() == 0) return 1;
     inward = inward.normalized().cwiseProduct(size) * 0.02;
     const Vec3 pole = vec(surface.Value(from[0], from[1]));
@@ -94,8 +94,8 @@ int pieces_of_pole(const TopoDS_Face& face, const Vec2& from, const Vec2& to, co
     return std::max(all_around ? fewest_spokes : 1, static_cast<int>(std::lround(angle / spoke)));
 }
 
-/// The lines of edges joined, each with the one that begins nearest to its end in u and v at the same vertex: an edge
-/// sewn to itself is there twice, in different places.
+/// Joins lines of edges into loops. Each continues with the line that starts at the same vertex, closest to its
+/// end in u and v: an edge that is sewn to itself occurs twice, in different places.
 std::vector<BorderLoop> chained(std::vector<BorderLoop> lines, const FaceSizes& sizes) {
     const Vec2 size = sizes.high() - sizes.low();
     const auto gap = [&size](const BorderNode& a, const BorderNode& b) {
@@ -123,8 +123,8 @@ std::vector<BorderLoop> chained(std::vector<BorderLoop> lines, const FaceSizes& 
     return loops;
 }
 
-/// A loop whose edges end where the next begins: one node for both where these are one; a pole's own pieces where they
-/// are the same point of space.
+/// Closes a loop where one edge ends and the next begins. If both ends coincide, they become one node; if they are
+/// the same point in space only, they are a pole, which gets pieces of its own.
 std::optional<BorderLoop> closed(const BorderLoop& all, const TopoDS_Face& face, const FaceSizes& sizes) {
     const Vec2 size = sizes.high() - sizes.low();
     BorderLoop loop;

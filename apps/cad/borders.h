@@ -7,8 +7,8 @@
 
 namespace ripstop::cad {
 
-/// A point of a face's border: where it is in u and v, and the vertex it is of the whole mesh. A pole is one vertex in
-/// several places of u and v.
+/// A point of a face's border: its place in u and v, and its vertex in the whole mesh. A pole is one vertex with
+/// several places in u and v.
 struct BorderNode {
     Vec2 uv;
     int vertex;
@@ -16,20 +16,20 @@ struct BorderNode {
 };
 using BorderLoop = std::vector<BorderNode>;
 
-/// The edges of faces in straight pieces, divided once for all faces that share them.
+/// The edges of faces as straight pieces, divided once for all faces that share them.
 class Borders {
   public:
-    /// `sizes`: of each face; nothing for a null face. `finer`: what the lengths on the edges of a face are multiplied
-    /// by.
+    /// `sizes` belongs to each face; nothing for a null face. `finer` multiplies the lengths on the edges of each
+    /// face.
     Borders(const std::vector<TopoDS_Face>& faces, const std::vector<std::optional<FaceSizes>>& sizes,
             const EdgeSizes& asked, const std::vector<double>& finer = {});
 
-    /// The closed lines around a face in u and v, as its wires run. Nothing where they are not closed, or an edge has
-    /// no place in u and v.
+    /// The closed lines around a face in u and v, in the direction of its wires. Nothing if they are not closed,
+    /// or if an edge has no place in u and v.
     std::optional<std::vector<BorderLoop>> loops(const TopoDS_Face& face, const FaceSizes& sizes) const;
 
-    double pieces(const TopoDS_Face& face) const;  ///< how many there are around it
-    double pieces() const;                         ///< of all edges
+    double pieces(const TopoDS_Face& face) const;  ///< number of pieces around it
+    double pieces() const;                         ///< number of pieces of all edges
 
     const std::vector<Vec3>& points() const { return points_; }  ///< the vertices [mm]
 

@@ -6,12 +6,13 @@
 
 namespace ripstop::cad {
 
-/// In a process split off by `fork`: it is killed when its parent ends before it, and ends where that has happened.
+/// For a process made by `fork`: it is killed when its parent ends, and ends at once if that has already happened.
 void end_with(pid_t parent);
 
-/// Work done in a process split off from this one, because it may break down while it reads: this one then goes on.
+/// Does work in a child process, because the work may crash while it reads; the parent then continues.
 ///
-/// Both return from the constructor, as from `fork`. Where no process can be split off, this one is the attempt itself.
+/// The constructor returns in both processes, as `fork` does. If no child can be made, this process does the work
+/// itself.
 class Attempt {
   public:
     Attempt();
@@ -19,17 +20,17 @@ class Attempt {
     Attempt(const Attempt&) = delete;
     Attempt& operator=(const Attempt&) = delete;
 
-    bool is_here() const { return child_ <= 0; }  ///< in the process that does the work
-    void past() const;                            ///< there: what may break down is done
+    bool is_here() const { return child_ <= 0; }  ///< true in the process that does the work
+    void past() const;                            ///< in the child: the part that may crash is done
 
-    /// In the process that waits: the exit code of the work. Nothing where it broke down before `past`: was killed,
-    /// or ended
-    /// by another code than 0 or `refused`. Where it is killed later this process ends by the same signal.
+    /// In the parent: waits and returns the exit code of the work. Nothing if it failed before `past`: it was
+    /// killed, or ended with a code other than 0 and `refused`. If it is killed after `past`, this process ends
+    /// with the same signal.
     std::optional<int> end(int refused) const;
 
   private:
     pid_t child_ = 0;
-    int told_ = -1;  ///< of a pipe: read here, written there
+    int told_ = -1;  ///< a pipe: the parent reads, the child writes
 };
 
 }  // namespace ripstop::cad

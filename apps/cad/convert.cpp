@@ -13,10 +13,10 @@
 namespace ripstop::cad {
 namespace {
 
-constexpr double finest_sewing = 2e-5;  // of the drawing's diagonal: wider than this would close small tiles
+constexpr double finest_sewing = 2e-5;  // of the drawing's diagonal; a wider tolerance would close small tiles
 
-constexpr int most_rounds = 5;         // of meshing, each finer where it was too coarse
-constexpr double coarsest_step = 0.3;  // a fault in the surface is not to be chased with a million triangles
+constexpr int most_rounds = 5;         // of meshing; each is finer where the one before was too coarse
+constexpr double coarsest_step = 0.3;  // a fault in the surface is not worth a million triangles
 
 double diagonal_of(const std::vector<TopoDS_Face>& faces) {
     Bnd_Box box;
@@ -30,7 +30,7 @@ std::string called(const DrawnObject& object, std::size_t face) {
     return object.faces.size() > 1 ? name + ", face " + std::to_string(face + 1) : name;
 }
 
-/// A mesh of its own from the vertices its triangles use.
+/// A mesh with only the vertices that its triangles use.
 TriangleMesh own_mesh(const Points3& positions, const Triangles& triangles, double millimetres) {
     std::vector<int> number(static_cast<std::size_t>(positions.rows()), -1), used;
     TriangleMesh mesh{{}, triangles};
@@ -49,7 +49,7 @@ TriangleMesh own_mesh(const Points3& positions, const Triangles& triangles, doub
     return mesh;
 }
 
-/// Faces whose stored mesh says otherwise than the surface are taken as stored: `shape` becomes null.
+/// Discards surfaces that disagree with their stored mesh: `shape` becomes null, and the stored mesh is used.
 void trust_stored(Drawing& drawing, const std::vector<FaceFigures>& figures, std::vector<TopoDS_Face>& faces) {
     std::size_t i = 0;
     for (DrawnObject& object : drawing.objects)
@@ -73,7 +73,7 @@ std::vector<TopoDS_Face> faces_of(const Drawing& drawing) {
     return faces;
 }
 
-/// How lengths are said: in millimetres, or in the file's own numbers where nobody says what these are.
+/// How messages state lengths: in millimetres, or in the file's own numbers if its unit is unknown.
 struct Said {
     double scale = 1;  ///< from the kernel's millimetres
     std::string unit = " mm";
@@ -88,7 +88,7 @@ struct Measured {
     std::vector<FaceFigures> figures;
 };
 
-/// Tells whoever started this program on which face it is, a few times a second: `progress 12 160 face`.
+/// Reports the current face to the parent process, a few times a second: `progress 12 160 face`.
 Told tell_progress(std::size_t faces) {
     using Clock = std::chrono::steady_clock;
     return [faces, last = Clock::time_point()](std::size_t face) mutable {
@@ -99,7 +99,8 @@ Told tell_progress(std::size_t faces) {
     };
 }
 
-/// Meshes the faces, and anew and finer those that `drawn` lies further off than asked for: how far is known only then.
+/// Meshes the faces. Meshes faces again, and finer, if `drawn` is farther from the mesh than asked for, which is
+/// known only afterwards.
 Measured meshed_and_measured(const std::vector<TopoDS_Face>& faces, const std::vector<TopoDS_Face>& drawn,
                              EdgeSizes sizes, double triangles) {
     std::optional<double> asked;
@@ -122,7 +123,7 @@ Measured meshed_and_measured(const std::vector<TopoDS_Face>& faces, const std::v
     }
 }
 
-/// What the meshes came to.
+/// Adds a remark on the quality of the meshes.
 void add_remark(ConvertedModel& model, const EdgeSizes& sizes, const std::vector<FaceFigures>& figures, bool plain,
                 const Said& said) {
     double chord_error = 0, shortfall = 0;
@@ -159,8 +160,8 @@ void add_bound(ConvertedModel& model, const Bounded& bounded) {
         (bounded.border > 1 ? "" : "their edges are as fine as ever; ") + finer);
 }
 
-/// What the lengths asked for are in the kernel's millimetres, `scale` of which are one of the world's: they differ
-/// where the file says no unit, or is said to have another.
+/// Converts the lengths asked for to the kernel's millimetres; `scale` of these are one real millimetre. The two
+/// differ if the file states no unit, or if the user overrides it.
 MeshingOptions in_kernel(MeshingOptions options, double scale) {
     options.sewing_tolerance /= scale;
     if (options.chord_error) *options.chord_error /= scale;

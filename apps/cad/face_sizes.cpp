@@ -16,9 +16,9 @@ namespace {
 
 constexpr int points_a_span = 4, fewest_points = 12, most_points = 64;
 constexpr double least_of_radius = 1.0 / 8;  // of the shortest edges
-constexpr double equilateral = 0.433;        // area by the square of the edge
+constexpr double equilateral = 0.433;        // ratio of the area to the square of the edge
 
-/// Points of the grid that see every span of a spline.
+/// The number of grid points, so that every span of a spline is sampled.
 int points_for(int spans) {
     return std::clamp(points_a_span * spans, fewest_points, most_points);
 }
@@ -50,7 +50,7 @@ FaceSizes::FaceSizes(const TopoDS_Face& face, const EdgeSizes& sizes, double fin
     double area = 0, along_u = 0, along_v = 0;
     for (int i = 0; i < columns_; ++i)
         for (int j = 0; j < rows_; ++j) {
-            // In the middle of each cell, for at its ends a pole is bent without end.
+            // In the middle of each cell, because at its ends a pole has infinite curvature.
             const double u = low_[0] + (high_[0] - low_[0]) * (i + 0.5) / columns_;
             const double v = low_[1] + (high_[1] - low_[1]) * (j + 0.5) / rows_;
             gp_Pnt p;

@@ -7,19 +7,22 @@
 
 namespace ripstop::cad {
 
-/// Whether its surface comes to a point on it (a pole), or an edge of it is sewn to itself.
+/// True if the surface has a point to which it contracts (a pole), or if an edge of the face is sewn to itself.
 bool comes_together(const TopoDS_Face& face);
 
-/// How long edges are to be here and there on a face, from the bend of its surface at the points of a grid. Where it
-/// comes together they are no longer than the radius, lest a tube or a needle become flat.
+/// The edge length at each place of a face, from the curvature of its surface at the points of a grid. On a face
+/// that comes together, edges are at most as long as the radius, so that a tube or a needle does not become flat.
 class FaceSizes {
   public:
     FaceSizes(const TopoDS_Face& face, const EdgeSizes& sizes, double finer);
 
-    double at(const Vec2& uv) const;                  ///< [mm], between the points of the grid
-    double triangles() const { return triangles_; }   ///< about as many equilateral ones of these sizes cover the face
-    const Vec2& stretch() const { return stretch_; }  ///< of the surface along u and v in the mean [mm]
-    const Vec2& low() const { return low_; }          ///< the face lies within, in u and v
+    double at(const Vec2& uv) const;  ///< [mm], interpolated in the grid
+    double triangles() const {
+        return triangles_;
+    }                                                 ///< about the number of equilateral triangles of these sizes
+                                                      ///< on the face
+    const Vec2& stretch() const { return stretch_; }  ///< mean stretch of the surface along u and v [mm]
+    const Vec2& low() const { return low_; }          ///< lower corner of the face in u and v
     const Vec2& high() const { return high_; }
 
   private:

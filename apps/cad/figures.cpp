@@ -21,7 +21,8 @@ namespace {
 
 constexpr Eigen::Index samples = 80;
 
-/// Of the face's edges; nothing where one of them is sewn to itself, and so is no edge of the mesh.
+/// The exact length of the face's border. Nothing if one of its edges is sewn to itself, because that is no edge
+/// of the mesh.
 std::optional<double> exact_boundary(const TopoDS_Face& face) {
     double length = 0;
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
@@ -49,7 +50,7 @@ gp_Pnt point(const Vec3& p) {
     return {p[0], p[1], p[2]};
 }
 
-/// How far a surface lies off points that follow each other closely.
+/// The distance of a surface from points that follow each other closely.
 class Distances {
   public:
     explicit Distances(const Handle(Geom_Surface) & surface) : analysis_(surface) {}
@@ -59,7 +60,8 @@ class Distances {
         known_ = true;
         return analysis_.Gap();
     }
-    /// From where the last point was only the nearest place around may have been found.
+    /// The distance from p. A search that starts at the last point may find only a local minimum, so distances
+    /// above `borne` are searched again.
     double surely_to(const Vec3& p, double borne) {
         const double near = to(p);
         if (near <= borne) return near;

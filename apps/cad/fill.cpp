@@ -11,9 +11,9 @@
 namespace ripstop::cad {
 namespace {
 
-constexpr double too_long = 1.3;  // for its size; its halves are 0.65
+constexpr double too_long = 1.3;  // relative to its size; its halves are at 0.65
 constexpr double growth = 0.5;
-constexpr double same_place = 1e-7;  // of a vertex in two lines, of the face's size
+constexpr double same_place = 1e-7;  // for vertices that occur in two lines, relative to the face's extent
 constexpr int smoothings = 4;
 constexpr double most_by_size = 4, free_triangles = 1000;
 constexpr int repairs = 12;
@@ -23,8 +23,9 @@ std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
-/// `a` and `b` of a triangle, seen from its corner; the two triangles of a side are flipped where this is below 0 for
-/// both together: the angles opposite the side are more than a half turn (cotangents without the division).
+/// The angle of a triangle at one corner, as the dot and cross product of its sides there. Two triangles flip
+/// their common side if the opposite angles sum to more than half a turn: their cotangents, multiplied out, sum to
+/// less than 0.
 struct Corner {
     double dot, cross;
 };
@@ -40,7 +41,9 @@ class Filler {
           sizes_(sizes),
           mesh_((sizes.low() + sizes.high()).cwiseProduct(sizes.stretch()) / 2,
                 (sizes.high() - sizes.low()).cwiseProduct(sizes.stretch()).norm()) {
-        for (int i = 0; i < 3; ++i) take(Vec2(0, 0), {Vec3(0, 0, 0), Vec3(0, 0, 0)}, -1);  // the corners far around it
+        for (int i = 0; i < 3; ++i)
+            take(Vec2(0, 0), {Vec3(0, 0, 0), Vec3(0, 0, 0)}, -1);  // the corners of the
+                                                                   // outer triangle
         sound_ = add_borders(loops, points);
         most_ = std::min(most, most_by_size * (sizes.triangles() + static_cast<double>(first_inner_)) + free_triangles);
     }
@@ -51,7 +54,7 @@ class Filler {
         std::vector<int> all(index(mesh_.triangle_count()));
         for (int t = 0; t < mesh_.triangle_count(); ++t) all[index(t)] = t;
         enqueue(all);
-        // One vertex more is two triangles more; some are left to `repair`.
+        // Each new vertex adds two triangles; some are reserved for `repair`.
         const double more = (left_to_sizes * most_ - here()) / 2;
         const std::size_t nodes = mesh_.at.size() + static_cast<std::size_t>(std::max(0.0, more));
         while (!queue_.empty() && mesh_.at.size() < nodes) {
@@ -61,7 +64,7 @@ class Filler {
         }
     }
 
-    /// Halves sides that are the same in space as others, or a point there. False where some are left.
+    /// Halves sides that coincide with others in space, or with a point. False if some remain.
     bool repair() {
         for (int round = 0; round < repairs; ++round) {
             const std::vector<std::pair<UvMesh::Side, std::array<int, 2>>> sides = doubled();
@@ -110,7 +113,7 @@ class Filler {
         return count;
     }
 
-    /// The nodes as they are told apart in space: a vertex of the border, or -1 - i for the i-th within.
+    /// The nodes as distinct points in space: a vertex of the border, or -1 - i for the i-th inner one.
     std::array<int, 3> in_space(std::array<int, 3> nodes) const {
         for (int& node : nodes) node = node < first_inner_ ? vertices_[index(node)] : first_inner_ - node - 1;
         return nodes;
@@ -123,7 +126,8 @@ class Filler {
         return mesh_.is_here(side.triangle) && mesh_.ends(side) == ends;
     }
 
-    /// The sides that others run along in space the same way, and those whose ends are one vertex that is no pole.
+    /// The sides that coincide with others in space in the same direction, and those whose ends are one vertex
+    /// that is no pole.
     std::vector<std::pair<UvMesh::Side, std::array<int, 2>>> doubled() const {
         std::vector<std::pair<UvMesh::Side, std::array<int, 2>>> sides;
         struct Run {
@@ -137,7 +141,7 @@ class Filler {
             for (int k = 0; k < 3; ++k) {
                 const UvMesh::Side side{t, k};
                 const auto [a, b] = mesh_.ends(side);
-                if (a >= first_inner_ && b >= first_inner_) continue;  // these are in one place only
+                if (a >= first_inner_ && b >= first_inner_) continue;  // inner nodes are in one place only
                 const std::array<int, 2> run{corners[index((k + 1) % 3)], corners[index((k + 2) % 3)]};
                 if (run[0] == run[1] && !poles_[index(a)]) sides.push_back({side, {a, b}});
                 if (is_triangle(corners)) runs.push_back({run, side});
@@ -166,7 +170,7 @@ class Filler {
         return {{p.X(), p.Y(), p.Z()}, {du.Dot(du), du.Dot(dv), dv.Dot(dv)}};
     }
 
-    /// What the surface is at the next node.
+    /// Evaluates the surface at the next node.
     void take(const Vec2& at, const Place& place, int vertex, bool pole = false) {
         positions_.push_back(place.position);
         metrics_.push_back(place.metric);
@@ -202,7 +206,9 @@ class Filler {
             for (std::size_t i = 0; i < line.size(); ++i) {
                 const int a = line[i], b = line[(i + 1) % line.size()];
                 const UvMesh::Side before = mesh_.side_of(a, b);
-                if (a == b || (before.triangle >= 0 && mesh_.is_fixed(before))) return false;  // there and back
+                if (a == b || (before.triangle >= 0 && mesh_.is_fixed(before)))
+                    return false;  // back and forth
+                                   // along one edge
                 if (!mesh_.fix(a, b)) return false;
             }
         mesh_.keep_inside();
@@ -211,7 +217,7 @@ class Filler {
         return true;
     }
 
-    /// Beside a border triangles are as small as its pieces.
+    /// Triangles at a border are as small as its pieces.
     void size_borders(const std::vector<std::vector<int>>& lines) {
         for (const std::vector<int>& line : lines) {
             std::vector<double> lengths;
@@ -242,7 +248,7 @@ class Filler {
         return {p.dot(q), p.cross(q).norm()};
     }
 
-    /// The ends of a side and the corners opposite it: a b c d, where it is between two triangles.
+    /// The ends of a side between two triangles and the corners opposite it: a b c d.
     std::array<int, 4> around(const UvMesh::Side& side) const {
         const UvMesh::Side other = mesh_.across(side);
         const auto [a, b] = mesh_.ends(side);
@@ -292,7 +298,7 @@ class Filler {
             }
     }
 
-    /// A side between two triangles. False where that makes none that turns to the left.
+    /// Halves a side between two triangles. False if that would give a triangle that does not turn left.
     bool halve(const UvMesh::Side& side) {
         const std::array<int, 4> others = around(side);
         const Vec2 middle = (mesh_.at[index(others[0])] + mesh_.at[index(others[1])]) / 2;
@@ -309,7 +315,7 @@ class Filler {
         return true;
     }
 
-    /// The least quality of triangles in space: 1 for an equilateral one, 0 for none.
+    /// The lowest quality of these triangles in space: 1 for an equilateral one, 0 for a degenerate one.
     double worst(const std::vector<int>& triangles) const {
         double least = 1;
         for (const int t : triangles) {
@@ -328,7 +334,7 @@ class Filler {
         for (const int t : star)
             for (const int other : mesh_.corners(t)) {
                 if (other == node) continue;
-                if (poles_[index(other)]) return;  // a pole is in several places: their middle is none
+                if (poles_[index(other)]) return;  // a pole has several places, so their mean is meaningless
                 sum += mesh_.at[index(other)] / 2;
             }
         const double before = worst(star);
@@ -347,7 +353,7 @@ class Filler {
     BRepAdaptor_Surface surface_;
     const FaceSizes& sizes_;
     UvMesh mesh_;
-    std::vector<Vec3> positions_, metrics_;  // a metric: E, F, G of the node's place in the plane
+    std::vector<Vec3> positions_, metrics_;  // a metric: E, F, G at the node's place in the plane
     std::vector<int> vertices_;
     std::vector<bool> poles_;
     std::vector<double> wanted_;

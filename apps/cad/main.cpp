@@ -1,5 +1,5 @@
-/// ripstop-cad: turns the surfaces of a CAD file into meshes for ripstop, in a process of its own: it holds what is
-/// under the GPL (gmsh), and what may crash on a faulty file.
+/// ripstop-cad turns the surfaces of a CAD file into meshes for ripstop. It is a separate process because it
+/// contains code under the GPL (gmsh), and because it may crash on a faulty file.
 #include <fcntl.h>
 #include <unistd.h>
 #ifdef __linux__
@@ -29,7 +29,7 @@ struct Arguments {
     std::optional<double> metres_per_unit;
 };
 
-/// The kernels print banners and statistics; standard output is nobody's place for them.
+/// The kernels print banners and statistics; they must not appear on standard output.
 void silence_stdout() {
     std::fflush(stdout);
     const int nowhere = ::open("/dev/null", O_WRONLY);
@@ -79,7 +79,7 @@ int failed(const char* message, ExitCode code) {
 
 int main(int argc, char** argv) {
 #ifdef __linux__
-    // Whoever called it may have ended by a signal: nobody waits for the meshes then.
+    // If the caller was killed, nobody waits for the meshes.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
     CLI::App app("Meshes the surfaces of STEP, IGES and BREP files for ripstop, which calls it by itself.",

@@ -22,7 +22,7 @@ namespace {
 constexpr int samples_across = 16;
 constexpr rlim_t most_seconds = 12;
 
-/// How long edges are to be here and there on a curve or surface of the model.
+/// The edge length at a place on a curve or surface of the model.
 struct Sample {
     Vec3 at;
     double size;
@@ -45,7 +45,7 @@ Samples samples_of(int dimension, int tag, const EdgeSizes& sizes, double finer)
     gmsh::model::getParametrizationBounds(dimension, tag, low, high);
     for (int i = 0; i <= samples_across; ++i)
         for (int j = 0; j <= (dimension == 2 ? samples_across : 0); ++j) {
-            // Off the ends, where poles are bent without end.
+            // Avoids the ends, where poles have infinite curvature.
             parameters.push_back(low[0] + (high[0] - low[0]) * (i + 0.5) / (samples_across + 1));
             if (dimension == 2) parameters.push_back(low[1] + (high[1] - low[1]) * (j + 0.5) / (samples_across + 1));
         }
@@ -63,7 +63,7 @@ Samples samples_of(int dimension, int tag, const EdgeSizes& sizes, double finer)
 
 class SizeField {
   public:
-    /// `tags`: of the faces, in the order of `sizes.finer`.
+    /// `tags` are those of the faces, in the order of `sizes.finer`.
     SizeField(const EdgeSizes& sizes, const std::vector<int>& tags) : sizes_(sizes) {
         gmsh::vectorpair entities;
         for (std::size_t i = 0; i < tags.size(); ++i)
@@ -79,7 +79,7 @@ class SizeField {
     }
 
   private:
-    /// A curve is divided for its own bend and for that of the faces it bounds.
+    /// A curve is divided for its own curvature and that of the faces it bounds.
     void add_curve(int tag) {
         Samples samples = samples_of(1, tag, sizes_, 1);
         std::vector<int> up, down;
@@ -129,7 +129,7 @@ std::vector<int> imported(const std::vector<TopoDS_Face>& faces) {
     return tags;
 }
 
-/// gmsh holds one state for the whole process.
+/// gmsh has one global state per process.
 struct Session {
     Session() { gmsh::initialize(0, nullptr, false); }
     ~Session() { gmsh::finalize(); }
@@ -138,7 +138,7 @@ struct Session {
 void set_options(const EdgeSizes& sizes) {
     const auto set = [](const char* name, double value) { gmsh::option::setNumber(name, value); };
     set("General.Terminal", 0);
-    set("Mesh.Algorithm", 6);  // frontal: the best shaped triangles
+    set("Mesh.Algorithm", 6);  // frontal: gives the best shaped triangles
     set("Mesh.MeshSizeFromPoints", 0);
     set("Mesh.MeshSizeExtendFromBoundary", 0);
     set("Mesh.MeshSizeMin", sizes.shortest * std::min(1.0, finest(sizes)));
@@ -147,7 +147,7 @@ void set_options(const EdgeSizes& sizes) {
     set("Mesh.RandomFactor", 1e-9);
 }
 
-/// Ends this process where gmsh asks for more sizes than a mesh of `triangles` takes.
+/// Ends this process if gmsh asks for more sizes than a mesh of `triangles` needs.
 class Watch {
   public:
     Watch(const std::vector<int>& tags, double triangles, const Told& told)
@@ -187,14 +187,14 @@ std::optional<Meshes> meshed_here(const std::vector<TopoDS_Face>& faces, const E
         for (std::size_t i = 0; i < faces.size(); ++i)
             if (!faces[i].IsNull() && meshes.faces[i].rows() == 0) return {};
         return meshes;
-    } catch (const std::string&) {  // how gmsh fails
+    } catch (const std::string&) {  // gmsh reports errors this way
         return {};
     } catch (const std::exception&) {
         return {};
     }
 }
 
-/// As its bytes: the rows of the positions, those of each face, and what is in them.
+/// Writes binary: the numbers of rows of the positions and of each face, then their contents.
 void write(const Meshes& meshes, int descriptor) {
     std::FILE* out = ::fdopen(descriptor, "wb");
     if (out == nullptr) ::_exit(EXIT_FAILURE);
@@ -236,7 +236,7 @@ std::optional<Meshes> meshed_by_gmsh(const std::vector<TopoDS_Face>& faces, cons
     if (child == 0) {
         end_with(parent);
         const rlimit seconds{most_seconds, most_seconds};
-        ::setrlimit(RLIMIT_CPU, &seconds);  // beyond what is counted
+        ::setrlimit(RLIMIT_CPU, &seconds);  // limits what the count does not cover
         ::close(ends[0]);
         const std::optional<Meshes> meshes = meshed_here(faces, sizes, triangles, told);
         if (!meshes) ::_exit(EXIT_FAILURE);

@@ -21,7 +21,8 @@
 namespace ripstop::cad {
 namespace {
 
-/// Vertices in one place are one: the kernel divides each edge once, and gives its points to both faces.
+/// Numbers vertices; those in one place get one number. The kernel divides each edge once and gives its points to
+/// both faces.
 class Numbering {
   public:
     int of(const gp_Pnt& p) {
@@ -40,9 +41,9 @@ class Numbering {
     std::vector<Vec3> points_;
 };
 
-/// Its time for each triangle grows with their number.
+/// Its time per triangle grows with their number.
 constexpr double most_for_gmsh = 50000;
-constexpr double coarsest = 8;  // of what the kernel's mesher tries
+constexpr double coarsest = 8;  // coarsest factor that is tried with the kernel's mesher
 
 Triangles triangles_of(const TopoDS_Face& face, Numbering& numbering) {
     TopLoc_Location place;
@@ -63,7 +64,7 @@ Triangles triangles_of(const TopoDS_Face& face, Numbering& numbering) {
     return triangles;
 }
 
-/// Whether gmsh may refine a face without end.
+/// True if gmsh may refine the face without end.
 bool is_hard(const TopoDS_Face& face) {
     return !face.IsNull() && comes_together(face);
 }
@@ -87,7 +88,7 @@ double triangles_in(const TopoDS_Shape& shape) {
     return sum;
 }
 
-/// Whether no face has more triangles than it may.
+/// True if no face has more triangles than allowed.
 bool is_within(const Meshes& meshes, const EdgeSizes& sizes) {
     for (const Triangles& triangles : meshes.faces)
         if (!sizes.most.empty() && static_cast<double>(triangles.rows()) > most_of_face) return false;

@@ -6,9 +6,9 @@
 namespace ripstop::cad {
 namespace {
 
-constexpr int most_tries = 4;  // with borders twice as fine each time, for a coarse one may cross itself in u and v
+constexpr int most_tries = 4;  // with borders twice as fine each time, because a coarse one may cross itself in u and v
 
-/// The faces that have been filled, and the numbers of those that have not.
+/// The meshes of the faces that could be filled, and the numbers of the others.
 struct Attempted {
     Meshes meshes;
     std::vector<std::size_t> failed = {};
@@ -73,7 +73,7 @@ std::optional<Meshes> meshed_in_parameters(const std::vector<TopoDS_Face>& faces
                                            const Told& told) {
     try {
         return filled_faces(faces, sizes, told);
-    } catch (const Standard_Failure&) {  // the kernel cannot say where an edge lies
+    } catch (const Standard_Failure&) {  // the kernel cannot locate an edge on the face
         return {};
     }
 }

@@ -33,7 +33,7 @@ struct Knots {
     TColStd_Array1OfInteger multiplicities;
 };
 
-/// openNURBS leaves out the first and the last knot, which repeat their neighbours.
+/// openNURBS omits the first and the last knot, which repeat their neighbours.
 Knots knots_of(const json& list) {
     std::vector<double> all = list.get<std::vector<double>>();
     if (all.size() < 2) throw InputError("a NURBS has fewer than two knots");
@@ -93,7 +93,7 @@ Handle(Geom_BSplineSurface) surface_of(const json& entry, double scale) {
                                    entry.at("degree_u").get<int>(), entry.at("degree_v").get<int>());
 }
 
-/// Edges that faces share, made once.
+/// Builds a Brep; edges that faces share are made once.
 class Brep {
   public:
     Brep(const json& entry, double scale) : entry_(entry), scale_(scale) {
@@ -116,7 +116,7 @@ class Brep {
             builder.MakeWire(wire);
             for (const json& trim : loop) {
                 const int index = trim.at("edge").get<int>();
-                if (index < 0) continue;  // where the surface comes to a point
+                if (index < 0) continue;  // at a point to which the surface contracts
                 const TopoDS_Edge edge = edges_.at(static_cast<std::size_t>(index));
                 if (edge.IsNull()) return {};
                 builder.Add(wire, trim.at("reversed").get<bool>() ? TopoDS::Edge(edge.Reversed()) : edge);
@@ -153,12 +153,12 @@ class Brep {
 TopoDS_Face face_of(const Brep& brep, const json& face) {
     try {
         return brep.face(face);
-    } catch (const Standard_Failure&) {  // the kernel refuses it: what was stored of it is taken, or it is named
+    } catch (const Standard_Failure&) {  // the kernel refuses it: its stored mesh is used, or it is listed as unread
         return {};
     }
 }
 
-/// Of an extrusion Rhino stores one mesh of all faces. They take its place where they have its area.
+/// Rhino stores one mesh for all faces of an extrusion. The faces replace it if they have its area.
 void take_faces_of_one_mesh(std::vector<DrawnFace> faces, double millimetres, DrawnObject& object) {
     double area = 0;
     for (const DrawnFace& face : faces) {
@@ -183,7 +183,7 @@ void add_shapes(const json& entry, double millimetres, DrawnObject& object) {
             for (const json& face : faces) drawn.push_back({.shape = face_of(brep, face)});
             take_faces_of_one_mesh(std::move(drawn), millimetres, object);
         }
-    } catch (const Standard_Failure&) {  // as for one face
+    } catch (const Standard_Failure&) {  // as for a single face
     }
 }
 

@@ -47,7 +47,7 @@ std::string utf8(const TCollection_ExtendedString& text) {
     return bytes;
 }
 
-/// IGES fills its short names with blanks.
+/// IGES pads its short names with blanks.
 std::string trimmed(const std::string& text) {
     const std::size_t first = text.find_first_not_of(' ');
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
@@ -57,10 +57,11 @@ std::string name_of(const TDF_Label& label) {
     Handle(TDataStd_Name) name;
     if (label.IsNull() || !label.FindAttribute(TDataStd_Name::GetID(), name)) return "";
     const std::string text = trimmed(utf8(name->Get()));
-    return text == "NONE" ? "" : text;  // how STEP says that there is none
+    return text == "NONE" ? "" : text;  // STEP writes a missing name this way
 }
 
-/// Walks what a document holds: assemblies down to their products, each product to its solids, shells and free faces.
+/// Walks the contents of a document: from assemblies to products, and from each product to its solids, shells and
+/// free faces.
 class Walk {
   public:
     Walk(const Handle(TDocStd_Document) & document, Drawing& drawing)
@@ -152,7 +153,7 @@ Handle(TDocStd_Document) new_document() {
     return document;
 }
 
-/// The unit of a file by its name in STEP. Names beyond these leave the numbers in the kernel's millimetres.
+/// The unit with this name in STEP. For other names, the numbers stay in the kernel's millimetres.
 LengthUnit unit_called(std::string name, Drawing& drawing) {
     std::transform(name.begin(), name.end(), name.begin(),
                    [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
@@ -183,7 +184,7 @@ void take_step_unit(STEPControl_Reader& reader, Drawing& drawing) {
         }
 }
 
-/// Names what the kernel could make no shape of.
+/// Lists what the kernel could not turn into a shape.
 void add_failures(const Handle(XSControl_WorkSession) & session, Drawing& drawing, bool roots_only) {
     const Handle(Interface_InterfaceModel) model = session->Model();
     const Handle(Transfer_TransientProcess) done = session->TransferReader()->TransientProcess();
@@ -219,7 +220,7 @@ Drawing read_step(const std::filesystem::path& file, Reading reading) {
     STEPControl_Reader& reader = named.ChangeReader();
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
     Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
-    // Beside it the kernel looks for the files of parts, and only where its path begins at the root.
+    // The kernel looks for the files of parts beside this file, but only if its path is absolute.
     const std::filesystem::path whole = std::filesystem::absolute(file);
     if (named.ReadFile(whole.c_str()) != IFSelect_RetDone)
         throw InputError(file.string() + ": not a whole STEP file (ISO 10303-21); export it again");

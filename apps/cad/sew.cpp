@@ -9,7 +9,7 @@
 namespace ripstop::cad {
 
 std::vector<TopoDS_Face> sewn(const std::vector<TopoDS_Face>& faces, double tolerance) {
-    // Non-manifold: a baffle is sewn to two tiles along one edge.
+    // Non-manifold, because a baffle is sewn to two tiles along one edge.
     BRepBuilderAPI_Sewing sewing(tolerance, true, true, true, true);
     for (const TopoDS_Face& face : faces)
         if (!face.IsNull()) sewing.Add(face);

@@ -114,7 +114,7 @@ Drawing read_brep(const std::filesystem::path& file) {
     TopoDS_Shape shape;
     try {
         BRepTools::Read(shape, file.c_str(), BRep_Builder());
-    } catch (const Standard_Failure&) {  // said below
+    } catch (const Standard_Failure&) {  // reported below
     }
     if (shape.IsNull())
         throw InputError(file.string() + ": not a whole BREP file of Open CASCADE; write it again, or export STEP");

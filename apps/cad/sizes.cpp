@@ -14,9 +14,10 @@ namespace {
 
 constexpr double edges_across_a_face = 12;
 constexpr double most_triangles = 1e7;
-constexpr double least_ratio = 1.0 / 40;  // of the longest: the tip of a cone is bent without end
+constexpr double least_ratio = 1.0 / 40;  // of the longest; the tip of a cone has infinite curvature
 
-/// The size of faces that half of the area lies in smaller ones than: fillets and screws do not count for much.
+/// The area-weighted median size of a face: half of the area lies in smaller ones, so fillets and screws hardly
+/// count.
 double middle_size(std::vector<double> areas) {
     std::sort(areas.begin(), areas.end());
     const double half = std::accumulate(areas.begin(), areas.end(), 0.0) / 2;
@@ -30,8 +31,8 @@ double middle_size(std::vector<double> areas) {
 
 double EdgeSizes::at(double curvature) const {
     if (!(curvature > 0) || !std::isfinite(curvature)) return longest;
-    // An edge of length h on a circle of curvature k turns by h k and lies k h² / 8 off it. A triangle on a sphere lies
-    // k h² / 6 off it in its middle, and some edges come out an eighth longer than asked for.
+    // An edge of length h on a circle of curvature k turns by h k, with an error of k h² / 8. A triangle on a
+    // sphere has an error of k h² / 6 in its middle, and some edges become an eighth longer than asked for.
     const double by_turn = turn / curvature, by_chord = std::sqrt(4.7 * chord_error / curvature);
     return std::clamp(std::min(by_turn, by_chord), shortest, longest);
 }
@@ -60,13 +61,14 @@ EdgeSizes edge_sizes(const std::vector<TopoDS_Face>& faces, const MeshingOptions
 
 namespace {
 
-/// A face has as many triangles as its border has pieces at least; half of all are left to what lies within.
+/// A face has at least as many triangles as its border has pieces; half of all triangles are reserved for the
+/// inside.
 constexpr double most_pieces = most_of_all / 4;
 constexpr int halvings = 40;
-constexpr double crowded = 1.25;  // as many triangles come out as equilateral ones of the sizes,
-constexpr double beside = 5;      // and as many beside each piece of a border
+constexpr double crowded = 1.25;  // ratio of the triangles made to equilateral ones of these sizes
+constexpr double beside = 5;      // and their number beside each piece of a border
 
-/// The most triangles a face may have so that all together have no more than they may. `least`: of each face.
+/// The limit of triangles per face that keeps the total within its limit. `least` is the minimum of each face.
 double share_of_face(const std::vector<double>& counts, const std::vector<double>& least) {
     const auto all = [&](double share) {
         double sum = 0;

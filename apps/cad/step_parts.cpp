@@ -23,7 +23,7 @@
 namespace ripstop::cad {
 namespace {
 
-/// Gives how many holes there were.
+/// Returns the number of holes.
 int close_holes_in(StepRepr_Representation& representation) {
     const Handle(StepRepr_HArray1OfRepresentationItem) items = representation.Items();
     std::vector<Handle(StepRepr_RepresentationItem)> kept;

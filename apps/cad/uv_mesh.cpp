@@ -35,7 +35,7 @@ void UvMesh::drop_last() {
     some_.pop_back();
 }
 
-/// A new triangle, or these corners instead of a triangle's own; its neighbours are to be joined.
+/// Makes a triangle with these corners, a new one or in place of `triangle`. The caller must join its neighbours.
 int UvMesh::place(const std::array<int, 3>& corners, int triangle) {
     if (triangle < 0) {
         triangle = triangle_count();
@@ -70,7 +70,8 @@ bool UvMesh::turns_left(int triangle) const {
 }
 
 UvMesh::Side UvMesh::left_at(int triangle, const Vec2& p) const {
-    // Visibility walk; a plane triangulation need not be Delaunay here, so the walk begins at another side each step.
+    // Visibility walk. The triangulation need not be Delaunay, so the walk begins at a different side in each
+    // step.
     int turn = 0;
     for (std::size_t steps = 0; steps < 4 * corners_.size() + 64; ++steps) {
         bool stays = true;
@@ -115,7 +116,7 @@ bool UvMesh::split(const Side& side, int node) {
     }
     const bool fixed = is_fixed(side);
     const auto half = [&](const Side& of) {
-        // Its triangle p q r, the side p q: into node r p (in place) and node q r.
+        // The triangle p q r with side p q becomes the triangles node r p (in place) and node q r.
         const int k = of.corner;
         const auto outer = beside_[index(of.triangle)];
         const auto was_fixed = fixed_[index(of.triangle)];
@@ -184,7 +185,7 @@ bool UvMesh::flip(const Side& side) {
 }
 
 std::vector<int> UvMesh::settle(const std::function<bool(const Side&)>& wants) {
-    constexpr std::size_t flips_each = 40;  // angles on a curved surface may ask for the same flip again and again
+    constexpr std::size_t flips_each = 40;  // on a curved surface, angles may ask for the same flip again and again
     std::vector<int> touched = changed_;
     std::size_t flips = flips_each * (changed_.size() + 4);
     while (!changed_.empty()) {
@@ -214,7 +215,7 @@ std::vector<int> UvMesh::settle_all(const std::function<bool(const Side&)>& want
 UvMesh::Side UvMesh::side_of(int a, int b) const {
     const int first = some_[index(a)];
     if (first < 0) return {-1, 0};
-    // Round the node one way, then the other, for it may be on a border.
+    // Goes round the node one way, then the other, because it may be on a border.
     for (const bool forward : {true, false}) {
         int t = first;
         do {
@@ -241,7 +242,8 @@ std::vector<int> UvMesh::around(int node) const {
     return t == first ? triangles : std::vector<int>();
 }
 
-/// The sides that cross the line from a to b, in their order; empty where a node is on it, or it leaves the triangles.
+/// The sides that cross the line from a to b, in order. Empty if a node is on the line, or if it leaves the
+/// triangles.
 std::vector<UvMesh::Side> UvMesh::crossed(int a, int b) const {
     const Vec2 &from = at[index(a)], &to = at[index(b)];
     std::vector<Side> sides;
@@ -259,7 +261,7 @@ std::vector<UvMesh::Side> UvMesh::crossed(int a, int b) const {
         if (apex == b) return sides;
         const int turn = orient2d(from, to, at[index(apex)]);
         if (turn == 0) return {};
-        // The side opposite the end of the last one that lies on the apex' side of the line.
+        // The side opposite the end of the last one that is on the apex' side of the line.
         const auto [p, q] = ends(there);
         const int passed = (orient2d(from, to, at[index(p)]) > 0) == (turn > 0) ? p : q;
         const auto& corners = corners_[index(there.triangle)];
@@ -279,7 +281,7 @@ bool UvMesh::fix(int a, int b) {
         }
         const std::vector<Side> sides = crossed(a, b);
         if (sides.empty() || tries > 100 * at.size()) return false;
-        // Beginning at another one each time, lest two flips undo each other for ever.
+        // Starts at a different triangle each time, so that two flips cannot undo each other for ever.
         bool flipped = false;
         for (std::size_t i = 0; i < sides.size() && !flipped; ++i) {
             const Side& crossing = sides[(i + 7 * tries) % sides.size()];
@@ -304,7 +306,7 @@ void UvMesh::keep_inside() {
             open.push_back(there.triangle);
         }
     }
-    // Through a fixed side lies the other kind: a hole within the face is outside again.
+    // Crossing a fixed side changes between inside and outside; a hole in the face is outside again.
     std::vector<bool> known = outside;
     std::vector<int> border;
     for (int t = 0; t < triangle_count(); ++t)

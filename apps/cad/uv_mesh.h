@@ -8,45 +8,46 @@
 
 namespace ripstop::cad {
 
-/// Triangles in a plane of parameters. Triangles turn to the left; each knows its neighbours.
+/// A triangulation of a plane of parameters. Triangles turn left; each knows its neighbours.
 ///
-/// What is done to them keeps every triangle turning to the left, by `orient2d`, which is never wrong: so whatever
-/// lengths and angles decide, the result is a triangulation.
+/// Every operation keeps all triangles turning left, by the exact predicate `orient2d`. So the result is a
+/// triangulation, whatever lengths and angles decide.
 class UvMesh {
   public:
-    /// One triangle far around the box of these corners, `reach` the size of that box; its corners are the nodes 0, 1,
-    /// 2.
+    /// Starts with one triangle far around a box with this centre and size; its corners are the nodes 0, 1, 2.
     UvMesh(const Vec2& middle, double reach);
 
     struct Side {
         int triangle = -1, corner = 0;  ///< the side is opposite this corner
     };
 
-    int add(const Vec2& at);  ///< a node in no triangle yet
-    void drop_last();         ///< the last one, if it is in no triangle
+    int add(const Vec2& at);  ///< adds a node that is in no triangle yet
+    void drop_last();         ///< removes the last node, which must be in no triangle
 
-    /// Puts a node where it stands, into the triangle or onto the side there. Gives the node that stood there before
-    /// it, else the node itself.
+    /// Inserts a node at its place, into the triangle or onto the side there. Returns the node that was already
+    /// there, else the node itself.
     int insert(int node);
-    /// Puts a node onto a side, wherever that is between the side's ends. False where a triangle would not turn to the
+    /// Inserts a node into a side; it may lie anywhere between the side's ends. False if a triangle would not turn
     /// left.
     bool split(const Side& side, int node);
-    bool flip(const Side& side);  ///< false where the two triangles make no convex quadrilateral, or the side is fixed
+    bool flip(const Side& side);  ///< false if the two triangles do not form a convex quadrilateral, or if the
+                                  ///< side is fixed
 
-    /// Makes a -> b a side and fixes it. False where another fixed side or a node is in the way.
+    /// Makes a -> b a side and fixes it. False if another fixed side or a node is in the way.
     bool fix(int a, int b);
-    /// Takes away what lies outside of the closed lines of fixed sides.
+    /// Removes everything outside of the closed lines of fixed sides.
     void keep_inside();
 
-    /// Flips sides, those of the triangles `changed` first, while `wants` asks for it; gives all triangles that were
-    /// touched.
+    /// Flips sides while `wants` asks for it, starting with those of the `changed` triangles. Returns all
+    /// triangles that it touched.
     std::vector<int> settle(const std::function<bool(const Side&)>& wants);
-    std::vector<int> settle_all(const std::function<bool(const Side&)>& wants);  ///< beginning at all triangles
+    std::vector<int> settle_all(const std::function<bool(const Side&)>& wants);  ///< starting with all triangles
 
-    std::array<int, 2> ends(const Side& side) const;  ///< as the side's triangle turns
-    Side across(const Side& side) const;              ///< the same side of the neighbour; triangle -1: there is none
+    std::array<int, 2> ends(const Side& side) const;  ///< in the direction of the side's triangle
+    Side across(const Side& side) const;              ///< the side as seen from the neighbour; triangle -1 if
+                                                      ///< there is none
     bool is_fixed(const Side& side) const { return fixed_[index(side.triangle)][index(side.corner)]; }
-    Side side_of(int a, int b) const;         ///< from a to b in its triangle; triangle -1: there is none
+    Side side_of(int a, int b) const;         ///< the side from a to b in its triangle; triangle -1 if there is none
     std::vector<int> around(int node) const;  ///< the triangles of a node that is not on a border
     bool turns_left(int triangle) const;
     bool is_here(int triangle) const { return corners_[index(triangle)][0] >= 0; }
@@ -54,7 +55,7 @@ class UvMesh {
     int triangle_count() const { return static_cast<int>(corners_.size()); }
     const std::array<int, 3>& corners(int triangle) const { return corners_[index(triangle)]; }
 
-    std::vector<Vec2> at;  ///< the nodes
+    std::vector<Vec2> at;  ///< the places of the nodes
 
   private:
     static std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -68,8 +69,8 @@ class UvMesh {
     std::vector<std::array<int, 3>> corners_;
     std::vector<std::array<Side, 3>> beside_;
     std::vector<std::array<bool, 3>> fixed_;
-    std::vector<int> some_;     ///< a triangle of each node
-    std::vector<int> changed_;  ///< triangles made or altered since they were settled
+    std::vector<int> some_;     ///< one triangle of each node
+    std::vector<int> changed_;  ///< triangles that changed since the last `settle`
     mutable int last_ = 0;
 };
 

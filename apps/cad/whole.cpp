@@ -12,9 +12,9 @@
 namespace ripstop::cad {
 namespace {
 
-constexpr std::size_t section = 72;  // of a line of an IGES file: the letter of its section
+constexpr std::size_t section = 72;  // column of an IGES line with the letter of its section
 
-/// The last two lines that are not blank, the last one first; empty where there are fewer.
+/// The last two lines that are not blank, the last one first; empty strings if there are fewer.
 std::array<std::string, 2> last_lines(std::istream& in) {
     std::array<std::string, 2> last;
     for (std::string line; std::getline(in, line);)
@@ -34,7 +34,7 @@ bool in_section(const std::string& line, char letter) {
     return line.size() > section && line[section] == letter;
 }
 
-/// Whether a parameter of an IGES file is a number that is no length; its exponents may begin with a D.
+/// True if a parameter of an IGES file is a number that cannot be a length. Exponents may begin with D.
 bool is_unbearable(std::string parameter) {
     parameter = without_blanks(std::move(parameter));
     std::replace_if(
@@ -94,8 +94,8 @@ void require_whole_iges(const std::filesystem::path& file) {
 }
 
 void require_whole_brep(const std::filesystem::path& file) {
-    // The reference to the whole shape, `+1 0`, behind the last list of parts, which ends with a star. The kernel reads
-    // on for ever behind the end of a file that was cut short.
+    // The reference to the whole shape, `+1 0`, follows the last list of parts, which ends with an asterisk. The
+    // kernel reads for ever behind the end of a truncated file.
     std::ifstream in(file, std::ios::binary);
     const auto [last, before] = last_lines(in);
     if (!std::regex_match(last, std::regex("[-+ie][0-9]+ [0-9]+")) || !before.ends_with('*'))
