@@ -19,12 +19,13 @@ struct Opening {
     Colour colour;
 };
 
-/// What a line may begin with.
+/// Words at the start of a line that get a colour.
 constexpr Opening openings[] = {{"ripstop:", Colour::red}, {"Warning:", Colour::yellow},
                                 {"WRONG", Colour::red},    {"not laid", Colour::red},
                                 {"Sound:", Colour::green}, {"No piece changed", Colour::green}};
 
-/// `72 of 72 tiles manufacturable`: how long that is, and whether it is all of them; 0 where the line says nothing so.
+/// Parses `72 of 72 tiles manufacturable`: the length of the count, and whether it covers all; 0 if the line has
+/// no such count.
 std::size_t count_length(const std::string& line, bool& all) {
     int good = 0, of = 0, read = 0;
     if (std::sscanf(line.c_str(), "%d of %d %n", &good, &of, &read) != 2 || read == 0) return 0;

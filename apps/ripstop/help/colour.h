@@ -7,13 +7,15 @@ namespace ripstop::cli {
 
 enum class Colour { red, green, yellow, bold };
 
-/// Whether `stream` shows colours: a terminal that is not dumb, or CLICOLOR_FORCE; never under NO_COLOR.
+/// True if `stream` shows colours: it is a terminal that is not dumb, or CLICOLOR_FORCE is set; never if NO_COLOR
+/// is set.
 bool has_colours(std::FILE* stream);
 
 std::string coloured(const std::string& text, Colour colour);
 
-/// Text that is laid out already, so that colours have no width, its verdicts green or red, and the words that errors and
-/// warnings begin with red and yellow. As it is where `stream` has no colours.
+/// Colours a text: verdicts become green or red; the first words of errors and warnings become red and yellow.
+/// Call it after layout, because colour codes have no width. Returns the text unchanged if `stream` has no
+/// colours.
 std::string with_colours(const std::string& text, std::FILE* stream);
 
 }  // namespace ripstop::cli

@@ -13,7 +13,7 @@
 namespace ripstop::cli {
 namespace {
 
-constexpr std::size_t indent = 26;  ///< where descriptions begin
+constexpr std::size_t indent = 26;  ///< column at which descriptions begin
 
 std::size_t page_width() {
     constexpr std::size_t most = 100, least = 60;
@@ -22,14 +22,14 @@ std::size_t page_width() {
     return std::clamp<std::size_t>(size.ws_col, least, most);
 }
 
-/// How far a line of a list, `cam    contours on layers …`, is indented where it goes on.
+/// The indent of continuation lines, for a list line such as `cam    contours on layers …`.
 std::size_t hang_of(const std::string& line) {
     const std::size_t gap = line.find(' ');
     const std::size_t next = line.find_first_not_of(' ', gap);
     return gap < 10 && next != std::string::npos && (next > gap + 1 || gap > 4) ? next : 0;
 }
 
-/// Words of `text` in lines of `width` from the column `from` on; what its line breaks divide stays divided.
+/// Wraps the words of `text` at `width`, starting in column `from`; keeps its line breaks.
 std::string wrapped(const std::string& text, std::size_t from, std::size_t width) {
     std::string result;
     for (std::size_t at = 0, line = 0; at <= text.size(); ++line) {

@@ -9,14 +9,13 @@
 
 namespace ripstop::cli {
 
-/// A bar with the time left on stderr where that is a terminal, a plain line every tenth of the work elsewhere, nothing
-/// when `quiet`. The bar is wiped when the work is done.
+/// Shows progress on stderr: on a terminal a bar with the remaining time, elsewhere a line for each tenth of the
+/// work, nothing if `quiet`. The bar is erased when the work is done.
 Progress progress_bar(bool quiet);
 
-/// Work whose end nobody can foresee, while this lives: `Reading envelope.3dm, 4 s` on a terminal, wiped at the end; one
-/// plain line elsewhere, once it takes more than two seconds, and one for each tenth that `progress` tells of then;
-/// nothing
-/// when `quiet`.
+/// Shows that work of unknown length is going on, for the lifetime of this object. On a terminal it writes
+/// `Reading envelope.3dm, 4 s` and erases it at the end. Elsewhere it writes one line after two seconds, and one
+/// for each tenth that `progress` reports later. It writes nothing if `quiet`.
 class Waiting {
   public:
     Waiting(std::string what, bool quiet);
@@ -24,7 +23,8 @@ class Waiting {
     Waiting& operator=(const Waiting&) = delete;
     ~Waiting();
 
-    /// Says where the work is: `Reading envelope.3dm: face 12 of 160, 4 s`. Not to be called when this is gone.
+    /// Adds the current step: `Reading envelope.3dm: face 12 of 160, 4 s`. Do not call it after this object is
+    /// gone.
     Progress progress();
 
   private:

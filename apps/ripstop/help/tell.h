@@ -11,23 +11,23 @@
 
 namespace ripstop::cli {
 
-/// Prints on stderr. That nobody can read it there is no reason to fail.
+/// Prints on stderr. A failure to print is ignored.
 inline void tell(const std::string& text) {
     std::fputs(with_colours(text, stderr).c_str(), stderr);
 }
 
-/// Why stdout did not take a result; 0 if it took all.
+/// The error number of the last failed write to stdout; 0 if all succeeded.
 inline int& output_error() {
     static int error = 0;
     return error;
 }
 
-/// Prints a result on stdout as it is; `main` asks whether it arrived.
+/// Prints a result on stdout as it is. `main` checks whether it was written.
 inline void print_text(const std::string& text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) output_error() = errno;
 }
 
-/// Prints a result that a person reads, in colours on a terminal.
+/// Prints a result for people, with colours on a terminal.
 inline void show(const std::string& text) {
     print_text(with_colours(text, stdout));
 }

@@ -16,8 +16,8 @@ std::vector<std::string> commands_of(const CommandText& command) {
     return names;
 }
 
-/// The first word that nothing takes: where a command belongs that one, else an option before others, whose value may
-/// stand among them.
+/// The first word that nothing accepts: at the place of a command that word, else an option in preference to other
+/// words, because its value may be among them.
 std::string stranger(const CLI::App& app, bool has_commands) {
     const std::vector<std::string> words = app.remaining();
     if (has_commands && !words.empty() && !words.front().starts_with('-')) return words.front();
@@ -40,7 +40,7 @@ std::string about_stranger(const CommandText& command, std::string word) {
     return fmt::format("no command \"{}\"{}", word, near.empty() ? "; known commands: " + all : near);
 }
 
-/// What CLI11 says of options that are there, with what it leaves out.
+/// Rewrites CLI11's message about existing options, and adds what it omits.
 std::string about_options(const CommandText& command, const CLI::Error& error) {
     const std::string text = error.what();
     for (const OptionText& option : command.options) {

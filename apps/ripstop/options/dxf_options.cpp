@@ -15,7 +15,7 @@
 namespace ripstop::cli {
 namespace {
 
-/// YYYY-MM-DD of a day that was or will be.
+/// True for a calendar date, YYYY-MM-DD.
 bool is_date(std::string_view text) {
     if (text.size() != 10 || text[4] != '-' || text[7] != '-') return false;
     int part[3] = {};
@@ -30,14 +30,15 @@ bool is_date(std::string_view text) {
         .ok();
 }
 
-/// As reproducible-builds.org has it: the seconds since 1970 that a build is to state as its time.
+/// The date of SOURCE_DATE_EPOCH (reproducible-builds.org): the seconds since 1970 that a build states as its
+/// time.
 std::string stated_date() {
     const char* text = std::getenv("SOURCE_DATE_EPOCH");
     if (!text || !*text) return "";
     const std::string_view digits(text);
     long long seconds = 0;
     const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), seconds);
-    constexpr long long last = 253402300799;  // of the year 9999
+    constexpr long long last = 253402300799;  // end of the year 9999
     if (error != std::errc() || stop != digits.data() + digits.size() || seconds < 0 || seconds > last)
         throw InputError(fmt::format("SOURCE_DATE_EPOCH is \"{}\", expected the seconds since 1970; unset it", text));
     return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(seconds)));

@@ -6,16 +6,17 @@
 
 namespace ripstop::cli {
 
-/// What the command line calls them, to ask whether they were given.
+/// The command-line options, to ask whether they were given.
 struct DxfFlags {
     const CLI::Option *dialect = nullptr, *grain_axis = nullptr, *date = nullptr;
 };
 
-/// `flag` is what the dialect's option is called: --dialect or --dxf-dialect. A dialect that is not known and a date that is
-/// none are usage errors.
+/// Adds the options of DXF files. `flag` is the name of the option for the dialect: --dialect or --dxf-dialect. An
+/// unknown dialect and an invalid date are usage errors.
 DxfFlags add_dxf_options(CLI::App& command, PieceFileOptions& given, const char* flag);
 
-/// With the date of SOURCE_DATE_EPOCH where none was given and that is set. Throws InputError where that is none.
+/// Fills in the date of SOURCE_DATE_EPOCH if that is set and no date was given. Throws InputError if it is
+/// invalid.
 PieceFileOptions with_date(PieceFileOptions given);
 
 }  // namespace ripstop::cli

@@ -8,13 +8,13 @@
 
 namespace ripstop::cli {
 
-/// Which cut files are written, and how; lengths with their units, empty: the default.
+/// The options of the cut files. Lengths are texts with units; empty: the default.
 struct FormatArguments {
-    std::vector<std::string> formats;  ///< those written where none is asked for
+    std::vector<std::string> formats;  ///< the defaults, until `--format` names others
     PieceFileOptions files = {};
     std::string frame = {};
 
-    /// An option, and the formats it means something for; the first is what it asks for where `--format` is not given.
+    /// An option and the formats it applies to. Without `--format`, it selects the first of them.
     struct Meant {
         const CLI::Option* option;
         std::vector<std::string> formats;
@@ -23,17 +23,17 @@ struct FormatArguments {
     std::vector<Meant> meant = {};
 };
 
-/// `--format`, several with commas; a format that is not known is a usage error.
+/// Adds `--format`, which takes several names separated by commas. An unknown format is a usage error.
 CLI::Option* add_format_option(CLI::App& command, std::vector<std::string>& formats);
 
-/// `--format --paper --frame` and those of DXF, with `dialect` for what its dialect is called by.
+/// Adds `--format --paper --frame` and the options of DXF; `dialect` is the name of the option for its dialect.
 void add_format_options(CLI::App& command, FormatArguments& given, const char* dialect);
 
-/// Without `--format`, options that belong to a format choose it: beside the usual ones, or, where `alone`, in their place.
-/// An option that none of the formats heeds is a usage error (CLI::ValidationError).
+/// Without `--format`, selects the formats of the given options: in addition to the defaults, or, if `alone`,
+/// instead of them. An option that applies to none of the formats is a usage error (CLI::ValidationError).
 void choose_formats(FormatArguments& given, bool alone);
 
-/// Throws InputError for a frame that is no length.
+/// Throws InputError if the frame is not a length.
 PieceFileOptions file_options(const FormatArguments& given);
 
 }  // namespace ripstop::cli

@@ -9,7 +9,8 @@
 namespace ripstop::cli {
 namespace {
 
-/// How many letters are to be put in, taken out, changed or swapped with their neighbour to make one of the other.
+/// The edit distance with transpositions: the number of letters to insert, remove, change or swap with their
+/// neighbour.
 std::size_t distance(const std::string& one, const std::string& other) {
     std::vector<std::size_t> before, last, row(other.size() + 1);
     std::iota(row.begin(), row.end(), 0U);

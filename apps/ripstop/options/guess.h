@@ -5,7 +5,8 @@
 
 namespace ripstop::cli {
 
-/// `; did you mean --unit?` for the nearest of `known`; empty where none is near, or is the word itself.
+/// The hint `; did you mean --unit?` for the nearest of `known`; empty if none is near, or if the word is among
+/// them.
 std::string guess(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace ripstop::cli

@@ -8,20 +8,20 @@
 
 namespace ripstop::cli {
 
-/// What the command line says about the pieces beyond their flat shapes; lengths with their units, empty: the default.
+/// The options for pieces beyond their flat shapes. Lengths are texts with units; empty: the default.
 struct PieceArguments {
     std::string revision, corners = "mitre", notch_spacing, notch_depth, simplify;
     bool allowance_fit = false;
 };
 
-/// `--revision --corners --notch-spacing --notch-depth --simplify --allowance-fit`.
+/// Adds `--revision --corners --notch-spacing --notch-depth --simplify --allowance-fit`.
 void add_piece_options(CLI::App& command, PieceArguments& given);
 
-/// Throws InputError for lengths that are none or out of reason.
+/// Throws InputError for invalid or unreasonable lengths.
 PieceOptions piece_options(const PieceArguments& given);
 
-/// Warns of what is wrong with the cut lines of pieces that were read again, which a plan of another version may
-/// have, or one that was changed. `not_manufacturable` where there is anything.
+/// Warns of faults in the cut lines of pieces that were read from a plan, which may come from another version or
+/// may have been edited. Returns `not_manufacturable` if there are any.
 ExitCode warn_of_cut_lines(const PieceSet& set, int threads = 0);
 
 }  // namespace ripstop::cli
