@@ -1,4 +1,4 @@
-// The only source that includes CGAL (GPL-3): for comparison, in benchmarks and tests alone.
+// The only source that includes CGAL (GPL-3), which is used for comparison in benchmarks and tests only.
 #include "cgal_parameterization.h"
 
 #include <CGAL/Eigen_solver_traits.h>

@@ -7,9 +7,9 @@
 
 namespace ripstop {
 
-/// CGAL's least-squares conformal map and its as-rigid-as-possible map, both with CGAL's own defaults, sparse systems by
-/// Eigen: what ours are timed against, and an oracle for the tests. Conversion of the mesh is not part of the time. False
-/// where CGAL reports an error.
+/// CGAL's least-squares conformal map and its as-rigid-as-possible map, both with CGAL's defaults and Eigen's
+/// sparse solvers. They are a reference for run times and an oracle for tests. Converting the mesh is not part of
+/// the time. Returns false if CGAL reports an error.
 class CgalParameterization {
   public:
     explicit CgalParameterization(const TriangleMesh& mesh);
@@ -17,11 +17,11 @@ class CgalParameterization {
     CgalParameterization(const CgalParameterization&) = delete;
     CgalParameterization& operator=(const CgalParameterization&) = delete;
 
-    /// `pins`: the two vertices that are held; CGAL's own choice if none are given.
+    /// `pins` are the two vertices that are held; without them CGAL chooses.
     bool lscm(std::optional<std::array<int, 2>> pins = {});
     bool arap();
 
-    Points2 positions() const;  ///< what the last map gave, #V x 2
+    Points2 positions() const;  ///< of the last map, #V x 2
 
   private:
     struct Data;

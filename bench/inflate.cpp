@@ -1,7 +1,7 @@
-/// Prints, as Markdown, the tables of docs/methods/inflation.md: membranes whose shape is known, designed shapes beside
-/// their equation, and what a whole envelope of 24 gores of 15 panels costs to inflate and to correct.
+/// Prints the tables of docs/methods/inflation.md as Markdown: membranes with known shapes, designed shapes beside
+/// their equation, and the cost of inflating and correcting a whole envelope of 24 gores of 15 panels.
 ///
-///     ripstop-bench-inflate [validation | shapes | envelope]...     all, if none is named
+///     ripstop-bench-inflate [validation | shapes | envelope]...     default: all
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 
 using namespace testing;
 
-/// One figure on several meshes.
+/// Prints one figure on several meshes.
 void print_row(const std::string& what, const std::string& reference, const std::vector<int>& sizes,
                const std::vector<double>& found, int digits) {
     std::string figures, meshes;
@@ -90,7 +90,7 @@ int triangles_of(const CutPlan& plan) {
     return count;
 }
 
-/// Largest and mean difference of the forces in the tapes from the design's, as shares.
+/// The largest and the mean relative difference of the tapes' forces from those of the design.
 std::string tape_errors(const EnvelopeDesign& design, const CutPlan& plan, const Inflated& found) {
     const std::vector<double> forces = tape_forces_by_design(design);
     double most = 0, sum = 0;
@@ -177,7 +177,7 @@ void print_envelope() {
 }  // namespace ripstop
 
 int main(int argc, char** argv) {
-    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // rows take minutes
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // line buffered, because rows take minutes
     const std::set<std::string> asked(argv + 1, argv + argc);
     const auto is_asked = [&](const char* name) { return asked.empty() || asked.contains(name); };
     if (is_asked("validation")) ripstop::print_validation();

@@ -18,7 +18,7 @@ Item item_of(const PlainOutline& outline) {
     ClipperLib::Path path;
     for (const auto& [x, y] : outline)
         path.push_back({std::llround(x * steps_per_metre), std::llround(y * steps_per_metre)});
-    std::reverse(path.begin(), path.end());  // it wants them clockwise and closed
+    std::reverse(path.begin(), path.end());  // libnest2d expects clockwise, closed outlines
     path.push_back(path.front());
     return Item(path);
 }
@@ -35,7 +35,8 @@ StripResult lay_with_libnest2d(const std::vector<PlainOutline>& outlines, double
     placer.accuracy = static_cast<float>(accuracy);
     placer.parallel = false;
     placer.alignment = placer.starting_point = std::decay_t<decltype(placer)>::Alignment::BOTTOM_LEFT;
-    // Far to the start, then low. Its own objective knows no strip; what leaves the strip must cost, or it is taken.
+    // Prefers places near the start, then low ones. libnest2d's own objective knows no strip, so leaving the strip
+    // must be expensive.
     placer.object_function = [width](const Item& item) {
         const auto box = item.boundingBox();
         const double left = getX(box.minCorner()) / steps_per_metre, right = getX(box.maxCorner()) / steps_per_metre;

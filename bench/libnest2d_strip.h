@@ -3,14 +3,16 @@
 #include <array>
 #include <vector>
 
-/// libnest2d on a strip, behind an interface that C++17 and C++20 share: its headers are not C++20.
+/// libnest2d on a strip, behind an interface for both C++17 and C++20, because its headers do not compile as
+/// C++20.
 using PlainOutline = std::vector<std::array<double, 2>>;
 
 struct StripResult {
-    std::vector<bool> is_laid;  ///< of each outline: in a bin, and within the strip
-    double length = 0;          ///< [m]; what spilled into further bins is laid behind the first
+    std::vector<bool> is_laid;  ///< for each outline: whether it is in a bin and inside the strip
+    double length = 0;          ///< [m]; further bins count as laid behind the first
     double seconds = 0;
 };
 
-/// Lays outlines (counter-clockwise, metres) on a strip, turned by 0 or 180 degrees. `accuracy` is libnest2d's, 0 to 1.
+/// Lays outlines (counter-clockwise, metres) on a strip, turned by 0 or 180 degrees. `accuracy` is libnest2d's, 0
+/// to 1.
 StripResult lay_with_libnest2d(const std::vector<PlainOutline>& outlines, double width, double gap, double accuracy);

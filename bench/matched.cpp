@@ -1,4 +1,4 @@
-/// Prints what matching the neighbours gains over seams as drawn: Markdown for docs/methods/seam-matched.md.
+/// Prints the gain of matching neighbours over seams as drawn, as Markdown for docs/methods/seam-matched.md.
 #include <fmt/format.h>
 
 #include <algorithm>

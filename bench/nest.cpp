@@ -1,4 +1,4 @@
-/// The roll: pieces like parts of gores, and those of a cut plan, laid by Ripstop and by libnest2d.
+/// Compares nesting on the roll by Ripstop and by libnest2d: pieces like parts of gores, and those of cut plans.
 ///     ripstop-bench-nest [PLAN ...]
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ void print(const Row& row) {
     std::fflush(stdout);
 }
 
-/// Calls `task` and tells the wall and the processor seconds it took.
+/// Calls `task` and records its wall and processor seconds.
 template <class Task>
 void timed(Row& row, Task&& task) {
     const std::clock_t processor = std::clock();
@@ -60,7 +60,7 @@ void lay(const std::string& name, const PieceSet& set, int rounds) {
 }
 
 #ifdef RIPSTOP_LIBNEST2D
-/// Its no-fit polygons are those of convex pieces: concave ones it lays over one another.
+/// libnest2d's no-fit polygons are those of convex pieces; it lets concave ones overlap.
 PlainOutline convex_hull(const Points2& outline) {
     std::vector<Vec2> points;
     for (Eigen::Index i = 0; i < outline.rows(); ++i) points.push_back(outline.row(i));

@@ -1,4 +1,4 @@
-/// How long it takes to find the seams of large envelopes and to check them: `ripstop-bench-seams`.
+/// Measures the time to find and check the seams of large envelopes: `ripstop-bench-seams`.
 #include <fmt/format.h>
 
 #include <chrono>

@@ -1,4 +1,4 @@
-/// Seconds for a whole envelope: 360 tiles of about 1,000 triangles, by every method, on one thread and on all.
+/// Measures a whole envelope, 360 tiles of about 1,000 triangles, by every method, on one thread and on all.
 #include <benchmark/benchmark.h>
 
 #include "ripstop/base/parallel.h"

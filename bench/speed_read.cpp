@@ -1,4 +1,4 @@
-/// How long it takes to read a million triangles in each format; processor seconds are what counts.
+/// Measures reading a million triangles in each format; look at the processor time.
 #include <benchmark/benchmark.h>
 
 #include <sstream>

@@ -7,7 +7,7 @@
 
 using namespace ripstop;
 
-/// Any bytes are either a fabric that is valid, or an InputError; and a valid one is valid again when written and read.
+/// Any bytes give a valid fabric or an InputError. A valid fabric stays valid when written and read.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
     Fabric fabric;

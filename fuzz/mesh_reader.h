@@ -17,7 +17,7 @@ inline void require(bool holds) {
     if (!holds) std::abort();
 }
 
-/// A mesh that was mended names what is there, and each of its vertices and triangles one that was.
+/// The maps of a mended mesh name existing vertices and triangles of the original.
 inline void require_maps(const TriangleMesh& mesh, const MendedMesh& mended) {
     const TriangleMesh& now = mended.mesh;
     require(std::cmp_equal(mended.vertex.size(), now.vertex_count()) &&
@@ -30,7 +30,7 @@ inline void require_maps(const TriangleMesh& mesh, const MendedMesh& mended) {
     for (const int t : mended.triangle) require(t >= 0 && t < mesh.triangle_count());
 }
 
-/// Vertices stay where they are, but for a tip that is closed.
+/// Vertices stay in place, except at a tip that is closed.
 inline void require_mendable(const TriangleMesh& mesh) {
     const MendedMesh mended = mend_mesh(mesh);
     require_maps(mesh, mended);
@@ -63,8 +63,8 @@ inline void require_equal(const NamedMesh& a, const NamedMesh& b, const MeshKept
     require(!kept.warp || a.warp == b.warp);
 }
 
-/// Any bytes are either sound surfaces or an InputError that names the file; and what was read is read again from what
-/// is written of it, as far as the format keeps it.
+/// Any bytes give sound surfaces or an InputError that names the file. What was read can be written and read
+/// again, as far as the format preserves it.
 inline int check_reader(std::string_view extension, const std::uint8_t* data, std::size_t size) {
     for (const MeshFormat& format : mesh_formats()) {
         if (format.extension != extension) continue;

@@ -31,8 +31,8 @@ inline void require_sound(const PatternDrawing& drawing) {
     for (const StatedUnit& stated : drawing.units) require(stated.unit.metres > 0);
 }
 
-/// Any bytes are either a drawing with finite places or an InputError that names the file, and every drawing can be checked
-/// and told.
+/// Any bytes give a drawing with finite places or an InputError that names the file. Every drawing can be checked
+/// and reported.
 inline int check_pattern_reader(PatternDrawing (*read)(std::istream&, const std::string&), const std::uint8_t* data,
                                 std::size_t size) {
     std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));

@@ -17,7 +17,7 @@ void require(bool holds) {
 
 }  // namespace
 
-/// Any bytes are either pieces that can be written in full, and read back as the same, or an InputError.
+/// Any bytes give pieces that can be written in full and read back unchanged, or an InputError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
     PieceSet set;

@@ -9,8 +9,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-/// Runs a fuzz target over every file of a folder, so that its corpus guards builds without libFuzzer too. Fails where the
-/// folder holds no file; the target itself ends the program where its property is broken.
+/// Runs a fuzz target over every file of a folder, so that its corpus also guards builds without libFuzzer. Fails
+/// if the folder has no files. The target itself ends the program if its property is violated.
 int main(int count, char** arguments) {
     if (count != 2) return 2;
     std::vector<std::filesystem::path> files;

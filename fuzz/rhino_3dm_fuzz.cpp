@@ -8,8 +8,8 @@
 
 using namespace ripstop;
 
-/// Any bytes are either a model whose surfaces hold (indices, finite coordinates, names of their own) and whose curves have
-/// two finite points, or an InputError that begins with the file's name.
+/// Any bytes give a model or an InputError that begins with the file's name. The model's surfaces are valid
+/// (indices, finite coordinates, unique names), and its curves have at least two finite points.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
     try {

@@ -1,4 +1,4 @@
-/// flat/sewing.json: any bytes are read or refused with a sentence.
+/// flat/sewing.json: any bytes are read, or refused with a sentence.
 #include <cstdint>
 #include <sstream>
 #include <string>

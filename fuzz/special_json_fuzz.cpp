@@ -16,7 +16,7 @@ void require(bool holds) {
 
 }  // namespace
 
-/// Any bytes are either a special shape whose lengths and counts can be meshed, or an InputError.
+/// Any bytes give a special shape whose lengths and counts can be meshed, or an InputError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
     SpecialShape shape;
