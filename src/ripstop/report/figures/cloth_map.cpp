@@ -24,7 +24,7 @@ double mean_edge_error(const FlatTile& tile, int triangle) {
 std::string cloth_map(const FlatTile& tile, const PageView& view, double limit) {
     std::array<std::string, colour_classes> paths;
     std::string flipped;
-    // Many triangles are small ones: a tenth of a unit will do for them.
+    // Many triangles are small ones, so a tenth of a unit suffices.
     const int decimals = tile.tile.mesh.triangle_count() > 5000 ? 1 : 2;
     const auto at = [&](const Vec2& p) {
         const Vec2 q = view.at(p);
@@ -39,7 +39,7 @@ std::string cloth_map(const FlatTile& tile, const PageView& view, double limit) 
             up ? paths[static_cast<std::size_t>(colour_class(mean_edge_error(tile, t), limit))] : flipped;
         path += "M" + at(corner[0]) + "L" + at(corner[1]) + " " + at(corner[2]) + "z";
     }
-    // A hairline of its own colour closes the gaps that renderers leave between neighbours.
+    // A hairline in its own colour closes the gaps that renderers leave between neighbours.
     std::string result = "<g stroke-width=\"0.5\" stroke-linejoin=\"round\">\n";
     for (int c = 0; c < colour_classes; ++c) {
         const std::string& path = paths[static_cast<std::size_t>(c)];

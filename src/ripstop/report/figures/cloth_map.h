@@ -6,20 +6,20 @@
 
 namespace ripstop {
 
-/// From the cloth [m, y up] to the page [its units, y down].
+/// The map from the cloth [m, y up] to the page [its units, y down].
 struct PageView {
     double scale = 1;
-    Vec2 origin = Vec2::Zero();  ///< of the cloth, on the page
+    Vec2 origin = Vec2::Zero();  ///< place of the cloth's origin on the page
 
     Vec2 at(const Vec2& p) const { return {origin.x() + scale * p.x(), origin.y() - scale * p.y()}; }
 };
 
 /// The triangles of a flat tile as SVG, each in the colour (`class_colour`) of its `mean_edge_error` against `limit`;
 /// flipped ones black. At most one path a colour, so about 30 bytes a triangle. Requires a tile that is drawable
-/// (`is_drawable`).
+/// (`FlatTile::is_flat`).
 std::string cloth_map(const FlatTile& tile, const PageView& view, double limit);
 
-/// Mean |edge length on the cloth / in space - 1| of the edges of a triangle.
+/// The mean of |edge length on the cloth / in space - 1| over the edges of a triangle.
 double mean_edge_error(const FlatTile& tile, int triangle);
 
 }  // namespace ripstop

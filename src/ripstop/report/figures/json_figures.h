@@ -6,11 +6,12 @@
 
 namespace ripstop {
 
-/// Figures of the reports, in the unit that their key names: 12 significant digits, null where not finite (`clean`).
+/// A figure of the reports, in the unit that its key names: 12 significant digits, null if it is not finite
+/// (`clean`).
 nlohmann::ordered_json figure(double value);
 nlohmann::ordered_json in_percent(double ratio);
-nlohmann::ordered_json in_millimetres(double length);  ///< of metres
-nlohmann::ordered_json in_degrees(double angle);       ///< of radians
+nlohmann::ordered_json in_millimetres(double length);  ///< from metres
+nlohmann::ordered_json in_degrees(double angle);       ///< from radians
 
 /// A place in millimetres: [x, y, z].
 nlohmann::ordered_json point_json(const Vec3& at);

@@ -18,7 +18,7 @@ Vec3 middle(const CutPlan& plan, const Seam& seam) {
     return sum / std::max(2.0 * static_cast<double>(seam.a.parts.size()), 1.0);
 }
 
-/// Of equal sectors, the middle of all vertices lies on the axis.
+/// The centroid of the vertices of equal sectors lies on the axis.
 Vec3 axis_of(const CutPlan& plan) {
     Vec3 sum = Vec3::Zero();
     double count = 0;
@@ -29,7 +29,7 @@ Vec3 axis_of(const CutPlan& plan) {
     return sum / std::max(count, 1.0);
 }
 
-/// How far two places are apart once one is turned by the whole sectors that bring it nearest.
+/// The distance of two places after one is turned by the number of whole sectors that brings it closest.
 double apart(const Vec3& a, const Vec3& b, int sectors) {
     const double sector = 2 * std::numbers::pi / sectors;
     const double between = std::atan2(a.y(), a.x()) - std::atan2(b.y(), b.x());
@@ -42,7 +42,7 @@ double apart(const Vec3& a, const Vec3& b, int sectors) {
 
 std::vector<int> tapes_of_seams(const CutPlan& plan) {
     constexpr double nearest =
-        0.05;  // of the seam's length: equal seams may be divided differently, others are farther off
+        0.05;  // of the seam's length; equal seams may be divided differently, other seams are farther off
     const std::vector<InflatedTape>& tapes = plan.inflated->tapes;
     std::vector<int> found(plan.seams.size(), -1);
     for (std::size_t t = 0; t < tapes.size(); ++t)

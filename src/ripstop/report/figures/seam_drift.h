@@ -7,12 +7,12 @@
 
 namespace ripstop {
 
-/// How far side b is ahead of side a at `s` along the seam's curve, in proportion between its notches [m].
+/// How far side b is ahead of side a at `s` along the seam's curve, linear between its notches [m].
 double drift_at(const SeamWalk& walk, double s);
 
-/// From where to where a part of a side lies on its boundary edge, as shares of it; `drawn`: how long that edge is
-/// drawn [m]. A seam begins at the end of its first edge and ends at the start of its last; one within a single edge is
-/// taken to lie about its middle.
+/// The start and end of a side's part on its boundary edge, as shares of that edge; `drawn` is the edge's length
+/// as drawn [m]. A seam begins at the end of its first edge and ends at the start of its last; one within a single
+/// edge is centred on it.
 std::array<double, 2> share_of_edge(const SeamSide& side, std::size_t part, double drawn);
 
 }  // namespace ripstop

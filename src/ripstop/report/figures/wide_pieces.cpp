@@ -13,7 +13,7 @@ double width_of(const PatternPiece& piece) {
     return piece.upper().y() - piece.lower().y();
 }
 
-/// Of the pieces that are cut, mirror images counted with them, those that are too wide.
+/// The number of pieces that are too wide, of those that are cut, mirror images included.
 struct Wide {
     int pieces = 0, of = 0;
     const PatternPiece* widest = nullptr;

@@ -7,8 +7,8 @@
 
 namespace ripstop {
 
-/// A sentence for each fabric of whose pieces some are wider across the warp than its roll, allowances included: how
-/// many, the widest of them, and what to do. None where every piece fits.
+/// A sentence for each fabric with pieces that are wider across the warp than its roll, allowances included: how
+/// many there are, the widest of them, and what to do. Empty if every piece fits.
 std::vector<std::string> too_wide_pieces(const PieceSet& set);
 
 }  // namespace ripstop

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A sentence as its parts: texts, and names of tiles and seams.
+/// Sentences as parts: texts, and names of tiles and seams.
 Json sentences_json(const std::vector<PageSentence>& sentences) {
     Json list = Json::array();
     for (const PageSentence& sentence : sentences) {

@@ -6,8 +6,8 @@
 
 namespace ripstop {
 
-/// `envelope.says` of report.json: the words of `page_words`. A sentence of `why` and `redesign` is a list of parts,
-/// each a text, {tile: NAME} or {seam: ID}; `codes` tells what each code of the findings means.
+/// `envelope.says` of report.json: the texts of `page_words`. A sentence of `why` and `redesign` is a list of
+/// parts, each a text, {tile: NAME} or {seam: ID}; `codes` explains each code of the findings.
 nlohmann::ordered_json says_json(const CutPlan& plan);
 
 }  // namespace ripstop

@@ -20,7 +20,7 @@ double net_area(const PatternPiece& piece) {
     return piece.outline().rows() < 3 ? 0 : std::abs(signed_area(piece.outline()));
 }
 
-/// The marker of a cloth, if it holds all its pieces.
+/// The marker of a cloth, if it contains all its pieces.
 const Marker* marker_of(const Cloth& cloth, const PieceSet& set, const Markers* markers) {
     if (markers == nullptr) return nullptr;
     for (const PatternPiece& piece : set.pieces)
@@ -54,13 +54,13 @@ void add_cloths(std::string& text, const PieceSet& set, const Markers* markers) 
 
 constexpr double no_length = 1e-6;  // [m]
 
-/// Sorts the mates that an edge has in one seam; returns the first.
+/// Sorts the mates of an edge in one seam by length, longest first; returns the first.
 const Mate& longest_first(std::vector<const Mate*>& mates) {
     std::stable_sort(mates.begin(), mates.end(), [](const Mate* p, const Mate* q) { return p->length > q->length; });
     return *mates.front();
 }
 
-/// What of a seam's length is an edge's: half where two sheets are sewn, a third where three are.
+/// The share of a seam's length that an edge counts: half if two sheets are sewn, a third if three are.
 double share_of_seam(const std::vector<const Mate*>& longest_first) {
     double share = 0;
     for (std::size_t m = 0; m < longest_first.size(); ++m) {

@@ -20,7 +20,7 @@ const std::string& tile_name(const CutPlan& plan, const SeamSide& side) {
     return plan.tiles[static_cast<std::size_t>(side.tile)].tile.name;
 }
 
-/// The seam in which `value` is largest in size; what is not a number is larger than all.
+/// The seam with the largest absolute `value`; NaN counts as largest.
 template <class Value>
 std::size_t worst_seam(const CutPlan& plan, Value value) {
     std::size_t worst = 0;
@@ -35,7 +35,7 @@ std::string in_mm(double length) {
     return shown(length / millimetre, 3, true) + " mm";
 }
 
-/// How many seams agree, and the worst of them; empty where there are none.
+/// How many seams agree, and the worst of them; empty without seams.
 std::string agreement(const CutPlan& plan) {
     if (plan.walks.empty()) return {};
     const auto good = std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return walk.ok; });
@@ -48,7 +48,7 @@ std::string agreement(const CutPlan& plan) {
            shown(plan.walks[drift].drift_max / millimetre, 3) + " mm (" + plan.seams[drift].id + ")\n";
 }
 
-/// Of how many seams the meshes leave more open than they may err.
+/// For how many seams the uncertainty of the meshes exceeds the tolerance.
 std::string uncertain(const CutPlan& plan) {
     const auto count =
         std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return !walk.is_certain(); });
@@ -105,7 +105,7 @@ std::string seams_summary(const CutPlan& plan, int max_rows) {
 
 std::vector<std::vector<std::vector<int>>> seams_of_chains(const CutPlan& plan) {
     std::vector<std::vector<std::vector<int>>> seams;
-    std::vector<std::vector<int>> place;  // of each boundary edge in its chain
+    std::vector<std::vector<int>> place;  // the index of each boundary edge in its chain
     for (const FlatTile& tile : plan.tiles) {
         seams.emplace_back(tile.tile.chains.size());
         std::vector<int> leaving(static_cast<std::size_t>(tile.tile.mesh.vertex_count()), 0);
@@ -120,7 +120,8 @@ std::vector<std::vector<std::vector<int>>> seams_of_chains(const CutPlan& plan) 
         for (const SeamSide* side : {&plan.seams[s].a, &plan.seams[s].b}) {
             if (side->parts.empty()) continue;
             const auto t = static_cast<std::size_t>(side->tile), c = static_cast<std::size_t>(side->chain);
-            // A seam that begins within an edge comes after the one that ends in it: it has that edge first, not last.
+            // A seam that begins within an edge comes after the seam that ends in it: that edge is its first, not
+            // its last.
             const int begin =
                 2 * place[t][static_cast<std::size_t>(side->parts.front().edge)] + (side->parts.size() > 1 ? 1 : 0);
             const auto at = std::upper_bound(begins[t][c].begin(), begins[t][c].end(), begin) - begins[t][c].begin();

@@ -106,9 +106,9 @@ Row table_row(const FlatTile& tile) {
             tile.verdict.manufacturable() ? "ok" : "no: " + failing_codes(tile.verdict)};
 }
 
-/// `360 tiles, 15 different, each cut 24 times`; empty where no two are alike.
+/// `360 tiles, 15 different, each cut 24 times`; empty if no two are alike.
 std::string kinds(const CutPlan& plan) {
-    std::map<int, int, std::greater<>> times;  // how many patterns are cut so often
+    std::map<int, int, std::greater<>> times;  // the number of patterns that are cut so often
     bool turned = false;
     for (const Quantity& cut : quantities(plan)) {
         if (cut.same + cut.mirrored > 0) ++times[cut.same + cut.mirrored];
@@ -141,8 +141,8 @@ struct Worst {
     }
 };
 
-/// `12 of 360 tiles remeshed: 2400 triangles to 24000; against the drawn mesh: area +0.040 % (G01), up to 1.2 mm off`;
-/// empty if no tile was remeshed.
+/// `12 of 360 tiles remeshed: 2400 triangles to 24000; against the drawn mesh: area +0.040 % (G01), up to 1.2 mm
+/// off`; empty if no tile was remeshed.
 std::string remeshed_summary(const CutPlan& plan) {
     long long count = 0, before = 0, now = 0;
     Worst change;

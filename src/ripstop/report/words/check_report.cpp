@@ -16,13 +16,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t shown_loops = 8;
-constexpr int most_lines = 10;  // of one code: of more the first says what they are
+constexpr int most_lines = 10;  // per code; if there are more, the first line says which they are
 
 std::string plural(int count, const char* one, const char* many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-constexpr const char* not_sought = "not looked for";  // beside figures that seams decide
+constexpr const char* not_sought = "not looked for";  // beside figures that depend on the seams
 
 std::string count_text(const EnvelopeCheck& check, int count) {
     return check.seams_sought ? std::to_string(count) : not_sought;
@@ -58,7 +58,7 @@ std::string loops_text(const EnvelopeCheck& check) {
     return text;
 }
 
-/// A line an issue; of a code that many have, the first and how many there are. The JSON has them all.
+/// One line per issue. If many have the same code, the first and their number; the JSON has all.
 std::string issues_text(const EnvelopeCheck& check) {
     std::map<std::string, int> counts;
     for (const EnvelopeIssue& issue : check.issues) ++counts[issue.code];

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int most_findings = 10;  // of one code
+constexpr int most_findings = 10;  // per code
 constexpr std::size_t most_layers = 24;
 
 std::string layers_text(const DrawingCheck& check) {

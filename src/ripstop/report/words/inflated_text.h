@@ -6,9 +6,9 @@
 
 namespace ripstop {
 
-/// An inflated plan for the terminal: what it says (`inflated_says`), then tables of its sizes drawn and inflated, of
-/// what it bears and how strong it is, of the causes of its deviation, of the rounds of correction and of its
-/// sensitivity, each as far as there is one. Requires `plan.inflated`.
+/// The report on an inflated plan for the terminal: its verdicts (`inflated_says`), then tables of its drawn and
+/// inflated sizes, its loads and strength, the causes of its deviation, the rounds of correction and its
+/// sensitivity, as far as they exist. Requires `plan.inflated`.
 std::string inflated_text(const CutPlan& plan);
 
 }  // namespace ripstop

@@ -20,7 +20,7 @@ std::string layer_of(const Attributes& attributes) {
     return layer == attributes.end() ? "-" : layer->second;
 }
 
-/// What the designer said beside the layer: `fabric=nylon, group=crown`.
+/// The designer's attributes besides the layer: `fabric=nylon, group=crown`.
 std::string said(const Attributes& attributes) {
     std::string text;
     for (const auto& [key, value] : attributes)

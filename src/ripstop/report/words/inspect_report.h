@@ -6,12 +6,12 @@
 
 namespace ripstop {
 
-/// What a file holds before any tile is made of it, for a terminal: unit, layers, surfaces and curves with their sizes
-/// in the file's own unit, what could not be read and why, remarks. Of long lists the first 20 and how many more there
-/// are.
+/// The contents of a file before tiles are made, for a terminal: unit, layers, surfaces and curves with their
+/// sizes in the file's own unit, what could not be read and why, remarks. Long lists show the first 20 and the
+/// number of others.
 std::string inspect_text(const CadModel& model, const std::string& file);
 
-/// The same in full for machines, one JSON object: `docs/inspect.schema.json`.
+/// The same in full as one JSON object: `docs/inspect.schema.json`.
 std::string inspect_json(const CadModel& model, const std::string& file);
 
 }  // namespace ripstop

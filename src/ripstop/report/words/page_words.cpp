@@ -65,7 +65,7 @@ std::string headline(const CutPlan& plan, std::size_t tiles, std::size_t seams) 
     return (text.empty() ? "The tiles can be made, but the drawing has faults" : text) + ".";
 }
 
-/// One code of findings: how many tiles have it, and the worst of it.
+/// A code of findings, the number of tiles that have it, and the worst of them.
 struct Kind {
     std::string code;
     std::set<const FlatTile*> tiles;
@@ -199,7 +199,7 @@ PageWords page_words(const CutPlan& plan) {
     if (plan.manufacturable()) return words;
     for (const Kind& kind : kinds_of(plan)) words.why.push_back(reason(kind));
     if (seams > 0) words.why.push_back(seams_reason(plan, seams));
-    std::map<std::string, std::size_t> more;  // of one code the first speaks for all
+    std::map<std::string, std::size_t> more;  // the first of each code speaks for all
     for (const Finding& finding : plan.findings) ++more[finding.code];
     more.erase("seam");
     for (const Finding& finding : plan.findings) {

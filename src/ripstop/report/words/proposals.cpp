@@ -17,7 +17,7 @@ std::string place(const Vec3& at) {
            shown(at.z() / millimetre, 0) + ") mm";
 }
 
-/// The strain of largest size.
+/// The strain with the largest absolute value.
 double worst_strain(const Accuracy& a) {
     double worst = 0;
     for (const double strain : {a.warp_strain_min, a.warp_strain_max, a.weft_strain_min, a.weft_strain_max})

@@ -7,18 +7,18 @@
 
 namespace ripstop {
 
-/// Tiles with a proposal that are cut by one pattern have the same one, each where it lies.
+/// The tiles of one pattern share a proposal, each in its own place.
 struct ProposedKind {
-    std::size_t tile = 0;  ///< in `CutPlan::tiles`: the first of them
+    std::size_t tile = 0;  ///< index of the first of them in `CutPlan::tiles`
     std::size_t count = 1;
 };
 std::vector<ProposedKind> proposed_kinds(const CutPlan& plan);
 
-/// `both halves can be made then`, …: what a tile's proposal comes to.
+/// The result of a tile's proposal: `both halves can be made then`, …
 std::string halves_words(const FlatTile& tile);
 
-/// What the designer may draw instead, a sentence each: the seams that would help most in tiles that cannot be made,
-/// and the neighbours that could be one tile, at most `max_rows` of either. Empty where nothing is proposed.
+/// Alternatives for the designer, one sentence each: the seams that would help most in tiles that cannot be made,
+/// and the neighbours that could be one tile, at most `max_rows` of either. Empty if there are none.
 std::string proposals_text(const CutPlan& plan, int max_rows = 12);
 
 }  // namespace ripstop
