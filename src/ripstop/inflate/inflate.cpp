@@ -173,8 +173,8 @@ Inflated inflate(const CutPlan& plan, const InflateOptions& options) {
     inflated.floor = options.load.mouth_plane.value_or(sewn.floor);
     inflated.sectors = sewn.sectors;
     inflated.seam_gap = sewn.seam_gap;
-    // Integrate from the height of the mouth, or from where the pressure is zero, so that the mouth needs no cap for
-    // force or volume.
+    // Heights count from the mouth, wherever the gauge pressure is zero, so that the mouth needs no cap for force or
+    // volume.
     const double at_mouth = options.load.extra_pressure + inflated.rise * (sewn.floor - inflated.floor);
     Balance balance(sewn, {at_mouth, inflated.rise, sewn.floor}, options.threads);
     EquilibriumOptions solving;

@@ -29,7 +29,7 @@ double mean_square_turn(const TriangleMesh& mesh, const Adjacency& adjacency) {
     return weights > 0 ? squares / weights : 0;
 }
 
-/// The mean of the absolute angle defects of the interior vertices, each capped at the square of an intended turn.
+/// The mean of the absolute angle defects of the interior vertices, each capped at `meant` squared.
 double mean_defect(const Tile& tile) {
     const TriangleMesh& mesh = tile.mesh;
     Eigen::VectorXd missing = Eigen::VectorXd::Constant(mesh.vertex_count(), 2 * std::numbers::pi);

@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double equilateral = 0.8660254037844386;  // height of a triangle over its side
+constexpr double equilateral = 0.8660254037844386;  // height of an equilateral triangle over its side
 
 void require_valid(const EnvelopeDesign& d) {
     require_range("number of gores", d.gores, 3, 1000, "");
@@ -27,7 +27,7 @@ void require_valid(const EnvelopeDesign& d) {
     require_range("fabric mass", d.fabric_mass, 0, 10, "kg/m2");
 }
 
-/// A gore's division, the same for every gore: what lies between its seams at every row.
+/// The subdivision of a gore, the same for every gore: the number of edges at every row.
 struct GoreGrid {
     const EnvelopeDesign& design;
     const NaturalShape& shape;
@@ -37,12 +37,13 @@ struct GoreGrid {
         const double a = pi / design.gores;
         return design.bulge > 0 ? 2 * at.r * std::sin(a) * design.bulge / std::sin(design.bulge) : 2 * at.r * a;
     }
-    /// So many edges across that none turns by more than 20 degrees: the corners must stay the only corners.
+    /// The number of edges across for which none turns by more than 20 degrees, so that no further corners appear.
     int least_across(const MeridianPoint& at) const {
         const double turn = std::max(2 * pi / design.gores * std::abs(std::sin(at.theta)), 2 * design.bulge);
         return std::max(1, static_cast<int>(std::ceil(turn / (20 * degree) - 1e-9)));
     }
-    /// Edge length wanted here: the design's, or what lets two edges lie across; not below a third of the design's.
+    /// The local edge length: the design's, or less so that two edges fit across, but at least a third of the
+    /// design's.
     double edge_length(const MeridianPoint& at) const {
         return std::clamp(width(at) / std::max(2, least_across(at)), design.edge_length / 3, design.edge_length);
     }
@@ -54,10 +55,11 @@ struct GoreGrid {
     }
 };
 
-/// Arc lengths of a panel's rows, both seams included: as dense as the wanted edge length, and such that parity fits.
+/// Arc lengths of a panel's rows, both seams included, spaced by the local edge length; their number satisfies
+/// `parity_fits`.
 std::vector<double> row_places(const GoreGrid& grid, double from, double to) {
     constexpr int samples = 64;
-    std::vector<double> rows_below{0};  // how many rows fit below each sample
+    std::vector<double> rows_below{0};  // number of rows below each sample
     const double step = (to - from) / samples;
     for (int i = 0; i < samples; ++i) {
         const double height = equilateral * grid.edge_length(grid.shape.point_at(from + (i + 0.5) * step));
@@ -79,7 +81,7 @@ std::vector<double> row_places(const GoreGrid& grid, double from, double to) {
     return places;
 }
 
-/// What all panels of one row have in common.
+/// The data that all panels of one row share.
 struct PanelGrid {
     std::vector<MeridianPoint> rows;
     RowColumns columns;

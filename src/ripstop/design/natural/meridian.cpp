@@ -53,13 +53,13 @@ Step dormand_prince(const MeridianEquation& equation, const State& from, double 
     return step;
 }
 
-/// How large each entry of the state is in an envelope of size `unit`.
+/// The scale of each entry of the state in an envelope of size `unit`.
 State scales(const MeridianEquation& equation, double unit) {
     const double force = equation.buoyancy * unit * unit * unit;
     return (State() << unit, unit, unit, 1, force, unit * unit, unit * unit * unit).finished();
 }
 
-/// The first point within `length` of `from` where `passed` turns true.
+/// The first point within `length` of `from` at which `passed` becomes true.
 template <class Passed>
 MeridianPoint bisect(const MeridianEquation& equation, const MeridianPoint& from, double length, Passed&& passed) {
     double before = 0;
@@ -88,8 +88,8 @@ MeridianPoint smooth_slope(const MeridianEquation& e, const MeridianPoint& y) {
     return {1, sine, cosine, turning, weight * cosine, 2 * pi * y.r, pi * y.r * y.r * cosine};
 }
 
-/// Cloth a length of meridian: the integral of |P_s x P_u| over u, of the surface in `design_point`. Gauss, five points
-/// over half the gore: the integrand is smooth and even in u.
+/// The derivative of the cloth area along the meridian: the integral of |P_s x P_u| over u on the surface of
+/// `design_point`. Gauss quadrature with five points over half the gore: the integrand is smooth and even in u.
 double lobed_area_slope(const MeridianEquation& e, const MeridianPoint& y, double turning) {
     constexpr std::array<double, 5> places{0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155,
                                            0.95308992296933200};
@@ -118,7 +118,7 @@ MeridianPoint lobed_slope(const MeridianEquation& e, const MeridianPoint& y) {
     const double cosine = std::cos(y.theta);
     const double a = pi / e.tapes;
     const double B = e.bulge;
-    const double section = B - std::sin(B) * std::cos(B);  // of a lobe of radius 1
+    const double section = B - std::sin(B) * std::cos(B);  // area of the section of a lobe of radius 1
     const double c = y.r * std::sin(a);
     const double rho = c / std::sin(B);
     const double d = rho * ((B + std::sin(B) * std::cos(B)) / (2 * std::sin(B)) - std::cos(B));
@@ -126,7 +126,7 @@ MeridianPoint lobed_slope(const MeridianEquation& e, const MeridianPoint& y) {
     const double pull = e.tapes * 2 * e.buoyancy * (y.z - d * sine) * c;  // n 2 p c
     const double hoop = pull * std::sin(a) / std::tan(B);
     const double weight = e.tapes * (e.weight * 2 * rho * B + e.tape_weight);
-    // R and Z hold th', so T th' = ... is linear in it.
+    // R and Z contain th', so the equation T th' = ... is linear in it.
     const double normal = pull * (cosine * cosine * std::cos(a) + sine * sine);
     const double turning = (-normal + hoop * cosine - weight * sine) / (y.tension - normal * d);
     const double stretch = 1 - turning * d;

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-// Everything here is in units of b and the length `unit`: the unknowns are x = (load, mouth radius, th0).
+// Quantities are in units of b and the length `unit`; the unknowns are x = (load, mouth radius, th0).
 struct Problem {
     MeridianEquation equation;
     double mouth_ratio;
@@ -23,7 +23,7 @@ struct Problem {
 
 struct Shot {
     Meridian meridian;
-    Vector3d residual;  ///< angle defect on the axis, mouth ratio, size
+    Vector3d residual;  ///< errors of the angle on the axis, the mouth ratio and the size
 };
 
 Shot shoot(const Problem& problem, const Vector3d& x) {
@@ -63,9 +63,9 @@ Eigen::Matrix3d jacobian(const Problem& problem, const Vector3d& x, const Vector
     return J;
 }
 
-/// Newton's method with halved steps from `start`.
+/// Newton's method with step halving from `start`.
 Solution solve(const Problem& problem, const Vector3d& start) {
-    constexpr double good_enough = 1e-9;  // the integrator's noise stops the descent well below
+    constexpr double good_enough = 1e-9;  // the integrator's noise ends the descent well below this
     Solution now{start, shoot(problem, start)};
     for (; now.iterations < 40 && now.shot.residual.allFinite(); ++now.iterations) {
         if (now.shot.residual.norm() < 1e-13) break;
@@ -85,7 +85,7 @@ Solution solve(const Problem& problem, const Vector3d& start) {
     return now;
 }
 
-/// The problem at a part of its weight and of its hoop tension: both vanish at 0.
+/// The problem with a fraction of its weight and of its hoop tension: both vanish at 0.
 Problem part_of(Problem problem, double part) {
     problem.equation.weight *= part;
     problem.equation.tape_weight *= part;
@@ -94,7 +94,7 @@ Problem part_of(Problem problem, double part) {
     return problem;
 }
 
-/// The weightless smooth shape, roughly, made slimmer by what the lobes add to the volume.
+/// Approximates the weightless smooth shape, slimmer by the volume that the lobes add.
 Vector3d first_guess(const Problem& problem) {
     const double q = problem.mouth_ratio;
     const double theta = (50 - 21 * q) * degree;
@@ -142,7 +142,7 @@ void require_valid(const NaturalShapeOptions& o) {
     require_angle("bulge half-angle", o.bulge, 90);
 }
 
-/// The meridian in metres and newtons.
+/// The meridian scaled to metres and newtons.
 Meridian scaled(Meridian meridian, const NaturalShapeOptions& options, double unit) {
     const double b = options.buoyancy;
     meridian.equation.buoyancy = b;

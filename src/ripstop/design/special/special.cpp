@@ -31,11 +31,11 @@ int primitive_at(const SpecialBody& body, const Vec3& place) {
     return body.primitive_number(body.owner(place));
 }
 
-/// The connected parts of the first surface.
+/// The connected components of the first surface.
 struct Parts {
     std::vector<int> of_triangle;
-    std::vector<std::set<int>> owners;  ///< primitives that each shows
-    std::vector<double> volume;         ///< enclosed, six times; negative for a hollow
+    std::vector<std::set<int>> owners;  ///< primitives that each component shows
+    std::vector<double> volume;         ///< six times the enclosed volume; negative for a cavity
     int largest = 0;
 
     Parts(const SpecialBody& body, const TriangleMesh& mesh) : of_triangle(connected_parts(mesh)) {
@@ -52,7 +52,7 @@ struct Parts {
     }
 };
 
-/// Without what the grid cut off the thin end of a cone: a few cells by themselves.
+/// Removes small separate components that the grid cut off the thin end of a cone.
 TriangleMesh without_specks(const SpecialBody& body, const TriangleMesh& mesh) {
     const Parts parts(body, mesh);
     const double speck = 6 * std::pow(2 * body.shape().edge_length, 3);
@@ -100,7 +100,7 @@ void require_mouth_within(const SpecialBody& body, const TriangleMesh& mesh) {
                      format_fixed(high / millimetre, 0) + " mm; put it between, an edge length from the ends");
 }
 
-/// Every vertex on the body, and none of the triangles turned over: what a maker may take for granted.
+/// Throws unless every vertex lies on the body and no triangle is flipped.
 void require_followed(const WorkSurface& surface, const SpecialBody& body) {
     for (int t = 0; t < surface.triangle_count(); ++t) {
         if (!surface.is_triangle(t) || surface.tile[at(t)] < 0) continue;
@@ -128,7 +128,7 @@ void require_disks(const std::vector<NamedMesh>& tiles) {
         }
 }
 
-/// How many rims there are at the mouth: cycles of half-edges of tiles whose other half lies below.
+/// The number of boundary loops at the mouth: cycles of half-edges of tiles whose twins lie below.
 int count_openings(const WorkSurface& surface) {
     std::set<int> rim;
     for (int h = 0; h < surface.half_edge_count(); ++h)
@@ -145,7 +145,7 @@ int count_openings(const WorkSurface& surface) {
     return openings;
 }
 
-/// With fillets in place of creases: there a first surface runs even, and where it is cut it does not fold.
+/// Replaces creases by fillets, so that the first surface is smooth and does not fold where it is cut.
 SpecialBody soften(SpecialShape shape) {
     shape.joint_radius = std::max(shape.joint_radius, 1.5 * shape.edge_length);
     return SpecialBody(shape, shape.edge_length);

@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// The whole turn that `angle` lies in, from 0 on.
+/// The angle modulo 2 pi, from 0 on.
 double positive(double angle) {
     return angle < 0 ? angle + 2 * pi : angle;
 }
@@ -19,7 +19,8 @@ double azimuth(const Vec3& own) {
     return positive(std::atan2(own.y(), own.x()));
 }
 
-/// The share of a turn that three angles have in common, given that they lie within half a turn of each other.
+/// The index of the sector that contains the mean of up to three angles. Requires that they lie within half a turn of
+/// each other.
 int slice(const double (&angles)[3], int known, int slices) {
     double sum = 0;
     for (int k = 0; k < known; ++k) {
@@ -32,7 +33,7 @@ int slice(const double (&angles)[3], int known, int slices) {
     return std::min(static_cast<int>(middle / (2 * pi) * slices), slices - 1);
 }
 
-/// The seam nearest to an angle, of `count` at equal angles.
+/// The seam nearest to an angle, among `count` at equal angles.
 int nearest_seam(double angle, int count) {
     return static_cast<int>(std::lround(angle / (2 * pi) * count)) % count;
 }

@@ -7,8 +7,8 @@
 
 namespace ripstop {
 
-/// A line on the body: what it is and where. Between two faces (`crease`, a < b), or seam `b` of primitive `a`: sector
-/// seam b lies before sector b, ring seam b before ring b, both counted from 0. The mouth has neither.
+/// A curve on the body and its kind: a `crease` between the faces a < b, or seam `b` of primitive `a`. Sector seam b
+/// precedes sector b, ring seam b precedes ring b, both counted from 0. The mouth has neither.
 struct BodyCurve {
     enum Kind { crease, sector, ring, mouth } kind = crease;
     int a = 0, b = 0;
@@ -16,32 +16,34 @@ struct BodyCurve {
     bool operator==(const BodyCurve&) const = default;
 };
 
-/// Which part of the body a piece of its surface belongs to, counted from 0.
+/// The part of the body that a piece of its surface belongs to, counted from 0.
 struct BodyCell {
-    int face = -1;  ///< -1: not yet known
+    int face = -1;  ///< -1: not known yet
     int sector = 0, ring = 0;
-    bool below = false;  ///< the mouth
+    bool below = false;  ///< below the mouth
 
     bool operator==(const BodyCell&) const = default;
 };
 
 /// The union of primitives as level functions, negative inside. Each primitive is the intersection of its faces: one,
-/// or for a cone the side, the base and the top; its level is their maximum. Levels are zero exactly on the surface and
-/// rise by about one a metre near it; that of an ellipsoid with radii r is k (k - 1) / q, k = |x / r|, q = |x / r^2|.
+/// or for a cone the side, the base and the top. Its level is the maximum of theirs. Levels are zero exactly on the
+/// surface and have a gradient of about one near it; that of an ellipsoid with radii r is k (k - 1) / q, k = |x / r|,
+/// q = |x / r^2|.
 ///
-/// Joined sharply the body is the least level d_i. Joined by a fillet of radius R it is
+/// Without fillets the level of the body is the least level d_i. With a fillet of radius R it is
 ///
 ///     R - sqrt(sum_i max(R - d_i, 0)^2)    (where some d_i < R, else the least)
 ///
-/// which is round where two surfaces meet at a right angle and leaves what is R away from the other surface as it is.
+/// which is circular where two surfaces meet at a right angle and leaves the surface unchanged farther than R from
+/// the other.
 class SpecialBody {
   public:
-    /// With `rounding` > 0 the edges of cones are rounded off, by about that radius [m].
+    /// With `rounding` > 0 the edges of cones are rounded by about that radius [m].
     explicit SpecialBody(const SpecialShape& shape, double rounding = 0);
 
     struct Face {
         int primitive;
-        int part;  ///< 0: the skin, or a cone's side; 1: its base; 2: its top
+        int part;  ///< 0: the only face, or a cone's side; 1: its base; 2: its top
     };
     const SpecialShape& shape() const { return shape_; }
     const std::vector<Face>& faces() const { return faces_; }
@@ -50,39 +52,39 @@ class SpecialBody {
 
     Level face_level(int face, const Vec3& x) const;
     Level solid_level(int primitive, const Vec3& x) const;
-    /// The body's level as if `face` were the one its primitive shows here: smooth across that face's borders.
+    /// The level of the body with `face` as the visible one of its primitive: smooth across that face's borders.
     Level surface_level(int face, const Vec3& x) const;
     double level(const Vec3& x) const { return surface_level(owner(x), x).value; }
-    /// The face the point is nearest to: of the primitive of least level the face of greatest.
+    /// The face nearest to the point: of the primitive with the least level the face with the greatest.
     int owner(const Vec3& x) const;
     int face_shown(int primitive, const Vec3& x) const;
 
     Level curve_level(const BodyCurve& curve, const Vec3& x) const;
-    /// Whether the point lies on the curve's side of the axis, where the curve is a half-plane's.
+    /// Whether the point lies on the curve's side of the axis, if the curve lies in a half-plane.
     bool reaches(const BodyCurve& curve, const Vec3& x) const;
     std::vector<BodyCurve> sector_curves(int primitive) const;
     std::vector<BodyCurve> ring_curves(int primitive) const;
-    /// The curve between two different cells, of several the nearest to `near`.
+    /// The curve between two different cells; the one nearest to `near` if there are several.
     BodyCurve curve_between(const BodyCell& one, const BodyCell& other, const Vec3& near) const;
 
-    /// The sector or ring that a triangle of `primitive` lies in, given that no seam crosses it.
+    /// The sector or ring that contains a triangle of `primitive`. Requires that no seam crosses it.
     int sector_of(int primitive, const Vec3 (&corners)[3]) const;
     int ring_of(int primitive, const Vec3 (&corners)[3]) const;
 
-    /// Where the axis of a primitive pierces its own skin and sector seams, or a cone's side, run together.
+    /// The poles of a primitive: where its axis meets its own surface and sector seams, or a cone's side, converge.
     std::vector<Vec3> poles(int primitive) const;
-    /// Lowest and highest corner of a box that holds the body.
+    /// Lowest and highest corner of a box that contains the body.
     std::pair<Vec3, Vec3> box() const;
 
   private:
-    /// No more than the level of a primitive at a point beyond the ball round it; far primitives need not be asked.
+    /// A lower bound on the level of a primitive at a point outside its bounding ball, to skip distant primitives.
     double least_level(int primitive, const Vec3& x) const;
     Vec3 local(int primitive, const Vec3& x) const;
     double tube_angle(int primitive, const Vec3& local) const;
 
     SpecialShape shape_;
     double rounding_;
-    std::vector<Eigen::Matrix3d> frames_;  ///< rows: own x, y, z
+    std::vector<Eigen::Matrix3d> frames_;  ///< rows: local x, y, z
     std::vector<LevelBall> balls_;
     std::vector<Face> faces_;
     std::vector<std::vector<int>> faces_of_;

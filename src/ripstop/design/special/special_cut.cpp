@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-/// Splits edges where a function of the vertices changes its sign, on triangles of a kind.
+/// Splits edges where a function of the vertices changes sign, on a given set of triangles.
 class Cut {
   public:
     Cut(WorkSurface& surface, const SpecialBody& body, const std::function<double(const Vec3&)>& side,
@@ -23,9 +23,10 @@ class Cut {
         }
     }
 
-    /// `ties` names what the new vertex lies on, besides what the edge lies on. Edges for which it names nothing stay.
+    /// `ties` returns what the new vertex must lie on, in addition to what the edge lies on. An edge for which it
+    /// returns nothing is not split.
     void run(const std::function<Ties(const Vec3&)>& ties) {
-        // A split moves edges it does not touch to triangles at the end.
+        // A split moves edges that were not visited yet to triangles at the end.
         for (int h = 0; h < surface_.half_edge_count(); ++h) {
             if (!surface_.is_edge(h)) continue;
             const double a = sides_[at(surface_.from(h))];
@@ -40,15 +41,15 @@ class Cut {
             add_edge_ties(h, place, edge_ties);
             for (const int face : edge_ties.faces) tied.add(face);
             for (const BodyCurve& curve : edge_ties.curves) tied.add(curve);
-            // Where the cut runs along a curve that is there already, the two may not meet: then that curve goes
-            // before.
+            // If the cut runs along an existing curve, the two may have no common point: then the existing curve has
+            // priority.
             if (!settle(body_, tied, surface_.length(h), place)) settle(body_, edge_ties, surface_.length(h), place);
             surface_.split(h, place);
             sides_.push_back(0);
         }
     }
 
-    /// Of a triangle's corners the value furthest from the cut.
+    /// The corner value of a triangle with the largest magnitude.
     double side_of(int t) const {
         double furthest = 0;
         for (int k = 0; k < 3; ++k)
@@ -76,13 +77,13 @@ Vec3 middle(const WorkSurface& surface, int t) {
     return (surface.place(t, 0) + surface.place(t, 1) + surface.place(t, 2)) / 3;
 }
 
-/// Several that each could own a piece of the surface: it belongs to the one of least score.
+/// Candidates for a piece of the surface: it belongs to the one with the lowest score.
 struct Contenders {
     int count;
     std::function<double(int, const Vec3&)> score;
-    std::function<int(int, const Vec3&)> face;  ///< that a contender shows at a point
-    std::function<bool(int)> is_open;           ///< whether a triangle is still to be given away
-    std::function<void(int, int)> give;         ///< a triangle to a contender
+    std::function<int(int, const Vec3&)> face;  ///< the face of a candidate at a point
+    std::function<bool(int)> is_open;           ///< whether a triangle is not assigned yet
+    std::function<void(int, int)> give;         ///< assigns a triangle to a candidate
 
     int best_from(int first, const Vec3& x) const {
         int best = first;
@@ -92,7 +93,7 @@ struct Contenders {
     }
 };
 
-/// Cuts between the contenders, one after the other off the rest.
+/// Cuts the surface between the candidates, separating one after the other from the rest.
 void divide(WorkSurface& surface, const SpecialBody& body, const Contenders& all) {
     for (int c = 0; c + 1 < all.count; ++c) {
         Cut cut(
@@ -121,7 +122,8 @@ void cut_along(WorkSurface& surface, const SpecialBody& body, const BodyCurve& c
         });
 }
 
-/// Onto the surface along the axis, from where the primitive alone has its pole; false where another covers it.
+/// Moves the primitive's own pole along the axis onto the surface of the body. Returns false if another primitive
+/// covers it.
 bool find_pole(const SpecialBody& body, int primitive, Vec3& pole) {
     const Vec3 axis = body.shape().primitives[at(primitive)].axis.stableNormalized();
     const double reach = body.shape().joint_radius + body.shape().edge_length;

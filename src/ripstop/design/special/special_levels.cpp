@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Away from the axis; on it any direction will do.
+/// The direction away from the axis; any direction on the axis itself.
 Vec3 outward(const Vec3& x) {
     const double r = std::hypot(x.x(), x.y());
     return r > 0 ? Vec3(x.x() / r, x.y() / r, 0) : Vec3(1, 0, 0);
@@ -44,7 +44,7 @@ Level cone_side_level(const SpecialPrimitive& p, const Vec3& x) {
     return {scale * out, scale * (outward(x) + slope * Vec3::UnitZ())};
 }
 
-/// Heights at equal lengths along the half ellipse of radii `across` and `along`, from the lower end.
+/// Heights that divide the half ellipse with radii `across` and `along` into equal arc lengths, from the lower end.
 std::vector<double> ellipse_heights(double across, double along, int rings) {
     constexpr int samples = 4096;
     std::vector<double> length{0};
@@ -108,7 +108,8 @@ std::vector<double> ring_heights(const SpecialPrimitive& p) {
 
 std::pair<Vec3, Vec3> middle_and_reach(const SpecialPrimitive& p, const Eigen::Matrix3d& frame) {
     const Vec3 axis = frame.row(2);
-    const Vec3 across = (Vec3::Ones() - axis.cwiseAbs2()).cwiseMax(0).cwiseSqrt();  // reach of a unit circle
+    // half extent of a unit circle across the axis
+    const Vec3 across = (Vec3::Ones() - axis.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
     switch (p.kind) {
         case PrimitiveKind::ellipsoid:
             return {p.centre, (p.radii.asDiagonal() * frame).colwise().norm().transpose()};

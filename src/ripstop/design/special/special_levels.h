@@ -13,17 +13,19 @@ struct Level {
     Vec3 gradient = Vec3::Zero();
 };
 
-/// Level of a primitive's part at a point of its own frame (its centre at 0, its axis along z); gradient in that frame.
+/// The level of a primitive's part at a point of its local frame (centre at 0, axis along z); the gradient is in that
+/// frame.
 Level part_level(const SpecialPrimitive& primitive, int part, const Vec3& x);
 
 /// Heights of the planes between rings, from the lowest up; none for a torus.
 std::vector<double> ring_heights(const SpecialPrimitive& primitive);
 
-/// Half the extent of a primitive along each axis of the world, and the middle of it; `frame` has its own axes as rows.
+/// The centre and the half extent of a primitive's bounding box in world axes; the rows of `frame` are its local
+/// axes.
 std::pair<Vec3, Vec3> middle_and_reach(const SpecialPrimitive& primitive, const Eigen::Matrix3d& frame);
 
-/// A ball that holds a primitive, and how much its level rises at least over the distance from it: by the least of an
-/// ellipsoid's radii over its greatest; 0 where nothing is known (a cone's level past its tip).
+/// A bounding ball of a primitive, and a lower bound on the slope of its level with the distance from it: for an
+/// ellipsoid the smallest over the largest radius; 0 if unknown (a cone's level beyond its tip).
 struct LevelBall {
     Vec3 middle;
     double radius = 0;
@@ -31,7 +33,7 @@ struct LevelBall {
 };
 LevelBall ball_round(const SpecialPrimitive& primitive, const Eigen::Matrix3d& frame);
 
-/// A primitive's own axes as rows.
+/// The local axes of a primitive as rows.
 Eigen::Matrix3d own_frame(const SpecialPrimitive& primitive);
 
 }  // namespace ripstop

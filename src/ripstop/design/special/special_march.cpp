@@ -17,14 +17,14 @@ namespace {
 
 using Node = std::array<std::int64_t, 3>;
 
-/// Walks along the three axes in each order: the corners passed are a tetrahedron of the cube.
+/// Paths along the three axes in each order: the corners on a path are a tetrahedron of the cube.
 constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
 
 class Grid {
   public:
     Grid(const SpecialBody& body, double step) : step_(step) {
         const auto [low, high] = body.box();
-        // Off the middle by what no drawing is a multiple of: nodes seldom lie on the surface.
+        // An offset by irrational fractions of a step, so that nodes hardly ever lie on the surface.
         origin_ = low - step * Vec3(1.3819660, 1.2360680, 1.4721360);
         double nodes = 1;
         for (int axis = 0; axis < 3; ++axis) {

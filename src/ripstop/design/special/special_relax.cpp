@@ -30,7 +30,8 @@ class Relaxation {
         ties.add(surface_.cell[at(surface_.twin(h) / 3)].face);
         if (surface_.curve(h) >= 0) ties.add(curves_[at(surface_.curve(h))]);
         const Vec3 middle = place;
-        // Where the body turns sharply the nearest point may lie far off; a later round brings the vertex onto it.
+        // Where the body turns sharply, the nearest point may be far away; a later round moves the vertex onto the
+        // body.
         if (!settle(body_, ties, surface_.length(h), place) || (place - middle).norm() > 0.4 * surface_.length(h))
             place = middle;
         surface_.split(h, place);
@@ -41,7 +42,7 @@ class Relaxation {
             if (surface_.is_edge(h) && surface_.length(h) < 0.75 * edge_ && !collapse(h)) collapse(surface_.twin(h));
     }
 
-    /// Draws together corners that lie almost in one place: two seams that reach a third from both sides.
+    /// Merges corners that almost coincide, such as where two seams meet a third from both sides.
     void join_corners() {
         for (int h = 0; h < surface_.half_edge_count(); ++h)
             if (surface_.is_edge(h) && surface_.curve(h) >= 0 && surface_.length(h) < 0.25 * edge_ &&
@@ -54,7 +55,7 @@ class Relaxation {
             if (surface_.is_edge(h) && surface_.curve(h) < 0) flip_if_better(h);
     }
 
-    /// Onto the body, whatever becomes of the triangles.
+    /// Moves all vertices onto the body, whatever happens to the triangles.
     void settle_all() {
         for (int v = 0; v < surface_.vertex_count(); ++v) {
             if (!surface_.is_vertex(v) || surface_.is_fixed[at(v)]) continue;
@@ -68,7 +69,7 @@ class Relaxation {
             if (surface_.is_vertex(v) && !surface_.is_fixed[at(v)]) move(v);
     }
 
-    /// Whether an edge inside a tile joins two vertices of its seams, and the corners it is split towards are wide.
+    /// Whether an edge inside a tile joins two vertices of its seams, and the angles that a split divides are wide.
     bool bridges(int h) {
         if (surface_.curve(h) >= 0) return false;
         constexpr double wide = 35 * degree;
@@ -89,7 +90,7 @@ class Relaxation {
             std::count_if(leaving.begin(), leaving.end(), [&](int e) { return surface_.curve(e) >= 0; }));
     }
 
-    /// 0: moves freely, 1: along its curve, 2: not at all.
+    /// 0: moves freely, 1: moves along its curve, 2: fixed.
     int bonds(int v) {
         surface_.leaving(v, near_);
         const int drawn = drawn_at(near_);
@@ -123,7 +124,7 @@ class Relaxation {
         return shape_quality(body_, surface_.cell[at(t)].face, corners[0], corners[1], corners[2]);
     }
 
-    /// Draws the edge's first vertex into its second, or both into their middle where both are as free.
+    /// Collapses the edge into its second vertex, or into its midpoint if both vertices are equally free.
     bool collapse(int h) {
         const int a = surface_.from(h);
         const int b = surface_.to(h);

@@ -6,9 +6,9 @@
 namespace ripstop {
 namespace {
 
-constexpr double close_enough = 1e-11;  // [m]: a hundred times what rounding leaves at ten metres
+constexpr double close_enough = 1e-11;  // [m]: a hundred times the rounding error at ten metres
 
-/// The levels that are to vanish.
+/// The level functions that must vanish.
 class Levels {
   public:
     Levels(const SpecialBody& body, const Ties& ties) : body_(body), curves_(ties.curves) {

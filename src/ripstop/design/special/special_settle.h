@@ -6,7 +6,8 @@
 
 namespace ripstop {
 
-/// What a point has to lie on: the body's surface as these faces show it (none: whichever face is nearest), and curves.
+/// The constraints of a point: the surface of the body as given by these faces (none: by the nearest face), and
+/// curves.
 struct Ties {
     std::vector<int> faces;
     std::vector<BodyCurve> curves;
@@ -15,10 +16,11 @@ struct Ties {
     void add(const BodyCurve& curve);
 };
 
-/// Newton's method with the shortest steps J^+ r, each at most `reach` long, to the nearest point that is on everything
-/// at once, to 1e-11 m. False where it gets to none within four `reach` of the start; `place` then stays as it was.
+/// Newton's method with minimum-norm steps J^+ r, each at most `reach` long, to the nearest point that satisfies all
+/// constraints to 1e-11 m. Returns false if there is none within four `reach` of the start; `place` is then
+/// unchanged.
 ///
-/// Where surfaces meet in a sharp crease their faces alone say where it is; in a fillet it is where their levels are
+/// If surfaces meet in a sharp crease, their faces alone determine it; in a fillet it is where their levels are
 /// equal.
 bool settle(const SpecialBody& body, const Ties& ties, double reach, Vec3& place);
 

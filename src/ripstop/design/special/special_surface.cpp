@@ -146,7 +146,7 @@ void WorkSurface::collapse(int h) {
         const int on = std::max(curve(one), curve(other));
         const int c = opposite(side);
         pair(one, other, on);
-        // One of `one` and `other` leaves c, the other one leaves what is to be b.
+        // One of `one` and `other` leaves c, the other one leaves the future b.
         leaving_[at(c)] = from(one) == c ? one : other;
         leaving_[at(b)] = from(one) == c ? other : one;
     }

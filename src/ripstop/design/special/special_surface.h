@@ -8,13 +8,12 @@
 
 namespace ripstop {
 
-/// A closed triangulated surface that can be changed edge by edge. Half-edges as in `Adjacency`: 3 t + k runs from
-/// corner k of triangle t to corner k + 1. Removed triangles and vertices keep their numbers and are passed over
-/// (`is_triangle`). Each triangle knows its cell of the body and its tile, each half-edge the curve it is drawn on (-1:
-/// none).
+/// A closed triangulated surface that supports local edge operations. Half-edges as in `Adjacency`: 3 t + k runs from
+/// corner k of triangle t to corner k + 1. Removed triangles and vertices keep their numbers and are skipped
+/// (`is_triangle`). Each triangle knows its cell of the body and its tile, each half-edge its curve (-1: none).
 class WorkSurface {
   public:
-    /// Requires a closed manifold mesh, consistently oriented.
+    /// Requires a closed, manifold, consistently oriented mesh.
     explicit WorkSurface(const TriangleMesh& mesh);
 
     int triangle_count() const { return static_cast<int>(corners_.size()); }
@@ -22,7 +21,7 @@ class WorkSurface {
     int half_edge_count() const { return 3 * triangle_count(); }
     bool is_triangle(int t) const { return corners_[at(t)][0] >= 0; }
     bool is_vertex(int v) const { return leaving_[at(v)] >= 0; }
-    /// Of the two halves of an edge the one that stands for it.
+    /// Whether the half-edge represents its edge: one of the two halves does.
     bool is_edge(int h) const { return is_triangle(h / 3) && h < twin(h); }
 
     int corner(int t, int k) const { return corners_[at(t)][at(k)]; }
@@ -41,19 +40,20 @@ class WorkSurface {
     void leaving(int v, std::vector<int>& half_edges) const;
     bool joined(int a, int b) const;
 
-    /// Puts a vertex on the edge; both halves of the edge stay on its curve. Returns the vertex.
+    /// Inserts a vertex on the edge and returns it; both parts of the edge stay on its curve.
     int split(int h, const Vec3& place);
-    /// Joins the vertices opposite to the edge instead. Requires that they are not joined, and an edge on no curve.
+    /// Replaces the edge by one between the two opposite vertices. Requires that they are not joined, and an edge on
+    /// no curve.
     void flip(int h);
-    /// Draws the vertex the edge comes from into the one it runs to. Requires `can_collapse`.
+    /// Collapses the edge into the vertex it runs to. Requires `can_collapse`.
     void collapse(int h);
-    /// Whether the surface stays a manifold and no two curves are drawn into one.
+    /// Whether the surface stays manifold and no two curves merge.
     bool can_collapse(int h) const;
 
     std::vector<Vec3> position;
     std::vector<char> is_fixed;  ///< vertices that may not move
-    std::vector<BodyCell> cell;  ///< of triangles
-    std::vector<int> tile;       ///< of triangles
+    std::vector<BodyCell> cell;  ///< cell of each triangle
+    std::vector<int> tile;       ///< tile of each triangle
 
   private:
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -61,7 +61,7 @@ class WorkSurface {
     /// The two triangles at a half-edge from a to b, t = (a, b, c) and u = (b, a, d).
     struct Diamond {
         int t, u, a, b, c, d;
-        std::array<int, 4> outer;  ///< the half-edges on the far side of bc, ca, ad and db
+        std::array<int, 4> outer;  ///< the outer half-edges bc, ca, ad and db of the neighbours
         std::array<int, 4> on;     ///< their curves
     };
     enum Side : std::size_t { bc, ca, ad, db };
@@ -74,7 +74,7 @@ class WorkSurface {
     std::vector<std::array<int, 3>> corners_;
     std::vector<int> twins_;
     std::vector<int> curves_;
-    std::vector<int> leaving_;  ///< of each vertex one half-edge; -1: removed
+    std::vector<int> leaving_;  ///< one outgoing half-edge of each vertex; -1: removed
 };
 
 }  // namespace ripstop

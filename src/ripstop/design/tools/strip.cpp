@@ -7,7 +7,7 @@
 namespace ripstop {
 namespace {
 
-// A point counts as odd, so that the row next to it is even and the fan on it symmetric.
+// A point counts as odd, so that the next row is even and the fan on it symmetric.
 int parity(int seam) {
     return seam == 0 ? 1 : seam % 2;
 }
@@ -16,10 +16,10 @@ int nearest_of_parity(double wish, int odd) {
     return 2 * static_cast<int>(std::lround((wish - odd) / 2)) + odd;
 }
 
-/// One strip between two rows: from the middle out to the right, each triangle with its mirror image.
+/// A strip between two rows, triangulated from the middle to the right, each triangle together with its mirror image.
 struct LaidStrip {
-    int lower_start, upper_start;  ///< numbers of the rows' first vertices
-    int lower, upper;              ///< their numbers of edges
+    int lower_start, upper_start;  ///< index of the first vertex of each row
+    int lower, upper;              ///< number of edges of each row
     bool lower_seam, upper_seam;
     std::vector<std::array<int, 3>>& triangles;
 
@@ -40,8 +40,8 @@ struct LaidStrip {
         triangles.push_back({vertex(a, true), vertex(c, true), vertex(b, true)});
     }
 
-    /// Whether the next triangle takes an edge of the lower row: the one with the shorter new edge, except that a
-    /// seam's row must come to its end before the row within, or the corner would be cut off.
+    /// Whether the next triangle uses an edge of the lower row. It takes the shorter new edge, except that a seam's
+    /// row must end before the row inside, or the corner would be cut off.
     bool advance_lower(int i, int j) const {
         if (j == upper) return true;
         if (i == lower) return false;
