@@ -8,6 +8,7 @@ Usage: make.py [PROGRAM]   PROGRAM takes the pictures of the guide where neither
 """
 import json
 import pathlib
+import posixpath
 import re
 import shutil
 import subprocess
@@ -24,10 +25,10 @@ HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parent.parent
 WORK = ROOT / "build/docs-work"
 SITE = ROOT / "build/docs"
-LINK = re.compile(r"\]\((?:docs/)?([\w/.-]+\.md)")
-LINK_CALLED_AS_FILE = re.compile(r"\[([\w/.-]*\.md)\](?=\(([\w/.-]+\.md))")
-LINK_TO_HEADER = re.compile(r"\[([^\]]*)\]\((?:\.\./)*src/ripstop/([^)]+)\)")
+LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)")
 HEADER = re.compile(r"(?<!\[)`(?:src/ripstop/)?([a-z_]+(?:/[a-z_]+)*/\w+\.h)`")
+TITLE = re.compile(r"^# (.*?)(?: {2,}`.*)?$", re.M)
+PAGES = {"CONTRIBUTING.md": "contributing.md", "CHANGELOG.md": "changelog.md", "README.md": "index.md"}
 
 
 def pictures(program):
@@ -45,53 +46,72 @@ def pictures(program):
 
 
 class Markdown:
-    """Turns a page of the sources into one of the site."""
+    """Turns a page of the project into one of the site. `place_of`: where files of the project are on the site."""
 
-    def __init__(self, place_of_door):
-        self.place_of_door = place_of_door
+    def __init__(self, place_of):
+        self.place_of = place_of
 
-    def page(self, text, depth):
-        up = "../" * depth
+    def page(self, text, source, target):
+        """`source` is its path in the project, `target` that on the site."""
         parts = re.split(r"(^```.*?^```$)", text, flags=re.M | re.S)
         for i, part in enumerate(parts):
-            parts[i] = re.sub(r"^```(\w*).*", r"```\1", part, count=1) if i % 2 else self.prose(part, up)
+            parts[i] = re.sub(r"^```(\w*).*", r"```\1", part, count=1) if i % 2 else self.prose(part, source, target)
         return "".join(parts)
 
-    def prose(self, text, up):
-        text = re.sub(r"^# (.*?) {2,}(`.*)$", r"# \1\n\n\2\n{.sources}", text, count=1, flags=re.M)
-        text = text.replace("../build/guide/pictures/", "pictures/")
-        text = LINK_TO_HEADER.sub(lambda found: self.to_header(found[1], found[2], up), text)
-        text = HEADER.sub(lambda found: self.to_header(found[0], found[1], up), text)
-        text = LINK.sub(lambda found: f"]({self.renamed(found[1])}", text)
-        return LINK_CALLED_AS_FILE.sub(lambda found: f"[{self.title_of(found[2]) or found[1]}]", text)
+    def prose(self, text, source, target):
+        sources = re.compile(r"^# (.*?) {2,}(`.*)$", re.M)
+        text = sources.sub(r"# \1\n\n\2\n{.sources}", text, count=1)
+        text = LINK.sub(lambda found: self.link(found, source, target), text)
+        return HEADER.sub(lambda found: self.to(found[0], f"src/ripstop/{found[1]}", target), text)
 
-    @staticmethod
-    def title_of(path):
-        """The heading of a page, for a link whose words are a file's name."""
-        file = next((ROOT / "docs").rglob(pathlib.PurePath(path).name), None)
-        found = re.match(r"# (.*?)(?: {2,}`.*)?$", file.read_text(), re.M) if file else None
-        return found and found[1]
+    def link(self, found, source, target):
+        mark, words, path = found.groups()
+        if re.match(r"[a-z]+:|#", path):
+            return found[0]
+        path, _, fragment = path.partition("#")
+        file = posixpath.normpath(posixpath.join(posixpath.dirname(source), path))
+        return mark + self.to(title_of(file) if words.endswith(".md") else words, file, target, fragment)
 
-    def to_header(self, words, header, up):
-        place = self.place_of_door.get(header)
-        return f"[{words}]({up}{place})" if place else words
+    def to(self, words, file, target, fragment=""):
+        """A link to a file of the project; the words alone where the site does not have it."""
+        if file not in self.place_of:
+            return words
+        place, _, anchor = self.place_of[file].partition("#")
+        anchor = fragment or anchor
+        path = posixpath.relpath(place, posixpath.dirname(target) or ".")
+        return f"[{words}]({path}{'#' + anchor if anchor else ''})"
 
-    @staticmethod
-    def renamed(path):
-        return {"../CONTRIBUTING.md": "contributing.md", "../CHANGELOG.md": "changelog.md"}.get(path, path)
+
+def title_of(file):
+    """The heading of a page, for a link whose words are a file's name."""
+    found = TITLE.search((ROOT / file).read_text())
+    return found[1] if found else file
+
+
+def docs_of_project():
+    """The files of docs/ and the pages beside it: {path in the project: path on the site}."""
+    files = [file for file in sorted((ROOT / "docs").rglob("*")) if file.is_file()]
+    return {**{str(file.relative_to(ROOT)): str(file.relative_to(ROOT / "docs")) for file in files}, **PAGES}
+
+
+def places(place_of_door, folder_of_pictures):
+    """Where files of the project are on the site."""
+    shown = {f"build/guide/pictures/{file.name}": f"pictures/{file.name}" for file in folder_of_pictures.glob("*.png")}
+    doors = {f"src/ripstop/{door}": place for door, place in place_of_door.items()}
+    programs = {f"examples/{file.name}": f"examples.md#{file.stem}" for file in (ROOT / "examples").glob("*.cpp")}
+    return {**docs_of_project(), **shown, **doors, **programs, "examples/README.md": "examples.md"}
 
 
 def copy_docs(markdown, out):
-    sources = {file.relative_to(ROOT / "docs"): file for file in sorted((ROOT / "docs").rglob("*")) if file.is_file()}
-    sources[pathlib.Path("contributing.md")] = ROOT / "CONTRIBUTING.md"
-    sources[pathlib.Path("changelog.md")] = ROOT / "CHANGELOG.md"
-    for name, file in sources.items():
+    for source, name in docs_of_project().items():
         target = out / name
         target.parent.mkdir(parents=True, exist_ok=True)
-        if file.suffix == ".md":
-            target.write_text(markdown.page(file.read_text(), len(name.parts) - 1))
+        if source == "README.md":  # docs/index.md stands for it
+            continue
+        if target.suffix == ".md":
+            target.write_text(markdown.page((ROOT / source).read_text(), source, name))
         else:
-            shutil.copy(file, target)
+            shutil.copy(ROOT / source, target)
 
 
 def references():
@@ -108,6 +128,19 @@ def references():
     return head + "\n".join(sorted(entries, key=str.lower)) + "\n"
 
 
+def examples():
+    """examples/README.md, and behind it each program: what it shows, the headers that it includes, and its text."""
+    parts = [(ROOT / "examples/README.md").read_text().strip()]
+    for file in sorted((ROOT / "examples").glob("*.cpp")):
+        lines = file.read_text().splitlines()
+        said = [line.lstrip("/ ") for line in lines if line.startswith("///")]
+        code = "\n".join(line for line in lines if not line.startswith("///"))
+        headers = re.findall(r'^#include "ripstop/(.*)"', code, re.M)
+        parts += [f"## {file.name} {{#{file.stem}}}", " ".join(said)]
+        parts += ["Headers: " + ", ".join(f"`{header}`" for header in headers), f"```cpp\n{code.strip()}\n```"]
+    return "\n\n".join(parts) + "\n"
+
+
 def pages_in(nav):
     for entry in nav:
         if isinstance(entry, str):
@@ -120,7 +153,8 @@ def pages_in(nav):
 def configuration(rooms, of_schemas):
     config = yaml.safe_load((HERE / "mkdocs.yml").read_text())
     next(entry["Formats"] for entry in config["nav"] if "Formats" in entry).extend(of_schemas)
-    listed = [{"All headers": "api/index.md"}, *({room.name: f"api/{room.page}"} for room in rooms)]
+    of_rooms = [{room.name: f"api/{room.page}"} for room in rooms]
+    listed = [{"All headers": "api/index.md"}, {"Examples": "examples.md"}, *of_rooms]
     config["nav"].append({"API": listed})
     config["docs_dir"], config["site_dir"] = str(WORK / "pages"), str(SITE)
     config["theme"]["custom_dir"] = str(HERE / "theme")
@@ -136,10 +170,11 @@ def check_nav(config):
 
 def run_mkdocs(config):
     (WORK / "mkdocs.yml").write_text(yaml.safe_dump(config, sort_keys=False))
-    done = subprocess.run(["mkdocs", "build", "--strict", "--clean", "--quiet", "-f", str(WORK / "mkdocs.yml")],
-                          capture_output=True, text=True)
+    command = ["mkdocs", "build", "--strict", "--clean", "-f", str(WORK / "mkdocs.yml")]
+    done = subprocess.run(command, capture_output=True, text=True)
     told = done.stdout + done.stderr
     if done.returncode or "WARNING" in told:
+        told = "\n".join(line for line in told.splitlines() if not line.startswith("INFO"))
         sys.exit(f"{told}\nmake docs: mkdocs has warnings; none is ignored")
 
 
@@ -163,9 +198,14 @@ def main(program):
     pages = WORK / "pages"
     pages.mkdir(parents=True)
     rooms, place_of_door = api.write_pages(ROOT, pages, WORK / "doxygen")
-    copy_docs(Markdown(place_of_door), pages)
+    taken = pictures(program)
+    markdown = Markdown(places(place_of_door, taken))
+    copy_docs(markdown, pages)
+    index = pages / "api/index.md"
+    index.write_text(markdown.page(index.read_text(), "scripts/docs/api.md", "api/index.md"))
     (pages / "references.md").write_text(references())
-    shutil.copytree(pictures(program), pages / "pictures")
+    (pages / "examples.md").write_text(markdown.page(examples(), "examples/README.md", "examples.md"))
+    shutil.copytree(taken, pages / "pictures")
     config = configuration(rooms, schemas.write_pages(ROOT / "docs", pages))
     check_nav(config)
     run_mkdocs(config)
