@@ -263,7 +263,7 @@ class Api:
 
     @staticmethod
     def name_of(node):
-        name = node.findtext("compoundname") or node.findtext("name")
+        name = node.findtext("compoundname") or node.findtext("qualifiedname") or node.findtext("name")
         return re.sub(r"^ripstop::", "", name)
 
     def first_of(self, door):
