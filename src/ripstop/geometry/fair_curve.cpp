@@ -21,8 +21,8 @@ constexpr Eigen::Index lap = 24;
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// 1, sin(k x) / k, (1 - cos(k x)) / k^2 and (k x - sin(k x)) / k^3, accurate for small k x too. The operator f''' +
-/// k^2 f' maps the first three to zero and the fourth to 1.
+/// 1, sin(k x) / k, (1 - cos(k x)) / k^2 and (k x - sin(k x)) / k^3, accurate for small k x too. The operator
+/// f''' + k^2 f' maps the first three to zero and the fourth to 1.
 Eigen::Vector4d basis(double k, double x) {
     const double z = k * x;
     if (std::abs(z) < 0.02) {

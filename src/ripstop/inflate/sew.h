@@ -30,8 +30,8 @@ struct SewOptions {
 /// rigging's `foreshortening` and, except for `RestState::as_drawn`, scaled by the plan's `tape_factors`. The lowest
 /// opening is the mouth, the highest the crown.
 ///
-/// Throws InputError for tiles without flat positions or with flipped triangles (named), for a diaphragm that is no
-/// tile or touches nothing, for a tie that ends off the envelope, and if nothing could hold the envelope. O(#V).
+/// Throws InputError for tiles without flat positions or with flipped triangles (named), for a diaphragm that is not
+/// a tile or touches nothing, for a tie that ends off the envelope, and if nothing could hold the envelope. O(#V).
 SewnEnvelope sew(const CutPlan& plan, const SewOptions& options = {});
 
 /// The triangles of a tile's cloth at rest: edges b - a and c - a along warp and weft [m].

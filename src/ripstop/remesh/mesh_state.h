@@ -58,21 +58,16 @@ struct MeshFault {
 /// Why a tile is remeshed automatically; empty if its mesh is adequate. `length_tolerance`: of a seam, a ratio.
 ///
 /// - *turns*, boundary: a polyline that turns by t per edge is short by t^2 / 24. More than half the tolerance (6.3
-///   degrees at
-/// 0.1 %) is too coarse. Applies below 4,000 triangles only.
+///   degrees at 0.1 %) is too coarse. Applies below 4,000 triangles only.
 /// - *turns*, interior: an inscribed triangle with edges that turn by t lacks t^2 / 8 of its area, and its neighbour
-///   turns from
-/// it by t / sqrt(3). More than a quarter of a per cent of area is 4.7 degrees. Applies only if the edges are longer
-/// than `needed_edge`: remeshing does not improve cloth that is crumpled triangle by triangle.
+///   turns from it by t / sqrt(3). More than a quarter of a per cent of area is 4.7 degrees. Applies only if the
+///   edges are longer than `needed_edge`: remeshing does not improve cloth that is crumpled triangle by triangle.
 /// - *slivers*: more than a tenth of the triangles have an angle below 5 degrees. Their shapes carry rounding and
-///   noise into the
-/// energy.
+///   noise into the energy.
 /// - *locked*: interior edges that join two boundary vertices number more than a quarter of the boundary edges. They
-///   keep the
-/// length of a straight line across the tile, which cloth does not do.
+///   keep the length of a straight line across the tile, which cloth does not do.
 /// - *too fine*: more than 50,000 triangles whose edges are below a quarter of `needed_edge`. Drawings, pictures and
-///   memory
-/// benefit; the flattening takes seconds either way.
+///   memory benefit; the flattening takes seconds either way.
 ///
 /// A flat tile can only be too fine. `fewest`: see `needed_edge`.
 std::optional<MeshFault> find_fault(const MeshState& state, double length_tolerance, double fewest = 1000);

@@ -47,7 +47,7 @@ Tile outline_tile(const Tile& tile, const NewBoundary& boundary);
 
 /// Builds the result of `remesh_tile` from a new mesh whose first vertices are the boundary's nodes. `origin`: the
 /// old triangle below each triangle; may be empty unless the tile has a warp per triangle. Throws std::runtime_error
-/// if the mesh is no disk.
+/// if the mesh is not a disk.
 Tile tile_on_mesh(const Tile& tile, const NewBoundary& boundary, TriangleMesh mesh, const std::vector<int>& origin);
 
 }  // namespace ripstop

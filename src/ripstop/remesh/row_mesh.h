@@ -17,7 +17,7 @@ struct RowMesh {
 /// Meshes the row's smooth surface within the new boundary. Straight rungs run from side a to side b, as the surface
 /// is ruled, each with evenly spaced vertices, so the column between two rungs is flat. There are as many rungs as
 /// the side with more nodes has, and enough vertices on each for about square cells. Between rungs and boundary,
-/// triangles go from node to node. Empty if a corner of the row is no node, or if a triangle would turn from its
+/// triangles go from node to node. Empty if a corner of the row is not a node, or if a triangle would turn from its
 /// facet by more than 60 degrees. O(#nodes #cells + #F).
 std::optional<RowMesh> mesh_row(const Tile& tile, const FacetRow& row, const NewBoundary& boundary);
 

@@ -5,7 +5,7 @@
 
 #include "ripstop/base/text/units.h"
 
-/// The unit that a drawing states; empty if the value states none.
+// The unit that a drawing states; empty if the value states none.
 namespace ripstop {
 
 /// The unit of an $INSUNITS number: 1 inch, 2 foot, 4 mm, 5 cm, 6 m.

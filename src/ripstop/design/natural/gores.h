@@ -28,8 +28,8 @@ struct EnvelopeDesign {
 NaturalShape design_shape(const EnvelopeDesign& design);
 
 /// A point of the design's surface: s along the meridian, gore 0 to gores - 1, u from -1 to 1 across the gore,
-/// counter-clockwise seen from above; gore 0 starts at +x. u = +1 and u = -1 of the next gore agree bit for bit. z =
-/// 0 is the mouth plane.
+/// counter-clockwise seen from above; gore 0 starts at +x. u = +1 and u = -1 of the next gore agree bit for bit.
+/// z = 0 is the mouth plane.
 ///
 /// Smooth: the point lies on the circle of radius r. Lobed: it lies on an arc of half-angle B between the tapes, in
 /// the plane of the meridian's normal:

@@ -17,9 +17,9 @@ namespace ripstop {
 /// smaller than a twentieth of the median tile is merged with its neighbour.
 ///
 /// Throws InputError (`require_valid`; a primitive that is separate from the others or entirely inside them; a
-/// cavity; a mouth that misses the body or cuts it more than once; a tile that is no disk because seams are missing;
-/// a seam that cannot be followed; a grid of more than 20 million nodes). Linear in the volume of the box over the
-/// cube of the edge length.
+/// cavity; a mouth that misses the body or cuts it more than once; a tile that is not a disk because seams are
+/// missing; a seam that cannot be followed; a grid of more than 20 million nodes). Linear in the volume of the box
+/// over the cube of the edge length.
 std::vector<NamedMesh> design_special(const SpecialShape& shape);
 
 }  // namespace ripstop

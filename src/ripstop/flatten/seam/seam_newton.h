@@ -36,12 +36,12 @@ struct SeamSolution {
 ///
 /// The matrix H + rho Jᵀ J has the pattern of H and is factorised instead. For large rho it is positive definite
 /// exactly if H is so along the constraints; the signs of its pivots certify that. With this one factorisation the
-/// system above is solved by a few multiplier updates lambda += rho (J d + c), each of which reduces the error by
-/// 1/rho. Grain and area form a border of two columns. If a pivot is negative, the element Hessians are clamped, then
-/// a multiple of the identity is added. Steps stop short of the first degenerate triangle and must decrease an l1
-/// merit function, with a second-order correction. After a full step with an unmodified matrix the factorisation is
-/// reused (simplified Newton) as long as each step reduces the residual by a factor of ten: a solve costs a tenth of
-/// a factorisation.
+/// system above is solved by a few multiplier updates lambda += rho (J d + c), each of which reduces the error by a
+/// factor of about 1/rho. Grain and area form a border of two columns. If a pivot is negative, the element Hessians
+/// are clamped, then a multiple of the identity is added. Steps stop short of the first degenerate triangle and must
+/// decrease an l1 merit function, with a second-order correction. After a full step with an unmodified matrix the
+/// factorisation is reused (simplified Newton) as long as each step reduces the residual by a factor of ten: a solve
+/// costs a tenth of a factorisation.
 class SeamNewton {
   public:
     /// Analyses the problem's pattern once, for all calls of `minimize`. Keeps a reference to the problem.

@@ -37,8 +37,8 @@ class SeamProblem {
     void set_lengths(const Eigen::VectorXd& lengths) { lengths_ = lengths; }
     /// The scale of an edge's error [m]: its length, but at least 3e-5 of the outline, because positions are rounded.
     Eigen::VectorXd length_scales() const { return lengths_.cwiseMax(3e-5 * lengths_.sum()); }
-    /// Sets stiffness, in A^1.5 E, and rest turning of each boundary vertex that is no corner. Requires that bending
-    /// was positive before.
+    /// Sets stiffness, in A^1.5 E, and rest turning of each boundary vertex that is not a corner. Requires that
+    /// bending was positive before.
     void set_bending(const Eigen::VectorXd& bending, const Eigen::VectorXd& reference);
 
     double energy(const Eigen::VectorXd& u) const;  ///< +infinity if a triangle is flipped

@@ -24,7 +24,7 @@ class SeamStep {
     /// Analyses the pattern. Keeps a reference to the problem.
     explicit SeamStep(const SeamProblem& problem);
 
-    /// False: a free boundary, without J.
+    /// False makes the boundary free: J is left out.
     void hold_edges(bool hold);
 
     /// Factorises at u. If the Hessian is not positive definite along the constraints, its elements are clamped and,

@@ -10,7 +10,7 @@ struct EnergyReleaseOptions {
     double energy_tolerance = 0.0005;  ///< at rest if a swing lowers the energy by less than this fraction; > 0
     int max_steps = 1000;              ///< steps for the whole tile, phase 2; >= 0
     int max_steps_laying = 50;         ///< steps per release in phase 1; >= 0
-    double step = 0.7;                 ///< time step times the fastest frequency, in (0, 1.4): stable below
+    double step = 0.7;                 ///< time step times the highest frequency, in (0, 1.4): stable below
     double penalty_below = 0.1;        ///< fraction of its height below which a triangle is pushed open, in [0, 1]
 };
 

@@ -9,7 +9,7 @@ namespace ripstop {
 struct WeaveFrame {
     SurfacePoint centre;        ///< a crossing of the weave
     Vec2 warp = Vec2::UnitX();  ///< unit direction of the warp there, in the frame of the centre's triangle
-    double spacing = 0;         ///< of the yarns [m]
+    double spacing = 0;         ///< yarn spacing [m]
 };
 
 /// The frame of a weave through the point of the tile nearest its area centroid, or further inside if that is close

@@ -34,14 +34,12 @@ struct MendOptions {
 ///
 /// - An edge below 1e-9 of its triangle's longest edge is collapsed and the triangle is removed, such as at a pole.
 /// - A needle is a triangle with a corner within 1e-6 of the longest edge of that edge. It is removed by an edge flip
-///   with
-/// the triangle beyond that edge, or deleted at the boundary.
+///   with the triangle beyond that edge, or deleted at the boundary.
 /// - Triangles given twice, either way up, and unused vertices are removed.
-/// - If the result is no disk, all vertices at the same place are merged, provided that this gives a disk: a mesh in
-///   which
-/// each triangle, or each patch of texture, has its own vertices.
+/// - If the result is not a disk, all vertices at the same place are merged, provided that this gives a disk: a mesh
+///   in which each triangle, or each patch of texture, has its own vertices.
 /// - A tip of which each triangle has its own copy is welded (`weld_tips`); a tip narrower than `tip_width` is closed
-/// (`close_tips`).
+///   (`close_tips`).
 ///
 /// A mesh that cannot be made a disk is returned as far as it was mended; the caller's `require_disk` reports the
 /// rest. O(#F log #F).
