@@ -52,8 +52,8 @@ double energy_and_forces(const SpringNetwork& network, const Points2& positions,
 /// An upper bound on the highest natural frequency of the springs, sqrt(max_i 2 sum k / m_i) [rad/s].
 double frequency_bound(const SpringNetwork& network);
 
-/// The membrane elasticity (warp, weft, shear) that the springs imply, averaged over the tile's area [N/m]: C =
-/// sum_springs k l0^2 m m^T / A, m = (cos^2, sin^2, cos sin). Its entries (1,2) and (3,3) are always equal.
+/// The membrane elasticity (warp, weft, shear) that the springs imply, averaged over the tile's area [N/m]:
+/// C = sum_springs k l0^2 m m^T / A, m = (cos^2, sin^2, cos sin). Its entries (1,2) and (3,3) are always equal.
 Eigen::Matrix3d implied_elasticity(const SpringNetwork& network, const Tile& tile);
 
 }  // namespace ripstop

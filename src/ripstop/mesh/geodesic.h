@@ -77,11 +77,11 @@ class UnfoldedSurface {
     /// Returns every triangle that straight lines of at most `radius` from `from` reach, nearer ones before those
     /// behind them.
     ///
-    /// This is the exact logarithmic map of the surface at a point, for all neighbours at once: `unfolded(p) -
-    /// from.local` is the direction and straight distance to the point p of the triangle, provided `hidden_by` is 0.
-    /// A triangle is listed once for each gap through which it is visible. On a flat surface each of its points lies
-    /// in one gap; on a curved surface a point may be visible round both sides of a vertex, or not at all. Cost: the
-    /// number of triangles seen.
+    /// This is the exact logarithmic map of the surface at a point, for all neighbours at once:
+    /// `unfolded(p) - from.local` is the direction and straight distance to the point p of the triangle, provided
+    /// `hidden_by` is 0. A triangle is listed once for each gap through which it is visible. On a flat surface each
+    /// of its points lies in one gap; on a curved surface a point may be visible round both sides of a vertex, or not
+    /// at all. Cost: the number of triangles seen.
     std::vector<Sight> look_around(const SurfacePoint& from, double radius) const;
 
   private:

@@ -12,8 +12,8 @@ struct ExplainedArea {
     double boundary = 0;  ///< area between the old and the new edges, within the surface; either sign
     double bending = 0;   ///< area lost by flat triangles, from their dihedral turns and angle defects; >= 0
 
-    /// The unexplained part of a gain of area: zero up to 1.5 times `bending`, because that is an estimate [ratio, >=
-    /// 0].
+    /// The unexplained part of a gain of area: zero up to 1.5 times `bending`, because that is an estimate
+    /// [ratio, >= 0].
     double beyond(double gain) const;
 };
 

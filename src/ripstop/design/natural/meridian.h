@@ -26,9 +26,9 @@ struct MeridianPoint {
 /// where w is the weight of the cloth and n the number of tapes of weight g per length. T is the total force, so
 /// nothing is singular on the axis.
 ///
-/// Lobed: between n tapes the cloth forms arcs of half-angle B and carries hoop tension only, N_h = p rho. With
-/// a = pi/n, half chord c = r sin a, radius rho = c / sin B, d the mean normal offset of the lobe, and p taken at z -
-/// d sin th:
+/// Lobed: between n tapes the cloth forms arcs of half-angle B and carries hoop tension only, N_h = p rho. With a =
+/// pi/n, half chord c = r sin a, radius rho = c / sin B, d the mean normal offset of the lobe, and p taken at
+/// z - d sin th:
 ///
 ///     R = 2 p c [(1 - th' d) cos th cos a - sin a / tan B],  Z = -2 p c (1 - th' d) sin th    per tape and length
 ///     T' = -n (R sin th + Z cos th) + W cos th,  T th' = -n (R cos th - Z sin th) - W sin th

@@ -16,8 +16,8 @@ struct ArapOptions {
 ///
 /// which equals ½ Σ_t Σ_i cot θ_i |(u_i - u_i+1) - L_t (x_i - x_i+1)|². It alternates between all L_t (in closed
 /// form) and all positions (one cotangent system, factorised once). The energy never rises. Convergence is linear,
-/// and slower for finer meshes. Negative cotangents of obtuse triangles do no harm: the sum per triangle is A |J -
-/// L|² all the same.
+/// and slower for finer meshes. Negative cotangents of obtuse triangles do no harm: the sum per triangle is
+/// A |J - L|² all the same.
 ///
 /// Isotropic with a free boundary: it shows how developable a tile is, and is a good start for other methods. Exact
 /// on developable tiles. It does not prevent flipped triangles; the summary counts them.

@@ -72,7 +72,7 @@ Trials::Trials(const TriangleMesh& mesh, const Adjacency& adjacency, const Fabri
         metrics_.push_back(triangle_metric(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)));
 }
 
-/// The energy of the springs at a vertex whose two ends are laid.
+/// The energy of the springs between a vertex and the neighbours that are already laid.
 double Trials::spring_energy(int vertex) const {
     double sum = 0;
     for (const Edge& edge : edges_[static_cast<std::size_t>(vertex)]) {

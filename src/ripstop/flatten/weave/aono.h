@@ -19,12 +19,12 @@ struct AonoOptions {
 /// crossings. From there the net grows outward: each new crossing is the intersection of the circles of radius r
 /// round two placed ones, opposite the fourth crossing of the cell. Where no cell can be closed, a thread is extended
 /// straight on. The plane coordinates are (i r, j r), read off as in `flatten_woven`. Distances are measured along
-/// the surface. The source measures them through space, so its net becomes exact with finer spacing only, also on
-/// developable tiles.
+/// the surface. The source measures them through space: its net converges as the spacing is refined, but is not exact
+/// on developable tiles.
 ///
 /// Threads keep their length and shear absorbs all deformation: about K u v at the place (u, v) of a surface of
-/// curvature K. The net breaks down where threads coincide: such cells stay open, and the summary is `stagnated` and
-/// reports the number of crossings without a place and the first of them. Vertices that no crossing sees are laid on
+/// curvature K. The net breaks down where threads coincide. Such cells stay open; the summary is `stagnated` and
+/// reports the number of crossings without a place, and the first of them. Vertices that no crossing sees are laid on
 /// from their neighbours. Exact on developable tiles. The result depends on the grain and on the two lines.
 ///
 /// Requires a disk (`make_tile`). Throws InputError if the options are out of range. About 10 ms per thousand

@@ -31,8 +31,9 @@ struct WovenFit {
 WovenFit fit_woven_mesh(const UnfoldedSurface& surface, const SurfacePoint& centre, const Vec2& warp, double spacing,
                         int max_nodes, const WovenOptions& options);
 
-/// The same from crossings that lie on the surface already. Of `start`, in order, those that see a neighbour and
-/// crowd none are placed (the first in any case; it is fixed), followed by boundary propagation and energy diffusion.
+/// The same, starting from crossings that lie on the surface already. Takes those of `start`, in order, that see a
+/// neighbour and are not too close to another one; the first is always taken, and fixed. Boundary propagation and
+/// energy diffusion follow.
 WovenFit settle_woven_mesh(const UnfoldedSurface& surface, const std::vector<WovenNode>& start, double spacing,
                            int max_nodes, const WovenOptions& options);
 

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int none = -1;
 
-/// The mesh with vertex v renumbered `number[v]`; numbers increase along the vertices that are the first of their
-/// number.
+/// The mesh with vertex v renumbered as `number[v]`. If several vertices get the same number, the first gives its
+/// position. Requires that these first vertices are numbered in increasing order.
 TriangleMesh renumbered(const TriangleMesh& mesh, const std::vector<int>& number, int count) {
     TriangleMesh result{Points3(count, 3), mesh.triangles};
     for (int v = mesh.vertex_count() - 1; v >= 0; --v)

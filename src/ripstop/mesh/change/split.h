@@ -7,8 +7,8 @@
 
 namespace ripstop {
 
-/// The source of a vertex: on the edge from a to b of the whole mesh, at this fraction; a vertex of the whole has a =
-/// b.
+/// The source of a vertex: on the edge from a to b of the whole mesh, at this fraction; a vertex of the whole has
+/// a = b.
 struct SplitVertex {
     int a = 0, b = 0;
     double share = 0;

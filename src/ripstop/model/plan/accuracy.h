@@ -6,18 +6,15 @@
 
 namespace ripstop {
 
-/// The accuracy of one chain of a flattened tile. Errors are ratios: 0.001 is 1 mm per metre. Lengths [m], areas
-/// [m2].
-///
-/// In the formulas L' and A' are on the cloth, L and A on the surface. Sources: [KZ] the paper, [WSY02] Wang, Smith,
-/// Yuen 2002.
+/// The accuracy of one chain of a flattened tile; lengths [m].
 struct ChainAccuracy {
     double length = 0;
     double flat_length = 0;
     double error() const { return flat_length / length - 1; }  ///< signed
 };
 
-/// The accuracy of a flattening: lengths in m, areas in m2, errors as ratios.
+/// The accuracy of a flattening: lengths [m], areas [m2], errors as ratios (0.001 is 1 mm per metre). In the formulas L'
+/// and A' are on the cloth, L and A on the surface. Sources: [KZ] the paper, [WSY02] Wang, Smith, Yuen 2002.
 struct Accuracy {
     double area = 0;
     double flat_area = 0;
