@@ -1,4 +1,4 @@
-/// A draped dress of 14 panels, whose stitches are known: seams that nobody designed for us.
+/// A draped dress of 14 panels with known stitches: seams that were not designed for this program.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 
 using Edges = std::set<std::pair<int, int>>;  // tile and boundary edge
 
-/// Boundary edges by tile and first vertex.
+/// Boundary edges, by tile and first vertex.
 std::map<std::pair<int, int>, int> boundary_edges(const Envelope& envelope) {
     std::map<std::pair<int, int>, int> edges;
     for (int t = 0; t < static_cast<int>(envelope.tiles.size()); ++t) {
@@ -30,7 +30,7 @@ std::map<std::pair<int, int>, int> boundary_edges(const Envelope& envelope) {
     return edges;
 }
 
-/// The boundary edges between vertices (tile, vertex) that follow each other, either way round.
+/// The boundary edges between consecutive vertices (tile, vertex), in either direction.
 Edges edges_along(const Envelope& envelope, const std::vector<std::pair<int, int>>& vertices) {
     const std::map<std::pair<int, int>, int> from = boundary_edges(envelope);
     Edges edges;
@@ -45,7 +45,7 @@ Edges edges_along(const Envelope& envelope, const std::vector<std::pair<int, int
     return edges;
 }
 
-/// The stitch lines of the dress: the edges of side a of each, and all that any side of any has.
+/// The stitch lines of the dress: the edges of side a of each, and the edges of all sides together.
 struct Stitches {
     std::vector<Edges> lines;
     Edges all;
@@ -66,7 +66,7 @@ Stitches stitches_of(const Json& file, const Envelope& envelope) {
     return stitches;
 }
 
-/// How the stitch lines and the seams found go together.
+/// How the seams that were found match the stitch lines.
 struct Score {
     int whole = 0, in_part = 0, missed = 0, off_boundary = 0, invented = 0;
 };
@@ -102,9 +102,10 @@ TEST(Dress, HasItsStitchedSeamsFoundAndNoneInvented) {
     const Stitches stitches = stitches_of(Json::parse(in), envelope);
     ASSERT_EQ(stitches.lines.size(), 94u);
 
-    // Stitch lines 32, 33, 42 and 43 sew an edge into the middle of a panel: no geometry of boundaries can tell. The one
-    // missed is a single edge of 5 mm. In part: vertices of side b between two stitches of a, where the cloth is folded by up
-    // to 130 degrees an edge, lie further than half a millimetre from a's edge; more of them are found within 1 mm.
+    // Stitch lines 32, 33, 42 and 43 sew an edge into the middle of a panel, which the geometry of boundaries
+    // cannot tell. The missed one is a single edge of 5 mm. Some are found in part: the cloth is folded by up to
+    // 130 degrees per edge, so vertices of side b between two stitches of a are more than half a millimetre from
+    // a's edge. Within 1 mm, more are found.
     const Score half = score(stitches, find_seams(envelope.tiles, {0.0005}));
     EXPECT_EQ(half.invented, 0);
     EXPECT_EQ(half.off_boundary, 4);

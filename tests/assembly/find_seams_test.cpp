@@ -1,4 +1,4 @@
-/// Seams from geometry alone: all of them, none besides, and both sides on one curve.
+/// Seams from geometry alone: all are found, no others, and both sides are measured on one curve.
 #include "ripstop/assembly/seams/find_seams.h"
 
 #include <gmock/gmock.h>
@@ -26,13 +26,13 @@ double sum(const SeamSide& side) {
 
 void expect_one_curve(const FoundSeams& found) {
     for (const Seam& seam : found.seams) {
-        // Both sums telescope over the same stations: only the rounding of the additions differs.
+        // Both sums are over the same stations, so only the rounding of the additions differs.
         EXPECT_NEAR(sum(seam.a), seam.length, 1e-12 * seam.length) << seam.id;
         EXPECT_NEAR(sum(seam.b), seam.length, 1e-12 * seam.length) << seam.id;
     }
 }
 
-/// A rectangle from (x0, y0) to (x1, y1) of the plane.
+/// A rectangle in the plane from (x0, y0) to (x1, y1).
 NamedMesh sheet(const std::string& name, double x0, double y0, double x1, double y1, int nu, int nv) {
     return {name,
             testing::grid(nu, nv, [&](double u, double v) { return Vec3(x0 + (x1 - x0) * u, y0 + (y1 - y0) * v, 0); }),
@@ -86,8 +86,8 @@ TEST(BrickWall, HasASeamForEachHalfOfALongEdge) {
     }
 }
 
-/// A cone of this half angle and slant 1 m cut open along +x: a disk whose boundary runs up the cut to the apex and down
-/// again. `bent` moves the vertices of one side of the cut along it.
+/// A cone with this half angle and a slant height of 1 m, cut open along +x: a disk whose boundary runs up the cut
+/// to the apex and down again. `bent` moves the vertices of one side along the cut.
 NamedMesh cut_cone(double half, int around, int rings, double bent) {
     TriangleMesh mesh;
     mesh.positions.resize(1 + rings * (around + 1), 3);
@@ -113,7 +113,8 @@ NamedMesh cut_cone(double half, int around, int rings, double bent) {
 }
 
 TEST(ConeCutOpen, IsSewnToItselfUpToTheApexWhetherThatIsACornerOrNot) {
-    // sin 30 degrees lays the cone out as a half disk, whose middle is no corner; at 60 the apex is the tip of a dart
+    // at sin 30 degrees the cone unrolls to a half disk, whose middle is no corner; at 60 the apex is the tip of a
+    // dart
     for (const double half : {30 * degree, 60 * degree})
         for (const double bent : {0.0, 0.4}) {
             const Envelope envelope = testing::tiles_of({cut_cone(half, 24, 8, bent)});
@@ -131,7 +132,7 @@ TEST(ConeCutOpen, IsSewnToItselfUpToTheApexWhetherThatIsACornerOrNot) {
 }
 
 TEST(EdgesThatCross, AreNotSewnButReported) {
-    // within half a millimetre of each other over 50 mm about the crossing, 0.4 m from the tip of the wedge
+    // the edges are within half a millimetre over 50 mm about the crossing, 0.4 m from the tip of the wedge
     const NamedMesh low = sheet("low", 0, -1, 2, 0, 5, 7);
     for (const double start : {-0.01, 0.0}) {
         NamedMesh high = sheet("high", 0, 0, 2, 1, 40, 4);
@@ -158,7 +159,7 @@ TEST(FourTilesAtACorner, HaveFourSeams) {
 }
 
 TEST(TJunction, LiesAnywhereInAnEdge) {
-    // the long edge has vertices every quarter of a metre; the short ones meet at 0.9 m
+    // the long edge has a vertex every quarter of a metre; the short ones meet at 0.9 m
     const Envelope envelope = testing::tiles_of(
         {sheet("long", 0, 0, 2, 1, 8, 4), sheet("first", 0, 1, 0.9, 2, 5, 4), sheet("second", 0.9, 1, 2, 2, 7, 4)});
     const FoundSeams found = find_seams(envelope.tiles);
@@ -179,12 +180,12 @@ TEST(TJunction, LiesAnywhereInAnEdge) {
 TEST(OpenEdges, AreInNoSeam) {
     const FoundSeams found = seams_of({sheet("left", 0, 0, 1, 1, 5, 5), sheet("right", 1, 0.25, 2, 2, 7, 6)});
     ASSERT_EQ(found.seams.size(), 1u);
-    // from the right one's corner to the left one's last vertex beside it, which is its corner
+    // from the right sheet's corner to the left one's last vertex beside it, which is its corner
     EXPECT_NEAR(found.seams[0].length, 0.75, 1e-12);
 }
 
 TEST(Loops, AreSewnToOtherLoopsAndToManyTilesAlike) {
-    // a cap over a ring of strips, whose seams do not begin where the cap's boundary does
+    // a cap on a ring of strips, whose seams do not begin where the cap's boundary begins
     const double theta = 0.6;
     std::vector<NamedMesh> meshes{{"cap", testing::cap(theta, 9), {}}};
     for (int i = 0; i < 5; ++i)
@@ -206,7 +207,7 @@ TEST(Loops, AreSewnToOtherLoopsAndToManyTilesAlike) {
     EXPECT_NEAR(found.curve_lengths[0].sum(), round, 1e-4 * round);
 }
 
-/// Two strips along an arc of a circle, one with `inside` edges on it, the other with `outside`.
+/// Two strips along an arc of a circle: one has `inside` edges on it, the other `outside`.
 std::vector<NamedMesh> strips_on_arc(double radius, double angle, int inside, int outside) {
     const auto strip = [&](double r0, double r1, int edges) {
         return testing::grid(edges, 3, [=](double u, double v) {
@@ -229,13 +230,13 @@ TEST(UncertaintyOfASeam, CoversTheTrueErrorOnArcs) {
             const Seam& seam = found.seams[0];
             const double error = std::abs(seam.length - truth);
             EXPECT_LE(error, seam.uncertainty + 1e-13) << degrees << " " << inside << " " << outside;
-            // and it says something: no more than the shortness of the coarser polyline, twice
+            // it also means something: it is at most twice the error of the coarser polyline
             const double turn = degrees * degree / std::min(inside, outside);
             EXPECT_LE(seam.uncertainty, 2 * truth * turn * turn / 24 + 1e-13);
         }
 }
 
-/// Two strips along a curve (t from 0 to 1), one on either side of it.
+/// Two strips along a curve (t from 0 to 1), one on each side.
 std::vector<NamedMesh> strips_on_curve(const std::function<Vec3(double)>& curve, int upper, int lower) {
     const auto strip = [&](int edges, double top, double bottom) {
         return testing::grid(edges, 3, [&, top, bottom](double u, double v) {
@@ -254,7 +255,7 @@ TEST(CommonCurve, ConvergesToFourthOrderAndItsUncertaintyCoversTheError) {
         return Vec3(3 * t, 0.3 * std::sin(6 * t), 0.2 * std::cos(4 * t));
     };
     for (const auto& curve : {ellipse, wave}) {
-        double truth = 0;  // a polyline so fine that it is short by 1e-11 of itself
+        double truth = 0;  // by a polyline so fine that its relative error is 1e-11
         for (int i = 0; i < 200000; ++i) truth += (curve((i + 1) / 2e5) - curve(i / 2e5)).norm();
         for (const int edges : {12, 24, 48}) {
             const std::vector<NamedMesh> strips = strips_on_curve(curve, edges, edges * 3 / 2 - 1);

@@ -17,7 +17,7 @@ UnitRead read_in(const std::string& unit) {
     return {{unit, metres_per_unit(unit)}};
 }
 
-/// What is said of an envelope of `numbers` in the file, read in `unit`.
+/// The message for an envelope that measures `numbers` in the file, read in `unit`.
 std::string said(double numbers, const std::string& unit) {
     const auto doubt = doubt_unit(box(numbers * metres_per_unit(unit)), read_in(unit));
     return doubt ? (doubt->is_wrong ? "wrong: " : "note: ") + doubt->sentence : "";

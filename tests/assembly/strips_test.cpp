@@ -1,4 +1,5 @@
-/// The two edges of a strip are no gap and no overlap, whatever it is long and wide; slits, gaps and overlaps still are.
+/// The two edges of a strip are neither a gap nor an overlap, whatever its length and width; slits, gaps and
+/// overlaps still are.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ int seams_of(const std::vector<NamedMesh>& tiles, const SeamOptions& options = {
     return check_envelope(testing::tiles_of(tiles), options).seams;
 }
 
-/// A flat part of a ring, of one winding or less.
+/// A flat part of a ring, of at most one winding.
 TriangleMesh ring(double radius, double width, double angle, int along, int across) {
     return grid(along, across, [&](double u, double v) {
         const double r = radius + width * (1 - v);
@@ -44,7 +45,7 @@ TriangleMesh ring(double radius, double width, double angle, int along, int acro
     });
 }
 
-/// A flat strip of `turns` windings, each `pitch` beyond the one before.
+/// A flat spiral strip of `turns` windings, `pitch` apart.
 TriangleMesh spiral(double turns, double pitch, double width, int along) {
     return grid(along, 1, [&](double u, double v) {
         const double angle = 2 * pi * turns * u, r = 0.5 + pitch * turns * u + width * (1 - v);
@@ -52,7 +53,7 @@ TriangleMesh spiral(double turns, double pitch, double width, int along) {
     });
 }
 
-/// A strip round a cylinder, slantwise where it rises.
+/// A strip around a cylinder; it climbs by `pitch` per turn.
 TriangleMesh helix(double radius, double turns, double pitch, double width, int along) {
     return grid(along, 2, [&](double u, double v) {
         const double angle = 2 * pi * turns * u;
@@ -60,7 +61,7 @@ TriangleMesh helix(double radius, double turns, double pitch, double width, int 
     });
 }
 
-/// A straight strip whose cross-section is an arc.
+/// A straight strip with an arc as cross-section.
 TriangleMesh channel(double length, double radius, double angle, int around) {
     return grid(7, around, [&](double u, double v) {
         return Vec3(length * u, radius * std::sin(angle * v), -radius * std::cos(angle * v));
@@ -82,7 +83,7 @@ TEST(Strips, AreSoundHoweverTheyLieAndAreMeshed) {
     EXPECT_EQ(faults_of({tile("moved", testing::moved(belt))}), "");
     EXPECT_EQ(faults_of({tile("shuffled", testing::shuffled(belt, 5))}), "");
     EXPECT_EQ(faults_of({tile("mirrored", testing::mirrored(belt))}), "");
-    // one long edge of 40 pieces, the other of one
+    // one long edge has 40 segments, the other one
     TriangleMesh fan;
     fan.positions.resize(43, 3);
     for (int i = 0; i <= 40; ++i) fan.positions.row(i) << 0.05 * i, 0, 0;
@@ -121,7 +122,7 @@ TEST(Strips, ClosedIntoARingHaveOneSeamAndNoFault) {
 }
 
 TEST(Strips, SewnAlongOrAcrossAreSound) {
-    // two belts side by side, and one in four slanting pieces: the free edges are of different tiles
+    // two belts side by side, and one in four slanting parts: the free edges belong to different tiles
     const TriangleMesh half = testing::rectangle(2, 0.03, 20, 1);
     const std::vector<NamedMesh> along{tile("a", half), tile("b", shifted(half, {0, 0.03, 0}))};
     EXPECT_EQ(faults_of(along), "");
@@ -145,7 +146,7 @@ TEST(Strips, BetweenTwoSheetsAreSewnToBoth) {
 
 TEST(Strips, NarrowerThanTheSeamToleranceAreNotSewnToThemselves) {
     EXPECT_EQ(seams_of({tile("tape", testing::rectangle(2, 0.0015, 40, 1))}, {0.002}), 0);
-    // a gore of a degree is within half a millimetre of itself for the last 28 mm
+    // the two edges of a gore of one degree are within half a millimetre for the last 28 mm
     const NamedMesh gore = tile(
         "gore", grid(40, 1, [](double u, double v) { return Vec3(2 * u, (1 - 0.9995 * u) * 0.035 * (v - 0.5), 0); }));
     EXPECT_EQ(seams_of({gore}), 0);
@@ -166,7 +167,8 @@ TEST(Slit, InATubeIsStillAGapAndItsLapAnOverlap) {
 }
 
 TEST(Dart, IsSewnToItsTip) {
-    // a rectangle slit from its lower edge up to its middle, the two sides of the slit in one place or 0.3 mm apart
+    // a rectangle with a slit from its lower edge to its middle; the sides of the slit coincide or are 0.3 mm
+    // apart
     for (const double open : {0.0, 0.0003}) {
         TriangleMesh mesh = testing::rectangle(2, 1, 8, 8);
         const Eigen::Index count = mesh.positions.rows();

@@ -18,7 +18,7 @@ namespace child_process_test {
 
 using How = ChildEnd::How;
 
-/// Whether a process has ended, though nobody may have asked how.
+/// True if a process has ended, even if nobody has waited for it.
 bool is_gone(pid_t process) {
     const std::string status = testing::content("/proc/" + std::to_string(process) + "/stat");
     const std::size_t name = status.rfind(") ");

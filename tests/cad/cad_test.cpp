@@ -77,7 +77,7 @@ TEST(Cad, TheSameCubeInInchMillimetreAndMetreIsTheSameCube) {
                 EXPECT_EQ(surface.name.rfind("cube_0", 0), 0U) << surface.name;
                 EXPECT_GE(surface.mesh.positions.minCoeff(), -1e-9);
                 EXPECT_LE(surface.mesh.positions.maxCoeff(), 1 + 1e-9);
-                // Outward: away from the middle of the cube.
+                // Outward: away from the centre of the cube.
                 EXPECT_GT(area_vector(surface.mesh).dot(centroid(surface.mesh) - Vec3(0.5, 0.5, 0.5)), 0.4);
             }
         }
@@ -94,7 +94,7 @@ TEST(Cad, ABrepSaysNoUnitAndIsTakenAsAsked) {
     ASSERT_EQ(envelope.tiles.size(), 6U);
     EXPECT_EQ(envelope.seams.size(), 12U);
     EXPECT_NEAR(surface_area(envelope.tiles[0].mesh), 1, 1e-9);
-    // A quarter of a metre on a square of a metre: some 40 triangles, not some thousands.
+    // Edges of a quarter metre on a square of one metre: about 40 triangles, not thousands.
     EXPECT_LT(envelope.tiles[0].mesh.triangle_count(), 100);
 }
 
@@ -109,7 +109,7 @@ TEST(Cad, TheFacesOfRealFilesHaveTheAreaBoundaryAndBoxThatOpenCascadeSays) {
         Vec3 low = model.surfaces[0].mesh.positions.row(0), high = low;
         for (std::size_t i = 0; i < figures.faces.size(); ++i) {
             const TriangleMesh& mesh = model.surfaces[i].mesh;
-            // A chord error of 0.01 mm all along the edges, twice for holes and rounding.
+            // A chord error of 0.01 mm along all edges, times two for holes and rounding.
             EXPECT_NEAR(surface_area(mesh), figures.faces[i].area, 2e-5 * figures.faces[i].boundary) << i;
             low = low.cwiseMin(mesh.positions.colwise().minCoeff().transpose());
             high = high.cwiseMax(mesh.positions.colwise().maxCoeff().transpose());
@@ -132,7 +132,7 @@ TEST(Cad, NeighboursShareTheVerticesOfTheirSeam) {
         for (const Seam& seam : input.envelope.seams) {
             EXPECT_EQ(seam.gap, 0) << "edges of one seam lie apart";
         }
-        // An inscribed polyline that turns by 2.8 degrees an edge is 0.01 % short.
+        // An inscribed polyline that turns by 2.8 degrees per edge is too short by 0.01 %.
         EXPECT_THAT(input.remarks, ::testing::Contains(HasSubstr("short of its curves")));
     }
 }
@@ -238,7 +238,7 @@ TEST(Cad, AsFineAsAskedAndNoFinerThanCanBeBorne) {
             sum += surface.mesh.triangle_count();
         return sum;
     };
-    // The chord error goes with the square of the edge: four times as many triangles for a quarter of it.
+    // The chord error is quadratic in the edge length: a quarter of it takes four times as many triangles.
     const double ratio = static_cast<double>(triangles({.chord_error = 4e-3, .edge_length = 10})) /
                          triangles({.chord_error = 16e-3, .edge_length = 10});
     EXPECT_NEAR(ratio, 4, 1);
@@ -272,7 +272,7 @@ TEST(Cad, ACoordinateThatIsNoneOrIsFarOffIsRefused) {
                 const std::string point = "CARTESIAN_POINT('',(0.,";
                 text.replace(text.find(point) + point.size() - 3, 2, number);
             } else {
-                // The first parameter of 1000 takes as many columns of its line as before.
+                // The new first parameter has as many columns as the old one, 1000.
                 const std::size_t at = text.rfind("1.E+03");
                 ASSERT_NE(at, std::string::npos);
                 text.replace(at, 6, number == "NaN" ? "   NaN" : "1.D300");
@@ -306,7 +306,7 @@ TEST(Cad, LengthsAreInTheFilesOwnNumbersWhereItSaysNoUnit) {
     const ScratchDirectory scratch;
     const std::string file = scratch.path("cube.brep");
     testing::write_cube(file, "MM");
-    // A twelfth of 1000 units; as the metres they would be by themselves it was 83333.3 mm.
+    // A twelfth of 1000 units. Before, they were taken as metres, which gave 83333.3 mm.
     EXPECT_THAT(read(file).remarks, ::testing::Contains(HasSubstr("edges of at most 83.3: at most 0.000 off")));
     EXPECT_THAT(read(file, {.metres_per_unit = 0.001}).remarks,
                 ::testing::Contains(HasSubstr("edges of at most 83.3 mm: at most 0.000 mm off")));
@@ -373,7 +373,7 @@ TEST(Cad, WhateverBecomesOfTheMesherIsOneSentence) {
     ::unsetenv("RIPSTOP_CAD");
 }
 
-/// Of the solids of `write_solid`, in metres.
+/// The known figures of a solid of `write_solid`, in metres.
 struct Known {
     testing::Solid solid;
     double area;
@@ -418,11 +418,11 @@ Vec3 corner_of(const TriangleMesh& mesh, Eigen::Index triangle, int k) {
     return mesh.positions.row(mesh.triangles(triangle, k % 3));
 }
 
-/// What the triangles of all surfaces are together, vertices in the same place being one.
+/// The union of all surfaces' triangles; vertices in the same place are merged.
 struct Together {
-    int open = 0;            ///< edges that are not run through once each way
-    int folded = 0;          ///< of a surface, between triangles that look apart by more than 120 degrees
-    double least_shape = 1;  ///< of 4 sqrt(3) A / (a² + b² + c²): 1 for equilateral triangles
+    int open = 0;            ///< edges that are not traversed once in each direction
+    int folded = 0;          ///< edges within a surface whose triangles' normals differ by more than 120 degrees
+    double least_shape = 1;  ///< minimum of 4 sqrt(3) A / (a² + b² + c²), which is 1 for equilateral triangles
     double mean_shape = 0;
 };
 
@@ -467,7 +467,8 @@ TEST(CadPoles, AreMeshedClosedAndRoundWithinTheirBound) {
         EXPECT_EQ(all.folded, 0);
         EXPECT_GT(all.least_shape, 0.1);
         EXPECT_GT(all.mean_shape, 0.85);
-        // Edges that turn by 2.8 degrees are 0.04 % short; two and a half times as long ones of a bounded torus 0.25 %.
+        // Edges that turn by 2.8 degrees lose 0.04 % of the area; those of a bounded torus are 2.5 times as long
+        // and lose 0.25 %.
         EXPECT_NEAR(area(model) / known.area, 1, 3e-3);
         EXPECT_LT(area(model), known.area);
     }
@@ -520,7 +521,7 @@ TEST(CadPoles, ATubeThinnerThanItsEdgesStaysRound) {
         SCOPED_TRACE(edge);
         const CadModel model = solid_of(scratch, testing::Solid::wire, {.edge_length = edge});
         EXPECT_EQ(together(model).open, 0);
-        // Six edges around are the fewest: 3 sin(60 degrees) / pi of the area.
+        // At least six edges around: 3 sin(60 degrees) / pi of the area.
         EXPECT_GT(area(model) / (2 * std::numbers::pi * 0.002 * 3.002), 0.82);
     }
 }

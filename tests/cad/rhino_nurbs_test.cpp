@@ -25,7 +25,7 @@ class RhinoNurbs : public ::testing::Test {
         if (!std::filesystem::exists(RIPSTOP_SOURCE_DIR "/apps/rhino/node_modules")) GTEST_SKIP() << "no rhino3dm";
     }
 
-    /// A file of tests/cad/nurbs.mjs.
+    /// Reads a file made by tests/cad/nurbs.mjs.
     CadModel read(const std::string& kind, int version, const std::string& mesher = RIPSTOP_CAD_PROGRAM) {
         const std::string file = scratch_.path(kind + std::to_string(version) + ".3dm");
         const auto written = testing::run_command("node '" RIPSTOP_SOURCE_DIR "/tests/cad/nurbs.mjs' " + kind + " '" +
@@ -51,7 +51,7 @@ TEST_F(RhinoNurbs, BrepsSurfacesAndExtrusionsOfEveryVersionHaveTheirExactAreas) 
         auto area = areas(model);
         ASSERT_EQ(area.size(), 11U);
         for (int i = 1; i <= 6; ++i) EXPECT_NEAR(area["box_0" + std::to_string(i)], 1e6, 1e-3);
-        // Inscribed in a circle with a turn of 2.8 degrees: 0.04 % less at most, and nothing more.
+        // A polygon inscribed in a circle with turns of 2.8 degrees: at most 0.04 % less area, and never more.
         const double wall = 2 * std::numbers::pi * 500 * 2000, lid = std::numbers::pi * 500 * 500;
         EXPECT_NEAR(area["DRUM_01"] / wall, 1, 4e-4);
         EXPECT_NEAR(area["DRUM_02"] / lid, 1, 6e-4);

@@ -1,4 +1,4 @@
-/// What the program does where allowances meet.
+/// The program on pieces whose allowances meet.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using ::testing::Not;
 using testing::ProgramRun;
 using testing::Workshop;
 
-/// A square of 0.8 m with a slot 30 mm wide and 300 mm deep.
+/// A square of 0.8 m with a slot, 30 mm wide and 300 mm deep.
 NamedMesh slotted() {
     Points2 corners(8, 2);
     corners << 0, 0, 0.8, 0, 0.8, 0.8, 0.415, 0.8, 0.415, 0.5, 0.385, 0.5, 0.385, 0.8, 0, 0.8;

@@ -1,4 +1,4 @@
-/// ripstop design special, and what the other commands make of its envelope.
+/// ripstop design special, and the other commands on its envelope.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-/// Seams whose length a mesh does not tell, as `check` and `flatten` judge them.
+/// `check` and `flatten` on seams whose length the mesh leaves uncertain.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,8 @@ TEST(ZigzagDisc, IsRefusedAndWithFairSeamsJudgedAsTheSmoothCutIs) {
     const ProgramRun run = workshop.ripstop("flatten disc.obj --unit m --propose none -o plan");
     EXPECT_EQ(run.code, 1) << run.out << run.err;
     const Json tile = Json::parse(workshop.read("plan/report.json"))["tiles"][0];
-    // In a notch between two teeth, sharper than 55 degrees, the hems of both flanks have no room: that is said too.
+    // A notch between two teeth, sharper than 55 degrees, has no room for the hems of its flanks; that is reported
+    // too.
     int zigzags = 0;
     for (const Json& finding : tile["verdict"]["findings"]) {
         if (finding["code"] == "zigzag") {

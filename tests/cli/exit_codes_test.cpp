@@ -15,12 +15,12 @@ using ::testing::Not;
 using testing::ProgramRun;
 using ::testing::StartsWith;
 
-/// Each test stands in a folder with one sound envelope.
+/// Each test runs in a folder with one sound envelope.
 class ExitCode : public ::testing::Test {
   protected:
     ExitCode() { workshop.write_tiles("envelope.obj", {testing::flat_tile()}); }
 
-    /// A run that must stop before it writes anything: one sentence on stderr, nothing on stdout.
+    /// Expects that a run stops before it writes anything: one sentence on stderr, nothing on stdout.
     void expect_refused(int code, const std::string& arguments, const std::string& sentence) {
         SCOPED_TRACE("ripstop " + arguments);
         const std::vector<std::string> before = workshop.names();
@@ -110,17 +110,17 @@ TEST_F(ExitCode, Is3ForASurfaceThatIsNoTileNamedWithThePlace) {
                          "tile tet: is closed");
     expect_refused_input("flipped.obj", "o up\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n",
                          "face opposite ways");
-    // All of them at once.
+    // All faults at once.
     workshop.write("both.obj", frame + "o flat\nv 0 0 0\nv 1 0 0\nv 2 0 0\nf -3 -2 -1\n");
     expect_refused(3, "flatten both.obj -o plan", "tile frame: ");
     expect_refused(3, "flatten both.obj -o plan", "tile flat: a triangle without area");
-    // Beside a tile they are findings, and only those that were asked for.
+    // Beside a sound tile they are findings, reported only if asked for.
     workshop.write("some.obj", workshop.read("both.obj") + "o good\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n");
     EXPECT_EQ(workshop.ripstop("flatten some.obj -o plan").code, 1);
     EXPECT_EQ(workshop.ripstop("flatten some.obj --tile good -o other").code, 0);
 }
 
-// A fabric is a preset or a file of one's own, so a name that is neither is an input that is not there.
+// A fabric is a preset or the user's own file, so a name that is neither is a missing input.
 TEST_F(ExitCode, Is3ForAFabricThatIsNotThereOrMakesNoSense) {
     expect_refused(3, "flatten envelope.obj -o plan --fabric silk", "no fabric \"silk\"; known: isotropic, nylon");
     expect_refused(3, "flatten envelope.obj -o plan --fabric silk.json", "silk.json: the fabric file cannot be opened");

@@ -1,4 +1,4 @@
-/// Files of strangers that were refused, or passed, and should not have been; `check` and `flatten` end alike.
+/// Files of users that were wrongly refused or accepted. `check` and `flatten` agree on them.
 #include <gmock/gmock.h>
 
 #include "support/program.h"
@@ -14,7 +14,7 @@ using testing::Workshop;
 struct Fault {
     const char* file;
     int code;
-    const char* says;  ///< of flatten, on either stream
+    const char* says;  ///< message of flatten, on either stream
 };
 
 class FaultFile : public ::testing::TestWithParam<Fault> {};

@@ -1,4 +1,4 @@
-/// What `flatten` does with an envelope that is itself wrong.
+/// `flatten` on a faulty envelope.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using testing::ProgramRun;
 using testing::Workshop;
 
-/// Three sheets of 1 m x 1 m side by side, each `gap` beyond the one before.
+/// Three sheets of 1 m x 1 m side by side, with gaps of `gap`.
 std::vector<NamedMesh> sheets(double gap) {
     std::vector<NamedMesh> tiles;
     for (int i = 0; i < 3; ++i) {

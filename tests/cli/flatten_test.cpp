@@ -27,7 +27,7 @@ Json report_of(const Workshop& workshop, const std::string& plan) {
     return Json::parse(workshop.read(plan + "/report.json"));
 }
 
-/// The report of `ripstop flatten ARGUMENTS`.
+/// Runs `ripstop flatten ARGUMENTS` and returns its report.
 Json flattened(const Workshop& workshop, const std::string& arguments) {
     const ProgramRun run = workshop.ripstop("flatten --force --quiet -o plan " + arguments);
     EXPECT_LE(run.code, 1) << arguments << ": " << run.err;
@@ -40,7 +40,7 @@ std::vector<std::string> tile_names(const Json& report) {
     return names;
 }
 
-/// Width along the warp and height along the weft of a flat piece [m].
+/// The width along the warp and the height along the weft of a flat piece [m].
 Vec2 flat_size(const Workshop& workshop, const std::string& file) {
     std::ifstream in(workshop.path(file), std::ios::binary);
     const Points2 flat = read_obj(in, file).surfaces.at(0).drawn.value();
@@ -189,7 +189,7 @@ TEST(FlattenCommand, ReadsTheSameSurfaceInAnyUnit) {
     const Workshop workshop;
     const std::vector<NamedMesh> tiles{testing::flat_tile(), testing::curved_tile()};
     workshop.write_tiles("m.obj", tiles);
-    // On the input's own mesh: a remesher chooses, and a choice may turn on the last bit of a coordinate.
+    // Uses the input's own mesh, because a choice of the remesher may depend on the last bit of a coordinate.
     const Json metres = flattened(workshop, "m.obj --remesh never");
     for (const auto& [unit, per_metre] :
          {std::pair{"mm", 1000.0}, std::pair{"cm", 100.0}, std::pair{"in", 1 / 0.0254}, std::pair{"ft", 1 / 0.3048}}) {
@@ -199,7 +199,8 @@ TEST(FlattenCommand, ReadsTheSameSurfaceInAnyUnit) {
         for (const std::size_t i : {0u, 1u})
             for (const char* const figure : {"area_m2", "flat_area_m2", "perimeter_mm"}) {
                 const double expected = metres["tiles"][i][figure];
-                // The coordinates are rounded once more; the paper's method carries 1e-16 along through its steps.
+                // The coordinates are rounded once more; the paper's method propagates the 1e-16 through its
+                // steps.
                 EXPECT_NEAR(scaled["tiles"][i][figure].get<double>(), expected, 1e-6 * expected) << unit << figure;
             }
     }
@@ -317,12 +318,12 @@ TEST(FlattenCommand, TurnsTheWarpByTheGrainSeenFromOutside) {
 TEST(FlattenCommand, SwapsWarpAndWeftWithTheGrainWhereTheMethodKnowsNoFabric) {
     const Workshop workshop;
     workshop.write_tiles("envelope.obj", {testing::curved_tile()});
-    // It is the coarse mesh that strains differently along and across.
+    // The strains along and across differ because of the coarse mesh.
     const Json along = flattened(workshop, "envelope.obj --remesh never --method lscm")["tiles"][0];
     const Json across = flattened(workshop, "envelope.obj --remesh never --method lscm --grain 90")["tiles"][0];
     for (const char* const end : {"min", "max"}) {
         const std::string warp = std::string("warp_") + end + "_pct", weft = std::string("weft_") + end + "_pct";
-        // The grain is projected onto each triangle, so that the two mean directions are not quite a right angle apart.
+        // The grain is projected onto each triangle, so the two mean directions are not exactly at a right angle.
         EXPECT_NEAR(along["strain"][warp].get<double>(), across["strain"][weft].get<double>(), 0.01) << end;
         EXPECT_NEAR(along["strain"][weft].get<double>(), across["strain"][warp].get<double>(), 0.01) << end;
     }
@@ -373,10 +374,10 @@ TEST(FlattenCommand, RunsEveryMethodThatTheProgramNames) {
     const Workshop workshop;
     workshop.write_tiles("envelope.obj", {testing::bent_tile()});
     for (const Method& method : methods()) {
-        // A prism, which every method must lay out exactly; on another mesh of the cylinder it is a prism no more.
+        // A prism, which every method must flatten exactly. On another mesh, the cylinder is no prism.
         const Json report = flattened(workshop, std::string("envelope.obj --remesh never --method ") + method.name);
         EXPECT_EQ(report["tiles"][0]["method"], method.name);
-        // the one that is exact on planes only, see docs/methods/others.md
+        // this method is exact on planes only, see docs/methods/others.md
         if (std::string(method.name) == "kub10") continue;
         EXPECT_TRUE(report["envelope"]["manufacturable"]) << method.name;
     }

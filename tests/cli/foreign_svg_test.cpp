@@ -1,4 +1,4 @@
-/// `ripstop validate` on SVG files of other programs, each of which was once read wrongly.
+/// `ripstop validate` on SVG files from other programs, each of which was once misread.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -21,7 +21,7 @@ nlohmann::json validated(const std::filesystem::path& file, int code) {
     return nlohmann::json::parse(run.out, nullptr, false);
 }
 
-/// The width and height of a contour.
+/// The width and the height of a contour.
 std::vector<double> size_of(const nlohmann::json& contour) {
     const auto corner = [&contour](const char* key, int k) { return contour.at(key).at(k).get<double>(); };
     return {corner("upper_mm", 0) - corner("lower_mm", 0), corner("upper_mm", 1) - corner("lower_mm", 1)};
@@ -48,7 +48,7 @@ TEST(ForeignSvg, FlagsOfArcsNeedNothingBetweenThem) {
     RIPSTOP_REQUIRE_SHARED(file, "faults/files/svg_compressed_arc_flags.svg");
     const auto check = validated(file, 0);
     expect_size(check, 100, 102);
-    // 100 x 100 and the strip of 2 below, whose corners are quarters of a circle.
+    // 100 x 100, plus the strip of 2 below, whose corners are quarter circles.
     const double area = 100 * 100 + 96 * 2 + std::numbers::pi * 2;
     EXPECT_NEAR(check.at("contours").at(0).at("area_m2").get<double>() * 1e6, area, 0.1);
 }
@@ -57,9 +57,8 @@ TEST(ForeignSvg, ACircleOfBezierCurvesIsAsLargeAsACircle) {
     RIPSTOP_REQUIRE_SHARED(file, "faults/files/svg_bezier_16_chords.svg");
     const auto check = validated(file, 0);
     expect_size(check, 2000, 2000);
-    // Four cubics whose controls lie k from their ends go round 2 + 12 k / 5 - 3 k^2 / 5, by the integral of x dy;
-    // chords within
-    // 0.05 mm take at most 0.05 mm times the way round.
+    // Four cubics with control points at distance k from their ends enclose 2 + 12 k / 5 - 3 k^2 / 5, by the
+    // integral of x dy. Chords within 0.05 mm lose at most 0.05 mm times the perimeter.
     constexpr double k = 0.552285, area = 2 + 2.4 * k - 0.6 * k * k;
     EXPECT_NEAR(check.at("contours").at(0).at("area_m2").get<double>(), area, 0.05e-3 * 2 * std::numbers::pi);
     EXPECT_NEAR(check.at("contours").at(0).at("perimeter_mm").get<double>(), 2000 * std::numbers::pi, 1);

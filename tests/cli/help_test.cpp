@@ -1,4 +1,4 @@
-/// --help, and what a terminal is shown.
+/// --help, and output on a terminal.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -56,7 +56,7 @@ TEST(Help, IsNoWiderThanAPageAndHasNoColoursInAPipe) {
     }
 }
 
-/// The lines of the help that begin with two blanks and `ripstop`, without what is said of them behind.
+/// The lines of the help that begin with two blanks and `ripstop`, without the remarks behind them.
 std::vector<std::string> examples_of(const std::string& help) {
     static const std::regex line("\n  ripstop ([^\n]*)"), remark("(  |  +#).*$");
     std::vector<std::string> examples;
@@ -65,7 +65,7 @@ std::vector<std::string> examples_of(const std::string& help) {
     return examples;
 }
 
-// Those of `lift` need a drawing that somebody drew; its own tests make one.
+// The examples of `lift` need a drawing made by hand; its own tests make one.
 TEST(Help, GivesExamplesThatRun) {
     for (const std::string command : commands) {
         if (command == "lift" || command == "completion" || command == "manual") continue;
@@ -92,7 +92,7 @@ TEST(Help, GivesExamplesThatRun) {
     }
 }
 
-/// As a person at a terminal sees it, with these variables set.
+/// The output on a terminal, with these variables set.
 std::string on_terminal(const Workshop& workshop, const std::string& variables, const std::string& arguments) {
     const CommandResult run =
         testing::run_command("cd '" + workshop.path("") + "' && env -u NO_COLOR -u CLICOLOR_FORCE " + variables +

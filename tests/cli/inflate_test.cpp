@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 using testing::ProgramRun;
 using testing::Workshop;
 
-/// A small balloon, coarse: its meshes are the drawing.
+/// Makes the plan of a small, coarse balloon; its meshes are the drawing.
 void make_plan(const Workshop& workshop, const std::string& options = "") {
     EXPECT_EQ(workshop.ripstop("design natural --gores 24 --panels 6 --volume 600 --edge 400mm -o e.obj").code, 0);
     const ProgramRun run =
@@ -56,7 +56,7 @@ TEST(InflateCommand, FindsTheSameInOneSectorAndInTheWhole) {
         Json::parse(workshop.ripstop("inflate plan --tapes meridians --json --quiet --whole").out)["inflated"];
     EXPECT_EQ(sector["sectors"], 24);
     EXPECT_EQ(whole["sectors"], 1);
-    // Both are in balance to 1e-4 of pressure times edge squared: some hundredths of a millimetre.
+    // Both are in equilibrium to 1e-4 of pressure times edge squared, some hundredths of a millimetre.
     EXPECT_NEAR(sector["deviation_rms_mm"].get<double>(), whole["deviation_rms_mm"].get<double>(), 0.1);
     EXPECT_NEAR(sector["lift_n"].get<double>(), whole["lift_n"].get<double>(), 0.1);
 }
@@ -72,7 +72,7 @@ TEST(FlattenCommand, CompensatesUntilTheEnvelopeIsAsDrawn) {
     EXPECT_GT(flight["rounds"][0]["moved_rms_mm"].get<double>(), 2 * flight["moved_rms_mm"].get<double>());
     for (const Json& seam : report["seams"]) EXPECT_LT(std::abs(seam["mismatch_pct"].get<double>()), 0.1);
     EXPECT_EQ(report["envelope"]["failed_seams"].size(), 0u);
-    // What was cut is what flies: sewn again from the files.
+    // The cut pieces are inflated: sewn again from the files.
     const Json again = Json::parse(workshop.ripstop("inflate plan --json --quiet").out)["inflated"];
     EXPECT_NEAR(again["deviation_rms_mm"].get<double>(), flight["deviation_rms_mm"].get<double>(), 0.1);
 }

@@ -1,4 +1,4 @@
-/// `ripstop inspect` as a user runs it.
+/// `ripstop inspect` on the command line.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(InspectCommand, SaysWhatARhinoFileHolds) {
 }
 
 TEST(InspectCommand, SaysWhatItCouldNotReadAndWhy) {
-    ::setenv("RIPSTOP_CAD", "/nowhere/ripstop-cad", 1);  // as where no extrusion can be read
+    ::setenv("RIPSTOP_CAD", "/nowhere/ripstop-cad", 1);  // no extrusion can be read then
     const ProgramRun run = Workshop().ripstop("inspect " + fixtures + "curves_v8.3dm");
     ::unsetenv("RIPSTOP_CAD");
     EXPECT_EQ(run.code, 0) << "a file without a surface is read all the same";

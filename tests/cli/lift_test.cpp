@@ -1,4 +1,4 @@
-/// `ripstop lift` and `ripstop export --tile` as a user runs them.
+/// `ripstop lift` and `ripstop export --tile` on the command line.
 #include <gmock/gmock.h>
 
 #include <numbers>
@@ -15,7 +15,7 @@ using ::testing::Not;
 using testing::ProgramRun;
 using testing::Workshop;
 
-/// The plan of a small balloon: 24 tiles in 4 patterns, of them 6 each.
+/// The plan of a small balloon: 24 tiles in 4 patterns of 6 each.
 class LiftCommand : public ::testing::Test {
   protected:
     void SetUp() override {
@@ -23,7 +23,7 @@ class LiftCommand : public ::testing::Test {
                   0);
         ASSERT_LE(workshop.ripstop("flatten small.obj --unit m --quiet -o plan").code, 1);
     }
-    /// A file of the plan with a line across the sheet on the layer `art`.
+    /// Adds a line across the sheet, on the layer `art`, to a file of the plan.
     void draw_on(const std::string& file, const std::string& as,
                  const std::string& drawn = "<path d=\"M0 150 L9000 151\"/>") const {
         std::string text = workshop.read(file);
@@ -64,7 +64,8 @@ TEST_F(LiftCommand, PutsALineOnThePieceItWasDrawnOn) {
 }
 
 TEST_F(LiftCommand, LiftsArcsRoundCornersAndCurvesAsTheyAreDrawn) {
-    // Circles of 100 mm, the first a half: as an arc, a rectangle that is all corners, and four Bézier curves.
+    // Circles of 100 mm, the first one half: as an arc, as a rectangle that is all corners, and as four Bézier
+    // curves.
     draw_on(
         "plan/cut/tiles/G04P02.svg", "drawn.svg",
         "<path d=\"M500 600a100 100 0 01200 0\"/><rect x=\"500\" y=\"500\" width=\"200\" height=\"200\" rx=\"100\"/>"
@@ -74,7 +75,7 @@ TEST_F(LiftCommand, LiftsArcsRoundCornersAndCurvesAsTheyAreDrawn) {
     EXPECT_EQ(run.err, "");
     const std::vector<double> found = lengths("art.obj");
     ASSERT_EQ(found.size(), 3U);
-    // The cloth of so coarse a balloon is strained there by less than 3 %; among themselves they are alike.
+    // The cloth of such a coarse balloon is strained by less than 3 % there; the circles agree with each other.
     EXPECT_NEAR(found[1], 2 * std::numbers::pi * 0.1, 0.03 * found[1]);
     EXPECT_NEAR(found[0], found[1] / 2, 0.005 * found[1]);
     EXPECT_NEAR(found[2], found[1], 0.001 * found[1]);

@@ -16,7 +16,7 @@ using ::testing::Not;
 using testing::ProgramRun;
 using testing::Workshop;
 
-/// What bash offers for the last of `words`.
+/// The completions that bash offers for the last of `words`.
 std::string offered(const Workshop& workshop, const std::string& words) {
     const ProgramRun script = workshop.ripstop("completion bash");
     EXPECT_EQ(script.code, 0) << script.err;
@@ -92,7 +92,7 @@ TEST(Completion, IsTakenByFish) {
     EXPECT_EQ(offers("ripstop completion "), "bash\nfish\nzsh\n");
 }
 
-// On a terminal of its own, which zsh asks for before it completes.
+// Uses a terminal of its own, which zsh needs for completion.
 TEST(Completion, IsTakenByZsh) {
     if (std::system("command -v zsh > /dev/null") != 0) GTEST_SKIP() << "no zsh to ask";
     const Workshop workshop;

@@ -1,4 +1,4 @@
-/// Files with what every CAD mends on import, and files with a tile that nobody can mend.
+/// Files with defects that every CAD mends on import, and files with a tile that cannot be mended.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ using testing::ProgramRun;
 using testing::Workshop;
 using Json = nlohmann::json;
 
-/// `check` and `flatten` end alike; returns what flatten says, notes and all.
+/// Expects `check` and `flatten` to exit alike; returns flatten's messages, including notes.
 std::string both_end(const Workshop& workshop, const std::string& arguments, int code) {
     const ProgramRun check = workshop.ripstop("check " + arguments);
     const ProgramRun flatten = workshop.ripstop("flatten " + arguments + " --force -o plan");
@@ -51,7 +51,7 @@ TEST(MendableFiles, ATriangleWithoutAreaGoesWithANote) {
                 HasSubstr("Note: 2 triangles that lay on another taken out"));
 }
 
-/// A gore of the unit sphere as a grid of quads whose last rows of vertices lie in the poles.
+/// A gore of the unit sphere as a grid of quads whose first and last rows of vertices coincide in the poles.
 std::vector<NamedMesh> gores_with_poles(int count) {
     std::vector<NamedMesh> gores;
     for (int g = 0; g < count; ++g) {
@@ -87,7 +87,7 @@ TEST(MendableFiles, RowsOfVerticesAtThePolesAreJoinedInEveryFormat) {
 TEST(MendableFiles, TipsOfWhichEachTriangleHasItsOwnAreWelded) {
     const Workshop workshop;
     std::vector<NamedMesh> gores = gores_with_poles(24);
-    for (NamedMesh& gore : gores)  // as an exporter leaves it that drops triangles without area and nothing else
+    for (NamedMesh& gore : gores)  // as left by an exporter that drops triangles without area and does nothing else
         for (int t = gore.mesh.triangle_count() - 1; t >= 0; --t) {
             Triangles& triangles = gore.mesh.triangles;
             bool flat = false;

@@ -1,4 +1,4 @@
-/// `ripstop nest` and `ripstop diff` as a user runs them.
+/// `ripstop nest` and `ripstop diff` on the command line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -89,7 +89,7 @@ TEST(DiffCommand, Ends0For1OtherAnd3Unreadable) {
     const Json json = Json::parse(workshop.ripstop("diff one two --json").out);
     EXPECT_FALSE(json["same"]);
     const Json& first = json["pieces"][0];
-    EXPECT_NEAR(first["grain_turn_deg"], 3, 0.2);  // the cloth bends a little otherwise along another warp
+    EXPECT_NEAR(first["grain_turn_deg"], 3, 0.2);  // the cloth bends slightly differently along another warp
     const ProgramRun unreadable = workshop.ripstop("diff one nowhere");
     EXPECT_EQ(unreadable.code, 3);
     EXPECT_THAT(unreadable.err, HasSubstr("flatten the envelope first"));

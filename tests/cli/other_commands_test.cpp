@@ -62,7 +62,7 @@ TEST(DesignCommand, WritesTheTilesThatFlattenReads) {
     std::vector<std::string> names;
     for (const NamedMesh& tile : read_obj(in, "envelope.obj").surfaces) names.push_back(tile.name);
     EXPECT_THAT(names, ElementsAre("G01P01", "G01P02", "G02P01", "G02P02", "G03P01", "G03P02"));
-    // Gores a third of the way round are no cloth's work: written and judged all the same.
+    // A gore of 120 degrees is beyond what cloth can do; it is written and judged all the same.
     EXPECT_EQ(workshop.ripstop("flatten envelope.obj --tile G01P01 --method lscm -o plan").code, 1);
 }
 

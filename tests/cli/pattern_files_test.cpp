@@ -1,4 +1,4 @@
-/// `ripstop export --dialect` and `ripstop validate` as a user runs them.
+/// `ripstop export --dialect` and `ripstop validate` on the command line.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -16,7 +16,7 @@ using ::testing::Not;
 using testing::ProgramRun;
 using testing::Workshop;
 
-/// Two tiles flattened as `plan`.
+/// Flattens two tiles into `plan`.
 void flatten(const Workshop& workshop, const std::string& options = "", const std::string& plan = "plan") {
     workshop.write_tiles("two.obj", {testing::flat_tile("A"), testing::bent_tile("B")});
     const ProgramRun run = workshop.ripstop("flatten two.obj --unit m --quiet -o " + plan + " " + options);
@@ -86,7 +86,7 @@ TEST(ValidateCommand, ReportsWhatIsWrongAndEndsWithOne) {
     std::string text = workshop.read("plan/cut/tiles/A.dxf");
     const std::size_t flag = text.find(" 70\r\n1\r\n 10");
     ASSERT_NE(flag, std::string::npos);
-    text[flag + 5] = '0';  // the cut line is not closed any more
+    text[flag + 5] = '0';  // opens the cut line
     workshop.write("open.dxf", text);
     const ProgramRun run = workshop.ripstop("validate open.dxf");
     EXPECT_EQ(run.code, 1);

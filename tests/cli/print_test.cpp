@@ -23,7 +23,7 @@ std::vector<std::string> names(const Workshop& workshop, const std::string& fold
     return all;
 }
 
-/// A workshop with a cut plan of two tiles in it.
+/// A workshop with a cut plan of two tiles.
 class Print : public ::testing::Test {
   protected:
     void SetUp() override {
@@ -59,7 +59,7 @@ TEST_F(Print, ExportWritesSheetsAndPlotterFiles) {
     ASSERT_EQ(workshop.ripstop("export plan --format pdf --paper a4").code, 0);
     EXPECT_THAT(workshop.files("plan"), Contains(Key("cut-pdf-a4/envelope.pdf"))) << "papers stand beside each other";
     if (testing::run_command("pdfinfo -v").code != 0) GTEST_SKIP() << "no poppler-utils here";
-    // 2 m x 1 m and a hem round it, 258 mm x 171 mm a page, and 1.2 m x 1 m; a cover and two maps
+    // a sheet of 2 m x 1 m and its hem on pages of 258 mm x 171 mm, a sheet of 1.2 m x 1 m, a cover and two maps
     const auto info = testing::run_command("pdfinfo " + workshop.path("a4/envelope.pdf"));
     EXPECT_THAT(info.output, HasSubstr("envelope.obj, revision B"));
     EXPECT_THAT(info.output, HasSubstr("Page size:       595.276 x 841.89 pts (A4)"));

@@ -1,5 +1,4 @@
-/// How a run of the program ends from outside: signals, closed pipes, limits, other runs, folders that are not its
-/// own to replace.
+/// How outside events end a run: signals, closed pipes, limits, other runs, folders that it may not replace.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -17,16 +16,16 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::Workshop;
 
-/// A workshop with `small.obj`, which takes a moment to be written once it is flattened.
+/// A workshop with `small.obj`, whose results take a moment to write.
 class Processes : public ::testing::Test {
   protected:
     Processes() { workshop.write_tiles("small.obj", {testing::flat_tile("A"), testing::bent_tile("B")}); }
-    /// A script in the workshop, where `$RIPSTOP` is the program.
+    /// Runs a shell script in the workshop; `$RIPSTOP` is the program.
     CommandResult shell(const std::string& script) const {
         return testing::run_command("cd '" + workshop.path("") + "' && RIPSTOP='" RIPSTOP_PROGRAM "' bash -c '" +
                                     script + "'");
     }
-    /// Starts a run with slow pictures, sends it a signal as soon as its partial folder is there, prints how it ended.
+    /// Starts a run with slow pictures, sends it a signal once its partial folder exists, and prints how it ended.
     CommandResult end_while_writing(const std::string& signal) const {
         return shell(
             "set -m; $RIPSTOP flatten small.obj --unit m --quiet --pictures -o plan & run=$!;"

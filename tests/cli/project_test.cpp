@@ -1,4 +1,4 @@
-/// The project file as a user gives it to the program.
+/// The project file on the command line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ std::vector<NamedMesh> balloon() {
     return design_natural({.gores = 12, .panels = 4, .volume = 600, .edge_length = 0.5});
 }
 
-/// The first block of JSON in docs/project.md.
+/// The first JSON block in docs/project.md.
 std::string project_of_the_docs() {
     std::ifstream in(RIPSTOP_SOURCE_DIR "/docs/project.md");
     const std::string text{std::istreambuf_iterator<char>(in), {}};

@@ -28,7 +28,7 @@ using Json = nlohmann::json;
 constexpr int gores = 12, panels = 3;
 constexpr double inch = 0.0254;
 
-/// The first gore of a balloon in inches, as single precision holds it: what Rhino 4 and older keep.
+/// The first gore of a balloon in inches, in single precision, as Rhino 4 and older store it.
 std::vector<NamedMesh> gore() {
     EnvelopeDesign design;
     design.gores = gores;
@@ -48,7 +48,7 @@ Eigen::Matrix4d turn(int which) {
     return map.matrix();
 }
 
-/// Along the panel's height but leaning to one side: a warp that nobody would guess.
+/// A grain line along the panel's height that leans to one side: a warp that no default would give.
 std::array<Vec3, 2> grain_line(const NamedMesh& panel) {
     const Points3& p = panel.mesh.positions;
     const Vec3 middle = centroid(panel.mesh);
@@ -57,7 +57,7 @@ std::array<Vec3, 2> grain_line(const NamedMesh& panel) {
     double best = 0;
     for (Eigen::Index v = 0; v < p.rows(); ++v) {
         const Vec3 way = (p.row(v) - p.row(nearest)).transpose();
-        const double score = way.norm() < 25 ? way.z() + 0.3 * way.y() : 0;  // 25 inches: on the surface still
+        const double score = way.norm() < 25 ? way.z() + 0.3 * way.y() : 0;  // 25 inches: still on the surface
         if (score > best) {
             best = score;
             far = v;
@@ -75,7 +75,7 @@ Json rows(const auto& matrix) {
     return json;
 }
 
-/// Eleven gores are a block, placed by turning it; the last gore is meshes without a name, each on a layer of its own.
+/// Eleven gores are rotated instances of a block. The last gore is meshes without names, each on its own layer.
 Json scene_of(const std::vector<NamedMesh>& gore) {
     Json scene = {{"unit", "Inches"}, {"layers", {{{"name", "Gores"}}, {{"name", "Grain"}}}}};
     Json parts = Json::array(), objects = Json::array();
@@ -120,7 +120,8 @@ struct Twin {
     Json project = {{"unit", "in"}, {"tiles", Json::array()}};
 };
 
-/// The same in the order of the Rhino file, the warps said by a project. `single`: meshes that are no block lose their doubles.
+/// The same tiles in the order of the Rhino file, with warps from a project. `single`: meshes outside of blocks
+/// lose their double precision.
 Twin twin_of(const std::vector<NamedMesh>& gore, bool single) {
     Twin twin;
     std::vector<int> order = {gores - 1};
@@ -143,10 +144,10 @@ Twin twin_of(const std::vector<NamedMesh>& gore, bool single) {
     return twin;
 }
 
-/// Numbers to 1e-9 of their size, and texts, but for where the warp comes from and how long it took.
+/// Expects equal texts and numbers (to 1e-9 of their size), except for the source of the warp and run times.
 void expect_same(const Json& a, const Json& b, const std::string& place) {
     if (a.is_number() && b.is_number()) {
-        // The places are equal to rounding, the figures to what the solver makes of it.
+        // Places are equal up to rounding, figures up to what the solver makes of that.
         EXPECT_NEAR(a.get<double>(), b.get<double>(), 1e-9 * (1 + std::abs(b.get<double>()))) << place;
         return;
     }
@@ -154,7 +155,7 @@ void expect_same(const Json& a, const Json& b, const std::string& place) {
     ASSERT_EQ(a.size(), b.size()) << place;
     if (a.is_object()) {
         for (const auto& [key, value] : a.items())
-            // Where a drift of rounding size is largest is chance.
+            // If a drift is as small as rounding, its largest place is chance.
             if (key != "grain" && key != "seconds" && key != "iterations" && key != "drift_max_at_mm")
                 expect_same(value, b.value(key, Json()), place + "." + key);
     } else if (a.is_array()) {
@@ -193,7 +194,7 @@ TEST(RhinoFlatten, GivesTheCutPlanOfItsObjTwinInEveryVersion) {
         const auto files = workshop.files("plan/flat");
         ASSERT_EQ(files.size(), flat[single].size());
         for (const auto& [name, text] : files) {
-            if (name == "sewing.json") continue;  // which names the file that the plan came from
+            if (name == "sewing.json") continue;  // contains the name of the plan's file
             std::istringstream a(text), b(flat[single][name]);
             const CadModel ours = read_obj(a, name), other = read_obj(b, name);
             // To a nanometre; the file is in millimetres.
@@ -232,7 +233,7 @@ TEST(RhinoFlatten, NamesALayerWhoseSurfacesLieBelowIt) {
 }
 
 TEST(RhinoFlatten, NamesWhatIsThereWhereNoSurfaceIs) {
-    ::setenv("RIPSTOP_CAD", "/nowhere/ripstop-cad", 1);  // as where no extrusion can be read
+    ::setenv("RIPSTOP_CAD", "/nowhere/ripstop-cad", 1);  // no extrusion can be read then
     const ProgramRun run = Workshop().ripstop("flatten " RIPSTOP_SOURCE_DIR "/tests/data/rhino/curves_v8.3dm -o plan");
     ::unsetenv("RIPSTOP_CAD");
     EXPECT_EQ(run.code, 3);

@@ -1,4 +1,4 @@
-/// What the default method adds to the command line.
+/// What the default method adds on the command line.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -28,7 +28,7 @@ TEST(SeamExactCommand, HoldsTheAreaWhereAsked) {
     shop.ripstop("flatten tile.obj --keep-area -o plan");
     EXPECT_THAT(shop.read("plan/report.json"), HasSubstr("\"method\": \"seam-exact-area\""));
     const auto report = nlohmann::json::parse(shop.read("plan/report.json"));
-    EXPECT_NEAR(report["tiles"][0]["area_error_pct"].get<double>(), 0, 1e-9);  // lengths are held to 1e-11
+    EXPECT_NEAR(report["tiles"][0]["area_error_pct"].get<double>(), 0, 1e-9);  // lengths are kept to 1e-11
     EXPECT_EQ(shop.ripstop("flatten tile.obj --keep-area --method paper -o other").code, 2);
 }
 
@@ -39,7 +39,7 @@ TEST(SeamExactCommand, CutsLongerByTheCompensationOfTheProject) {
         "warp": {"from": [0, 0, 0], "to": [0, 0.5, 0]}, "compensation": {"warp_pct": 1}}]})");
     const testing::ProgramRun run = shop.ripstop("flatten sheet.obj --project shop.json -o plan");
     EXPECT_EQ(run.code, 0) << run.err;
-    // the warp runs along the short side, which is cut one per cent longer: 2 x 1.01 m2
+    // the warp runs along the short side, which is cut one per cent longer: 2 x 1.01 m²
     EXPECT_THAT(shop.read("plan/report.json"), HasSubstr("\"flat_area_m2\": 2.02"));
 }
 

@@ -1,4 +1,4 @@
-/// The unit, the size and the place of a file: what `check` calls wrong `flatten` does not pass, and says so before the work.
+/// The unit, size and position of a file: `flatten` refuses what `check` calls wrong, before it starts the work.
 #include <gmock/gmock.h>
 
 #include <cstdint>
@@ -92,7 +92,7 @@ TEST(WrongUnit, OfTheFileItselfIsWrongTooUntilOneIsGiven) {
     both_end(workshop, "sheet.ply --unit mm", 0);
 }
 
-/// The tiles moved on the map; with all the digits that a double has.
+/// The tiles shifted to map coordinates, with all digits of a double.
 std::vector<NamedMesh> on_the_map(std::vector<NamedMesh> tiles, const Vec3& by) {
     for (NamedMesh& tile : tiles) tile.mesh.positions.rowwise() += by.transpose();
     return tiles;

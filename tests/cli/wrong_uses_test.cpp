@@ -1,4 +1,4 @@
-/// What a slip of every command is answered with: one sentence in one style, the exit code, and nothing written.
+/// Every command answers a mistake with one sentence in the same style and an exit code, and writes nothing.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -22,7 +22,8 @@ struct Slip {
     const char* sentence;
 };
 
-/// `envelope.obj` and its plan, a folder, an empty file, a text, a plan of another version, and JSON that ends too soon.
+/// `envelope.obj` and its plan, a folder, an empty file, a text file, a plan of another version, and truncated
+/// JSON.
 class WrongUse : public ::testing::TestWithParam<Slip> {
   protected:
     WrongUse() {

@@ -14,7 +14,8 @@ namespace natural_shape_test {
 using std::numbers::pi;
 using ::testing::HasSubstr;
 
-/// Closed to a point at the mouth, in the unit (F/b)^(1/3), with Smalley's Sigma = (2 pi)^(1/3) w / b.
+/// A shape that is closed to a point at the mouth, in units of (F/b)^(1/3), with Smalley's Sigma = (2 pi)^(1/3) w
+/// / b.
 NaturalShape smalley(double sigma) {
     NaturalShapeOptions options;
     options.load = 1;
@@ -41,11 +42,11 @@ std::string refusal(const NaturalShapeOptions& options) {
 }
 
 constexpr double digits2 = 0.5e-2, digits3 = 0.5e-3, digits4 = 0.5e-4, digits5 = 0.5e-5, digits6 = 0.5e-6;
-constexpr double last = 1.02;  // half a unit of the last printed digit, and the rounding of the comparison
+constexpr double last = 1.02;  // half a unit of the last printed digit, plus the rounding of the comparison
 
-// An independent solver (DOP853, rtol 1e-11) made the reference figures of this file. Its heights of the equator are
-// the widest of sampled points, and some of its radii too (0.344375 for 0.344379, which a third solver confirms): hence
-// the wider tolerances on those two.
+// The reference figures of this file come from an independent solver (DOP853, rtol 1e-11). It takes the heights of
+// the equator, and some radii, from the widest of sampled points (0.344375 for 0.344379, which a third solver
+// confirms), so those two have wider tolerances.
 
 TEST(NaturalShape, ClosedFamilyHasTheKnownFigures) {
     const double table[][10] = {
@@ -134,7 +135,7 @@ TEST(NaturalShape, OpenMouthFamilyHasTheKnownFigures) {
 }
 
 TEST(NaturalShape, OpenMouthConfirmedByAThirdSolver) {
-    // Fourth-order Runge-Kutta of fixed step 1/1000, shot by Newton's method: r0/R, th0, R/L, H/L.
+    // Fourth-order Runge-Kutta with a fixed step of 1/1000, shooting by Newton's method: r0/R, th0, R/L, H/L.
     const double table[][4] = {{.15, 47.28068801699, 0.344379201319, 0.654136741634},
                                {.20, 46.16824788207, 0.350661813054, 0.657305489267}};
     for (const auto& row : table) {
@@ -262,7 +263,7 @@ TEST(NaturalShape, IsTheSameWhicheverSizeIsGiven) {
 
 TEST(NaturalShape, MeridianObeysItsEquationBetweenStationsToo) {
     for (const NaturalShape& shape : {natural_shape({}), lobed(24, 30)}) {
-        // Central differences over h = 2 cm err by h2 / 6 of the third derivative, far below 1e-4.
+        // Central differences with h = 2 cm have an error of h² / 6 times the third derivative, far below 1e-4.
         constexpr double h = 0.02;
         for (double s = 1; s < shape.length - 1; s += 0.777) {
             const MeridianPoint before = shape.point_at(s - h);

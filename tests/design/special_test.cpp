@@ -70,7 +70,7 @@ SpecialShape shape_of(std::vector<SpecialPrimitive> primitives, double edge) {
     return shape;
 }
 
-/// Spheres of radius 2 and 1.5 that meet in the circle x = 1.6 of radius 1.2.
+/// Spheres of radius 2 and 1.5, which meet in the circle x = 1.6 of radius 1.2.
 SpecialShape two_spheres(double joint = 0) {
     SpecialPrimitive other = sphere(1.5, 6, 4, "OTHER");
     other.centre = Vec3(2.5, 0, 0);
@@ -85,7 +85,7 @@ SpecialShape example() {
     return read_special_shape(in, "special.example.json");
 }
 
-/// Shapes that differ in kind: what holds must hold on each.
+/// Shapes of different kinds; every property must hold for each.
 std::vector<SpecialShape> kinds() {
     SpecialShape open = shape_of({sphere(3, 8, 4)}, 0.4);
     open.mouth = -2.6;
@@ -110,7 +110,7 @@ std::string refusal(const SpecialShape& shape) {
 
 using Place = std::array<double, 3>;
 
-/// Places that tiles of both primitives have: the joint.
+/// The joint: places where tiles of both primitives meet.
 std::vector<Vec3> joint_of(const std::vector<NamedMesh>& tiles, const std::string& one, const std::string& other) {
     std::map<Place, std::set<std::string>> owners;
     for (const NamedMesh& tile : tiles)
@@ -160,7 +160,8 @@ TEST(DesignSpecial, VolumeAndAreaConvergeWithTheSquareOfTheEdge) {
         const TilesSummary coarse = measure_tiles(design_special(shape_of({form.primitive}, form.edge)));
         const TilesSummary fine = measure_tiles(design_special(shape_of({form.primitive}, form.edge / 2)));
         EXPECT_LT(coarse.volume, form.volume) << "chords lie within";
-        // Half the edge is a quarter of the error, as exactly as irregular triangles of both meshes are alike.
+        // Half the edge length gives a quarter of the error, as far as the irregular triangles of both meshes are
+        // similar.
         EXPECT_NEAR((form.volume - coarse.volume) / (form.volume - fine.volume), 4, 1);
         EXPECT_NEAR((form.area - coarse.area) / (form.area - fine.area), 4, 1.2);
         EXPECT_NEAR(fine.volume, form.volume, 0.005 * form.volume);
@@ -187,7 +188,7 @@ TEST(DesignSpecial, SeamsLieOnTheirPlanes) {
             const double sector = std::atan2(p.y(), p.x()) / (2 * pi) * 7;
             const double ring = std::acos(std::clamp(-p.z() / 3, -1.0, 1.0)) / pi * 5;
             const bool is_pole = std::hypot(p.x(), p.y()) < 1e-9;
-            // Places between the rings come from a table of 4096 steps, a millionth of a metre fine.
+            // Places between the rings come from a table of 4096 steps, with an error of a millionth of a metre.
             EXPECT_TRUE(is_pole || std::abs(sector - std::round(sector)) < 1e-8 ||
                         std::abs(ring - std::round(ring)) < 1e-5)
                 << tile.name << ' ' << p.transpose();
@@ -235,7 +236,7 @@ TEST(DesignSpecial, JoinsSharplyOnTheCircleWhereTwoSpheresMeet) {
         }
     const auto cap = [](double radius, double height) { return pi * height * height * (radius - height / 3); };
     const double both = 4.0 / 3 * pi * (8 + 3.375) - cap(2, 0.4) - cap(1.5, 0.6);
-    EXPECT_NEAR(measure_tiles(tiles).volume, both, 0.01 * both);  // chords: a third of (edge / radius)^2
+    EXPECT_NEAR(measure_tiles(tiles).volume, both, 0.01 * both);  // chords lose a third of (edge / radius)²
 }
 
 TEST(DesignSpecial, RoundsAJointByItsRadius) {
@@ -288,7 +289,7 @@ TEST(DesignSpecial, GivesSmallPiecesToTheirNeighbours) {
 
 TEST(DesignSpecial, TheExampleHasOneHandleAndFitsTheRoll) {
     SpecialShape shape = example();
-    shape.edge_length = 0.15;  // a third of the triangles: what is asked here does not hang on them
+    shape.edge_length = 0.15;  // a third of the triangles, which does not affect this test
     const std::vector<NamedMesh> tiles = design_special(shape);
     const TilesSummary summary = measure_tiles(tiles);
     EXPECT_EQ(summary.euler, -1) << "2 less one opening and one handle";

@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace strip_test {
 
-/// The rows laid out a unit apart, each over [-1, 1].
+/// The rows laid out one unit apart, each over [-1, 1].
 TriangleMesh laid_out(const RowColumns& columns) {
     TriangleMesh mesh;
     mesh.triangles = triangulate_rows(columns);

@@ -19,7 +19,7 @@ Vec3 corner(const Eigen::VectorXd& x, int k) {
     return x.segment<3>(3 * k);
 }
 
-/// A closed skin: the sphere's eight octants, every vertex moved at random, the same wherever it is met.
+/// A closed skin: the eight octants of a sphere, with every vertex moved at random, consistently in all octants.
 std::vector<std::array<Vec3, 3>> random_closed_skin() {
     const TriangleMesh octant = testing::octant(5);
     const auto moved = [](const Vec3& at) {
@@ -48,7 +48,7 @@ double enclosed(const std::vector<std::array<Vec3, 3>>& skin) {
 
 struct Load {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-    double scale = 0;  ///< sum of the sizes
+    double scale = 0;  ///< sum of the absolute values
 };
 
 Load load_on(const std::vector<std::array<Vec3, 3>>& skin, const GasPressure& gas) {
@@ -109,7 +109,7 @@ TEST(GasPressure, RisingPressureLiftsByTheVolumeAndNeverSideways) {
 TEST(GasPressure, EvenPressureNeitherMovesNorTurns) {
     const Load load = load_on(random_closed_skin(), {30, 0, -4});
     EXPECT_LT(load.force.norm(), 1e-13 * load.scale);
-    EXPECT_LT(load.moment.norm(), 1e-12 * load.scale);  // levers of ten metres
+    EXPECT_LT(load.moment.norm(), 1e-12 * load.scale);  // lever arms of ten metres
 }
 
 TEST(GasPressure, AVertexGetsAThirdOfThePressureOnTheTrianglesRoundIt) {
@@ -125,7 +125,7 @@ TEST(GasPressure, AVertexGetsAThirdOfThePressureOnTheTrianglesRoundIt) {
 }
 
 TEST(GasPressure, AMouthInTheFloorsPlaneNeedsNoCap) {
-    // Half a sphere open downwards at the floor: the whole of it is lifted by b V, none of it aside.
+    // Half a sphere, open downwards at the floor: the lift is b V, straight up.
     const TriangleMesh octant = testing::octant(6);
     std::vector<std::array<Vec3, 3>> skin;
     for (int turn = 0; turn < 4; ++turn)
@@ -136,7 +136,7 @@ TEST(GasPressure, AMouthInTheFloorsPlaneNeedsNoCap) {
     const Load load = load_on(skin, {0, 2.7, 0});
     double volume = 0;
     for (const auto& x : skin) volume -= gas_energy({1, 0, 0}, x[0], x[1], x[2]);
-    EXPECT_NEAR(volume, enclosed(skin), 1e-13);  // the cap's own share is zero: it goes through the origin
+    EXPECT_NEAR(volume, enclosed(skin), 1e-13);  // the cap adds nothing, because it passes through the origin
     EXPECT_NEAR(load.force.z(), 2.7 * volume, 1e-13 * load.scale);
     EXPECT_LT(load.force.head<2>().norm(), 1e-13 * load.scale);
 }

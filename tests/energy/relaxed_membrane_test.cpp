@@ -22,7 +22,7 @@ struct Case {
     Eigen::VectorXd x;  ///< corners in space
 };
 
-/// Triangles of about a metre, strained by some per cent and turned.
+/// Triangles of about one metre, strained by some per cent and rotated.
 std::vector<Case> random_cases(int count, double noise) {
     std::mt19937 random(11);
     std::normal_distribution<double> normal;
@@ -59,7 +59,7 @@ TEST(RelaxedMembrane, GradientAndHessianAreTheDerivatives) {
         const auto state = [&](const Eigen::VectorXd& x) {
             return relaxed.at(green_voigt(membrane.deformation(corner(x, 0), corner(x, 1), corner(x, 2)))).state;
         };
-        bool is_inside = true;  // of its state: the Hessian jumps between two
+        bool is_inside = true;  // of its state; the Hessian jumps between two states
         for (int k = 0; k < 9; ++k)
             for (const double way : {-20 * step, 20 * step})
                 is_inside = is_inside && state(each.x + way * Eigen::VectorXd::Unit(9, k)) == state(each.x);
@@ -67,7 +67,7 @@ TEST(RelaxedMembrane, GradientAndHessianAreTheDerivatives) {
         ++count[state(each.x)];
         const SpaceElement element = element_of(each, relaxed);
         EXPECT_NEAR(element.energy, energy(each.x)[0], 1e-12 * element.energy);
-        // 60 kN/m on a metre; rounding over the step, and the strain over the step squared.
+        // 60 kN/m over a metre: the rounding error divided by the step, plus the step squared.
         EXPECT_LT((testing::jacobian(energy, each.x, step).transpose() - element.gradient).norm(), 1e-3);
         EXPECT_LT((testing::jacobian(gradient, each.x, step) - element.hessian).norm(),
                   1e-5 * element.hessian.norm() + 1e-2);
@@ -120,7 +120,7 @@ TEST(RelaxedMembrane, MovingTheTriangleAsAWholeChangesNothing) {
 }
 
 TEST(RelaxedMembrane, PrincipalTensionsAreTheTrueOnesOfTheStretchedCloth) {
-    // 1.1 along the warp, 1.05 along the weft: N = F S F^T / J bears 1.1 / 1.05 of S11 and 1.05 / 1.1 of S22.
+    // 1.1 along the warp, 1.05 along the weft: N = F S F^T / J is 1.1 / 1.05 times S11 and 1.05 / 1.1 times S22.
     Mat32 F;
     F << 1.1, 0, 0, 0, 0, 1.05;
     const Vec2 tensions = principal_tensions(F, {300, 500, 0});

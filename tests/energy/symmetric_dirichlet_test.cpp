@@ -23,7 +23,7 @@ Mat22 edges(const Vec6& x) {
     return flat;
 }
 
-/// Corners at rest, turned and shifted, then each moved by a random vector of size `noise`.
+/// The corners at rest, rotated and shifted, then each moved by a random vector of size `noise`.
 Vec6 near_rest(double noise, unsigned seed) {
     const Mat22 flat = Eigen::Rotation2Dd(0.4) * rest;
     Vec6 x;
@@ -37,7 +37,7 @@ TEST(SymmetricDirichlet, IsZeroAtRestUnderRigidMotion) {
     for (const double turn : {0.0, 0.4, 2.5}) {
         const Mat22 flat = Eigen::Rotation2Dd(turn) * rest;
         const MembraneElement element = symmetric_dirichlet(rest, flat);
-        EXPECT_LT(element.energy, 1e-29);  // squares of rounding
+        EXPECT_LT(element.energy, 1e-29);  // square of the rounding error
         EXPECT_LT(element.gradient.norm(), 1e-14);
     }
     const Mat22 strained = rest + Mat22::Constant(0.1);
@@ -51,7 +51,7 @@ TEST(SymmetricDirichlet, StretchByHand) {
     flat << 2, 0, 0, 0.25;
     EXPECT_DOUBLE_EQ(symmetric_dirichlet_energy(Mat22::Identity(), flat), 0.5 * (2.25 + 14.0625));
     EXPECT_DOUBLE_EQ(symmetric_dirichlet(Mat22::Identity(), flat).energy, 0.5 * (2.25 + 14.0625));
-    // pulled out and pressed together to the same degree cost the same
+    // stretching and compressing by the same factor cost the same
     EXPECT_DOUBLE_EQ(symmetric_dirichlet_energy(Mat22::Identity(), 2 * Mat22::Identity()),
                      symmetric_dirichlet_energy(Mat22::Identity(), 0.5 * Mat22::Identity()));
 }
@@ -91,7 +91,7 @@ TEST(SymmetricDirichlet, SemidefiniteHessianHasNoNegativeCurvature) {
         EXPECT_GT(smallest(Curvature::semidefinite), -1e-12) << seed;
         indefinite += smallest(Curvature::exact) < -1e-9;
     }
-    EXPECT_GT(indefinite, 5);  // else the test shows nothing
+    EXPECT_GT(indefinite, 5);  // otherwise the test shows nothing
 }
 
 TEST(SymmetricDirichlet, IsInfiniteForATriangleTurnedOverAndGrowsTowardsIt) {

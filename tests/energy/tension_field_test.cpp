@@ -25,13 +25,13 @@ Matrix3d stiffness(const Fabric& fabric) {
     return C;
 }
 
-/// A tension of one along `phi`, or a fold across it: (xx, yy, xy). A strain's third entry is twice that.
+/// A unit tension along `phi`, or a fold across it, as (xx, yy, xy). The third entry of a strain is twice that.
 Vector3d ray(double phi) {
     const double c = std::cos(phi), s = std::sin(phi);
     return {c * c, s * s, s * c};
 }
 
-/// psi after folding by t >= 0 across `phi`, the best t.
+/// psi after the best fold, by t >= 0, across `phi`.
 double folded_energy(const Matrix3d& C, const Vector3d& e, double phi) {
     Vector3d fold = ray(phi);
     fold[2] *= 2;
@@ -39,8 +39,8 @@ double folded_energy(const Matrix3d& C, const Vector3d& e, double phi) {
     return 0.5 * folded.dot(C * folded);
 }
 
-/// min over D >= 0 of psi(e + D) by trying: all slack, no fold, a fold across any of 2,000 directions, the best of them
-/// refined.
+/// min over D >= 0 of psi(e + D), by trial: all slack, no fold, and a fold across each of 2,000 directions, with
+/// the best of them refined.
 double brute_force(const Matrix3d& C, const Vector3d& e) {
     Eigen::Matrix2d strain;
     strain << e[0], 0.5 * e[2], 0.5 * e[2], e[1];
@@ -87,7 +87,7 @@ TEST(TensionField, IsTheLeastEnergyOverAllFolds) {
     for (const Case& each : random_cases(400)) {
         const ClothResponse response = TensionField(each.fabric).at(each.strain);
         const Matrix3d C = stiffness(each.fabric);
-        // The search is exact to rounding of the energy before folding.
+        // The search is exact up to the rounding of the energy before folding.
         const double tolerance = 1e-9 * response.energy + 1e-14 * each.strain.dot(C * each.strain);
         EXPECT_NEAR(response.energy, brute_force(C, each.strain), tolerance);
         ++count[response.state];
@@ -97,7 +97,7 @@ TEST(TensionField, IsTheLeastEnergyOverAllFolds) {
 }
 
 TEST(TensionField, StressProvesTheEnergyFromBelow) {
-    // Any S >= 0 bounds psi_r from below by S·e - S·C^-1 S / 2; its own S reaches it.
+    // Any S >= 0 bounds psi_r from below by S·e - S·C^-1 S / 2; the solution's own S attains the bound.
     for (const Case& each : random_cases(400)) {
         const ClothResponse response = TensionField(each.fabric).at(each.strain);
         const Matrix3d C = stiffness(each.fabric);
@@ -118,7 +118,7 @@ TEST(TensionField, StressAndTangentAreTheDerivatives) {
         for (const Case& each : random_cases(400)) {
             const TensionField cloth(each.fabric, residual);
             const ClothResponse response = cloth.at(each.strain);
-            bool is_inside = true;  // of its state: the tangent jumps between two
+            bool is_inside = true;  // of its state; the tangent jumps between two states
             for (int k = 0; k < 3; ++k)
                 for (const double way : {-20 * step, 20 * step})
                     is_inside = is_inside && cloth.at(each.strain + way * Vector3d::Unit(k)).state == response.state;
@@ -128,7 +128,8 @@ TEST(TensionField, StressAndTangentAreTheDerivatives) {
                 return Eigen::VectorXd::Constant(1, cloth.at(e).energy).eval();
             };
             const auto stress = [&](const Eigen::VectorXd& e) -> Eigen::VectorXd { return cloth.at(e).stress; };
-            // Rounding of an energy of some ten J/m2 over the step; the strain over the step, squared, for the rest.
+            // The rounding of an energy of about ten J/m² divided by the step, plus the square of the step over
+            // the strain.
             EXPECT_LT((testing::jacobian(energy, each.strain, step).transpose() - response.stress).norm(),
                       1e-8 * scale);
             EXPECT_LT((testing::jacobian(stress, each.strain, step) - response.tangent).norm(), 1e-5 * scale);
@@ -145,7 +146,7 @@ TEST(TensionField, TangentIsSymmetricAndNeverNegative) {
 }
 
 TEST(TensionField, FindsATensionInAVeryNarrowSector) {
-    // Less than a tenth of a degree of all directions is stretched: a scan of the half circle steps over it.
+    // Less than a tenth of a degree of all directions is stretched: a scan of the half circle misses it.
     const Vector3d strain(-0.02247315, -0.12426961, 0.10583768);
     const ClothResponse response = TensionField(testing::isotropic(1e3, 0.3)).at(strain);
     EXPECT_EQ(response.state, ClothState::wrinkled);
@@ -166,14 +167,15 @@ TEST(TensionField, IsotropicClothPullsAlongTheLargerPrincipalStrain) {
             const ClothResponse response = cloth.at(strain);
             EXPECT_EQ(response.state, ClothState::wrinkled);
             EXPECT_NEAR(response.energy, 0.5 * 1e3 * large * large, 1e-12 * 1e3 * large * large);
-            // The energy is flat in the angle: the angle is good to the root of rounding times how flat.
+            // The energy is flat in the angle, so the angle is accurate to the square root of rounding times that
+            // flatness.
             EXPECT_LT((response.stress - 1e3 * large * ray(angle)).norm(), 1e-7 * 1e3 * large);
         }
     }
 }
 
 TEST(TensionField, WrinkledShearBearsAQuarterOfTheYoungModulus) {
-    // Between rigid edges: tau = S11 = S22 = E gamma / 4 for any nu; taut cloth would bear G gamma.
+    // Between rigid edges: tau = S11 = S22 = E gamma / 4 for any nu; taut cloth would carry G gamma.
     for (const double poisson : {0.0, 0.2, 0.3, 0.5})
         for (const double gamma : {1e-4, 1e-2}) {
             const ClothResponse response = TensionField(testing::isotropic(1, poisson)).at({0, 0, gamma});
@@ -190,14 +192,14 @@ TEST(TensionField, PulledOffTheThreadsItIsAsSoftAsLaminateTheorySays) {
     const Fabric fabric = testing::balloon_nylon();
     for (const auto& [degrees, modulus] : table) {
         const Vector3d along = ray(degrees * degree);
-        // A strip in uniaxial tension; folded further across, it bears the same.
+        // A strip in uniaxial tension carries the same if it is folded further across.
         Vector3d fold = ray((degrees + 90) * degree);
         fold[2] *= 2;
         const Vector3d strain = stiffness(fabric).inverse() * (100 * along);
         for (const double folds : {0.0, 1e-4, 0.05}) {
             const ClothResponse response = TensionField(fabric).at(strain - folds * fold);
-            EXPECT_LT((response.stress - 100 * along).norm(), 1e-5) << degrees;  // N/m, the angle's rounding
-            EXPECT_NEAR(100 / strain.dot(along), modulus, 0.5);                  // the table's digits
+            EXPECT_LT((response.stress - 100 * along).norm(), 1e-5) << degrees;  // N/m; the rounding of the angle
+            EXPECT_NEAR(100 / strain.dot(along), modulus, 0.5);                  // the digits of the table
         }
     }
 }

@@ -34,7 +34,8 @@ Mat22 edges(const Vec6& x) {
     return flat;
 }
 
-/// Corners of the triangle abc laid flat, turned and shifted, then each moved by a random vector of size `noise`.
+/// The corners of the triangle abc laid flat, rotated and shifted, then each moved by a random vector of size
+/// `noise`.
 Vec6 near_rest(double noise, unsigned seed) {
     const Mat22 flat = Eigen::Rotation2Dd(0.4) * lay_flat(a, b, c);
     Vec6 x;
@@ -49,7 +50,7 @@ TEST(WovenMembrane, IsZeroAtRestUnderRigidMotion) {
     for (const double turn : {0.0, 0.4, 2.5}) {
         const Mat22 flat = Eigen::Rotation2Dd(turn) * lay_flat(a, b, c);
         const MembraneElement element = membrane.element(triangle_metric(a, b, c), flat);
-        EXPECT_LT(std::abs(element.energy), 1e-25 * 20e3);  // squares of rounding
+        EXPECT_LT(std::abs(element.energy), 1e-25 * 20e3);  // square of the rounding error
         EXPECT_LT(element.gradient.norm(), 1e-11);          // rounding of 20 kN/m
     }
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(1, Vec3(1, 2, 3).normalized()).toRotationMatrix();
@@ -59,7 +60,7 @@ TEST(WovenMembrane, IsZeroAtRestUnderRigidMotion) {
 }
 
 TEST(WovenMembrane, WarpStretchByHand) {
-    // A right triangle 1 x 1 on the cloth whose warp side is 1.01 in space.
+    // A right triangle 1 x 1 on the cloth, whose warp side is 1.01 long in space.
     Fabric fabric = balloon_cloth();
     const TriangleMetric metric = triangle_metric(Vec3(0, 0, 0), Vec3(1.01, 0, 0), Vec3(0, 1, 0));
     const double strain = 0.5 * (1.01 * 1.01 - 1);
@@ -73,7 +74,7 @@ TEST(WovenMembrane, WarpStretchByHand) {
 }
 
 TEST(WovenMembrane, ShearByHand) {
-    // Threads that cross at 90 - 3 degrees, unstretched: 2 E12 = sin 3 degrees.
+    // Threads that cross at 90 - 3 degrees without stretch: 2 E12 = sin 3 degrees.
     const double angle = 3 * degree;
     const TriangleMetric metric =
         triangle_metric(Vec3::Zero(), Vec3(1, 0, 0), Vec3(std::sin(angle), std::cos(angle), 0));
@@ -126,12 +127,12 @@ TEST(WovenMembrane, SemidefiniteHessianIsNoSmallerAndHasNoNegativeCurvature) {
         EXPECT_GT(smallest(projected - exact), -1e-12 * exact.norm()) << seed;
         indefinite += smallest(exact) < -1e-9 * exact.norm();
     }
-    EXPECT_GT(indefinite, 5);  // else the test shows nothing
+    EXPECT_GT(indefinite, 5);  // otherwise the test shows nothing
 }
 
 TEST(WovenMembrane, SemidefiniteHessianIsTheExactOneWhereTheClothIsSlightlyTooLarge) {
-    // Cloth 0.1 % too large every way: a linear turn of the corners enlarges it further, which costs energy, and the
-    // compression is far below what would overcome the shear stiffness.
+    // Cloth that is 0.1 % too large in every direction. A linear rotation of the corners enlarges it further,
+    // which costs energy; the compression is far too small to overcome the shear stiffness.
     const WovenMembrane membrane(balloon_cloth());
     const TriangleMetric metric = triangle_metric(a, b, c);
     const Mat22 flat = 1.001 * lay_flat(a, b, c);
@@ -161,7 +162,7 @@ TEST(MembraneEnergy, SumsOverTheMeshAndIsZeroOnItsOwnPlane) {
     const TriangleMesh mesh = testing::rectangle(2, 1, 6, 4);
     const Points2 flat = mesh.positions.leftCols<2>();
     EXPECT_LT(membrane_energy(mesh, flat, balloon_cloth()), 1e-20);
-    // Cloth 1 % short along the warp: ½ c11 E² on the smaller flat area.
+    // Cloth that is 1 % too short along the warp: ½ c11 E² on the smaller flat area.
     Points2 shorter = flat;
     shorter.col(0) /= 1.01;
     const double strain = 0.5 * (1.01 * 1.01 - 1);

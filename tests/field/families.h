@@ -4,22 +4,22 @@
 
 namespace ripstop::field {
 
-/// Developable strips: straps round a cylinder, belts, curved hems.
+/// Developable strips: straps around a cylinder, belts, curved hems.
 std::vector<Case> straps();
 std::vector<Case> belts();
 
-/// Tiles sewn to themselves: tubes and cones cut open, and rings.
+/// Tiles sewn to themselves: tubes and cones that are cut open, and rings.
 std::vector<Case> sleeves();
 std::vector<Case> rings();
 std::vector<Case> skirts();
 
-/// Flat panels whose outline comes close to itself.
+/// Flat panels with an outline that nearly touches itself.
 std::vector<Case> keyholes();
 
 /// Gores of a sphere with points, short edges, openings or unwelded triangles at their tips.
 std::vector<Case> gores();
 
-/// Several sheets on an edge.
+/// Several sheets on one edge.
 std::vector<Case> ribs();
 std::vector<Case> fins();
 

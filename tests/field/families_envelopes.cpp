@@ -21,7 +21,7 @@ TriangleMesh turned(TriangleMesh mesh, double angle) {
     return mesh;
 }
 
-/// Each triangle at the first and the last vertex gets a copy of that vertex, as some exporters write them.
+/// Duplicates the first and the last vertex for each of their triangles, as some exporters do.
 TriangleMesh with_unwelded_tips(TriangleMesh mesh) {
     for (const int tip : {0, mesh.vertex_count() - 1}) {
         bool is_first = true;
@@ -36,7 +36,8 @@ TriangleMesh with_unwelded_tips(TriangleMesh mesh) {
     return mesh;
 }
 
-/// A gore of the unit sphere whose tips are edges of `width` [rad of the gore's angle at the equator], or points.
+/// A gore of the unit sphere whose tips are points, or edges with a width of `tip` [rad of longitude at the
+/// equator].
 TriangleMesh blunt_gore(double angle, int columns, int rows, double tip) {
     return grid(columns, rows, [=](double u, double v) {
         const double most = pi / 2 - std::asin(std::min(1.0, tip / angle));
@@ -46,12 +47,12 @@ TriangleMesh blunt_gore(double angle, int columns, int rows, double tip) {
     });
 }
 
-/// The upper or lower line of a wing section at x in [0, 1] of the chord: an arc of a parabola, closed at both ends.
+/// Half the thickness of a wing section at x in [0, 1] of the chord: a parabola that is closed at both ends.
 double section(double x, double height) {
     return 4 * height * x * (1 - x);
 }
 
-/// A skin between two ribs: ruled across, so developable. Counter-clockwise seen from outside.
+/// A skin between two ribs, ruled across and therefore developable. Counter-clockwise as seen from outside.
 TriangleMesh wing_skin(double y0, double y1, double chord, double height, int along, int across, bool is_upper) {
     return grid(across, along, [=](double u, double v) {
         const double x = is_upper ? 1 - v : v;
@@ -67,7 +68,7 @@ TriangleMesh wing_rib(double y, double chord, double height, int along, int acro
     });
 }
 
-/// Degenerate cells at both ends become triangles: cells without area are left out.
+/// Removes triangles without area, which come from degenerate cells at both ends.
 TriangleMesh without_empty(const TriangleMesh& mesh) {
     std::vector<int> kept;
     std::vector<int> same(static_cast<std::size_t>(mesh.vertex_count()));
@@ -108,12 +109,14 @@ Case wing(int cells, int along) {
     }
     for (int i = 0; i <= cells; ++i) {
         TriangleMesh rib = without_empty(wing_rib(width * i, chord, height, along, 2));
-        // Those at the tips close the wing: their outside is that of the skin. Of the others any side may be up.
+        // Ribs at the tips close the wing, so their outside is that of the skin. Other ribs may have either side
+        // up.
         if (i == cells || i % 2 == 1) rib.triangles.col(1).swap(rib.triangles.col(2));
         wing.tiles.push_back({fmt::format("R{:02d}", i), std::move(rib)});
     }
     wing.expected.is_isometric = true;
-    // At nose and tail of each cell; above and below each rib, where at the tips it is one of two sheets, else one of three.
+    // At nose and tail of each cell; above and below each rib: one of two sheets at the tips, one of three
+    // elsewhere.
     wing.expected.seams = 2 * cells + 4 + 4 * (cells - 1);
     return wing;
 }
@@ -150,7 +153,7 @@ std::vector<Case> gores() {
             kinds.emplace_back(fmt::format("tips of {:.4g} mm", tip * radius * 1000), blunt_gore(angle, 4, 24, tip));
         for (auto& [name, mesh] : kinds) {
             mesh.positions *= radius;
-            // The sphere's own circle loses what a chord of 7.5 degrees does; flat cloth up to 1 % more.
+            // The sphere's circle loses what a chord of 7.5 degrees loses; flat cloth loses up to 1 % more.
             Case one{"gore", fmt::format("of {}, {}, alone", count, name), {{"G01", mesh}}, {}};
             one.expected = {true, false, area / count * 0.98, area / count * 1.01, 0, 1};
             Case all{"gore", fmt::format("{} with {}", count, name), {}, {}};
@@ -186,10 +189,10 @@ std::vector<Case> pools() {
             const TriangleMesh floor = grid(sides, 1, [=](double u, double v) {
                 return Vec3(2 * (1 - v) * std::cos(2 * pi * u), 2 * (1 - v) * std::sin(2 * pi * u), 0);
             });
-            // Seen from outside, so from below.
+            // Seen from outside, that is from below.
             TriangleMesh disc = without_empty(floor);
             disc.triangles.col(1).swap(disc.triangles.col(2));
-            // `grid` closes the circle with a copy of its first point, which `without_empty` joins.
+            // `grid` closes the circle with a copy of its first point, which `without_empty` merges.
             TriangleMesh wall = testing::cylinder(2, 2 * pi, height, sides, 1);
             wall = turned(wall, pi);
             const double smooth = 4 * pi + 4 * pi * height;
@@ -203,7 +206,7 @@ std::vector<Case> pools() {
 
 std::vector<Case> tents() {
     std::vector<Case> cases;
-    // Equal segments of a pyramid with a kink: flat above and below it.
+    // Equal segments of a pyramid with a kink; flat above and below it.
     for (const int count : {5, 6, 8, 10})
         for (const int rows : {2, 6}) {
             Case tent{"tent", fmt::format("{} segments, {} rows", count, rows), {}, {}};
@@ -226,7 +229,7 @@ std::vector<Case> tents() {
 
 std::vector<Case> covers() {
     std::vector<Case> cases;
-    // A boat cover: strips across a gentle saddle along the keel.
+    // A boat cover: strips across a shallow saddle along the keel.
     for (const int strips : {3, 6})
         for (const double sag : {0.05, 0.15})
             for (const int edges : {4, 10}) {

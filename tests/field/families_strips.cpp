@@ -15,13 +15,13 @@ namespace {
 using std::numbers::pi;
 using testing::grid;
 
-/// What a polyline of `count` chords of a circle is of its arc.
+/// The ratio of a polyline of `count` chords to its circular arc.
 double chord_ratio(double angle, int count) {
     const double half = angle / count / 2;
     return std::sin(half) / half;
 }
 
-/// A strip round a cylinder: quads between rulings, each flat.
+/// A strip around a cylinder: flat quads between rulings.
 TriangleMesh strap(double radius, double angle, double width, double slant, int quads) {
     return grid(quads, 1, [=](double u, double v) {
         const double phi = angle * u;
@@ -105,7 +105,8 @@ std::vector<Case> sleeves() {
 
 std::vector<Case> rings() {
     std::vector<Case> cases;
-    // A frustum of flat angle `turn` sewn to itself: the gap at its inner edge is too narrow for two allowances near 360.
+    // A frustum whose flat angle is `turn`, sewn to itself: near 360, the gap at its inner edge is too narrow for
+    // two allowances.
     for (const double turn : {300.0, 340.0, 352.0, 356.0, 359.0})
         for (const double inner : {0.1, 0.3, 1.0}) {
             const double half = std::asin(turn / 360), outer = inner + 0.5;

@@ -39,7 +39,7 @@ const std::vector<Variant>& variants() {
     return all;
 }
 
-/// As a CAD writes it: six decimals.
+/// Six decimals, as a CAD writes them.
 std::vector<NamedMesh> through_a_file(std::vector<NamedMesh> tiles, const std::string& unit) {
     const double metres = metres_per_unit(unit);
     for (NamedMesh& tile : tiles)
@@ -128,7 +128,7 @@ void judge_tiles(const Case& each, const Run& run, std::vector<std::string>& wro
         if (each.expected.is_isometric && !(strain < 1e-3))
             wrong.push_back(fmt::format("{} has a strain of {:.3f} %", tile.tile.name, 100 * strain));
     }
-    // The file rounds each coordinate: the outline is off by as much.
+    // The file rounds each coordinate, so the outline has an error of the same size.
     const double rounding = each.variant.unit.empty() ? 0 : 1e-6 * metres_per_unit(each.variant.unit) * outline;
     if (!(area >= each.expected.area_least - rounding && area <= each.expected.area_most + rounding))
         wrong.push_back(fmt::format("flat area {:.6f} m2, expected {:.6f} to {:.6f}", area, each.expected.area_least,
@@ -141,7 +141,7 @@ void judge_tiles(const Case& each, const Run& run, std::vector<std::string>& wro
         wrong.push_back(fmt::format("{} seams, expected {}", run.plan.seams.size(), *each.expected.seams));
 }
 
-/// Every point of the sew line lies within the cut line or on it.
+/// Every point of the sew line lies inside the cut line or on it.
 void judge_pieces(const Run& run, std::vector<std::string>& wrong) {
     if (!run.plan.manufacturable()) return;
     for (const PatternPiece& piece : run.pieces) {
@@ -159,7 +159,7 @@ void judge_pieces(const Run& run, std::vector<std::string>& wrong) {
             wrong.push_back(piece.name + ": a point of the sew line is outside the cut line");
             break;
         }
-        // A cut line follows its piece: nowhere is it farther from the sew line than the widest allowance at a mitred corner.
+        // The cut line is nowhere farther from the sew line than the widest allowance at a mitred corner.
         double widest = 0;
         for (const PieceEdge& edge : piece.edges) widest = std::max(widest, edge.allowance);
         for (Eigen::Index i = 0; i < piece.sew_line.rows(); ++i) {

@@ -13,13 +13,13 @@ TEST(Field, HasAtLeastTwoThousandCases) {
     EXPECT_GE(field_cases().size(), 2000U);
 }
 
-/// A fixed sample of `make field`: of each family a few cases, another variant each.
+/// A fixed sample of `make field`: a few cases of each family, in different variants.
 TEST(Field, HoldsInASampleOfEveryFamily) {
     std::map<std::string, int> seen;
     std::map<std::string, int> counts;
     for (const Case& each : field_cases()) ++counts[each.family];
     for (const Case& each : field_cases()) {
-        // Steps that are prime to the number of variants.
+        // Steps that are coprime to the number of variants.
         const int step = std::max(1, counts[each.family] / 6) | 1;
         if (seen[each.family]++ % step != 0) continue;
         for (const std::string& sentence : failures_of(each)) ADD_FAILURE() << each.text() << ": " << sentence;

@@ -1,4 +1,4 @@
-/// make field: every case of every family; prints what does not hold and a line a family.
+/// make field: runs every case of every family; prints the failures and one line per family.
 #include <fmt/format.h>
 
 #include <chrono>

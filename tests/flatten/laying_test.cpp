@@ -48,7 +48,7 @@ TEST(RepairFlippedTriangles, NeverLeavesMoreThanThereWere) {
     const TriangleMesh mesh = testing::rectangle(1, 1, 10, 10);
     const Adjacency adjacency(mesh.triangles, mesh.vertex_count());
     Points2 folded = mesh.positions.leftCols(2);
-    folded.col(0) = (folded.col(0).array() - 0.5).abs();  // half of it upside down: no local repair can help
+    folded.col(0) = (folded.col(0).array() - 0.5).abs();  // half of it is flipped: no local repair can help
     const int before = count_flipped(mesh.triangles, folded);
     ASSERT_EQ(before, 100);
     EXPECT_LE(repair_flipped_triangles(mesh, adjacency, 50, folded), before);

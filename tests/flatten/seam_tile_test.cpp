@@ -13,7 +13,7 @@ namespace seam_tile_test {
 
 using Vector = Eigen::VectorXd;
 
-/// A gore between two others, its seams somewhat longer than drawn.
+/// A gore between two others, with seams slightly longer than drawn.
 struct Case {
     Envelope envelope = testing::gores({0.6, 0.4}, 3, 4, 8);
     SeamStretch stretch = find_seam_stretch(envelope);
@@ -56,7 +56,7 @@ TEST(SeamTile, PredictsToSecondOrderWhereAChangeTakesIt) {
     c.tile.aim(change);
     const int before = c.tile.factorizations();
     const double aimed = c.tile.attempt(0.5);
-    EXPECT_LE(c.tile.factorizations() - before, 2);  // Newton from an error of the order of 1e-6
+    EXPECT_LE(c.tile.factorizations() - before, 2);  // Newton from an error of about 1e-6
     ASSERT_TRUE(c.tile.hold(c.h + 0.5 * change));
     EXPECT_NEAR(aimed, c.tile.energy(), 1e-9 * aimed);
 }
@@ -64,7 +64,7 @@ TEST(SeamTile, PredictsToSecondOrderWhereAChangeTakesIt) {
 TEST(SeamTile, SaysWhereItsEdgesCannotBeHeld) {
     Case c;
     Vector h = c.h;
-    h[0] = 100;  // one edge longer than all the others together
+    h[0] = 100;  // one edge is longer than all others together
     EXPECT_FALSE(c.tile.hold(h));
 }
 

@@ -10,7 +10,7 @@ namespace fair_curve_test {
 
 constexpr double pi = std::numbers::pi;
 
-/// Round a circle of 1 m, every second vertex `height` further out.
+/// Points on a circle of 1 m, every second one `height` farther out.
 Points2 toothed_circle(int count, double height) {
     Points2 points(count, 2);
     for (int i = 0; i < count; ++i) {
@@ -50,7 +50,7 @@ TEST(FairCurve, KeepsTheEndsOfAnOpenChain) {
     EXPECT_EQ(fair.row(0), chain.row(0));
     EXPECT_EQ(fair.row(23), chain.row(23));
     const Points2 steps = fair.bottomRows(23) - fair.topRows(23);
-    EXPECT_LT(steps.col(1).cwiseAbs().maxCoeff(), 0.2);  // of the chain 0.8
+    EXPECT_LT(steps.col(1).cwiseAbs().maxCoeff(), 0.2);  // the chain has 0.8
     EXPECT_GT(steps.col(0).minCoeff(), 0.5);
 }
 
@@ -61,7 +61,7 @@ TEST(FairCurve, OfAnImageWithTheSameLengthsAndTurnsIsAsLong) {
     Points2 turned(50, 2);
     for (int i = 0; i < 50; ++i) turned.row(i) << 3 - chain(i, 1), 5 + chain(i, 0);
     EXPECT_NEAR(curve.of_image(layout_of(turned, true)).length, curve.line().length, 1e-9);
-    // Teeth that fold by a hundredth: the same edges go farther.
+    // Teeth that fold back at a hundredth: the same edges reach farther.
     layout.turns *= 0.99;
     EXPECT_GT(curve.of_image(layout).length, curve.line().length * 1.0005);
 }

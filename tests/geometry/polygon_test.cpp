@@ -20,7 +20,7 @@ Points2 polygon(std::initializer_list<std::array<double, 2>> corners) {
 
 const Points2 l_shape = polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});
 
-/// A band of constant width wound `turns` times: long, curled, and nowhere crossing.
+/// A band of constant width in `turns` windings: long, curled, without crossings.
 Points2 spiral(double turns, int points_a_side) {
     Points2 result(2 * points_a_side, 2);
     for (int i = 0; i < points_a_side; ++i) {
@@ -76,7 +76,7 @@ TEST(LargestCircleInside, OfARectangleIsAsWideAsIt) {
 }
 
 TEST(LargestCircleInside, OfAnLSitsInTheCorner) {
-    // It touches both outer sides and the inner corner (1, 1): r + r / sqrt 2 = 1 along the diagonal.
+    // The circle touches both outer sides and the inner corner (1, 1): r + r / sqrt 2 = 1 along the diagonal.
     const Circle circle = largest_circle_inside(l_shape, 1e-4);
     EXPECT_NEAR(circle.radius, std::sqrt(2) / (1 + std::sqrt(2)), 1e-4);
 }
@@ -101,7 +101,7 @@ TEST(SelfIntersections, FindsTheCrossingOfAnEight) {
 }
 
 TEST(SelfIntersections, CountsAnOverlapOfTwoArmsAsTwoCrossings) {
-    // One finger of the outline pushed across the opposite side.
+    // One finger of the outline is pushed across the opposite side.
     const Points2 pushed = polygon({{0, 0}, {4, 0}, {4, 1}, {2.5, 1}, {2, -1}, {1.5, 1}, {0, 1}});
     const SelfIntersections found = self_intersections(pushed);
     EXPECT_EQ(found.count, 2);
@@ -118,7 +118,7 @@ TEST(SelfIntersections, CountsATouchOnceAndAFoldWithTheCornerItLeaves) {
 }
 
 TEST(SelfIntersections, AreFastForThreeThousandCornersEvenAllAcross) {
-    // A comb whose teeth are all as long as the whole: every edge shares its span with every other.
+    // A comb whose teeth are as long as the whole: the spans of all edges overlap.
     Points2 comb(3000, 2);
     for (int i = 0; i < 2999; ++i) comb.row(i) << (i % 2 == 0 ? 0.0 : 1.0), 1e-4 * i;
     comb.row(2999) << -1, 0.15;

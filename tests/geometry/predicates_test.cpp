@@ -8,7 +8,8 @@
 namespace ripstop {
 namespace predicates_test {
 
-/// The sign by whole numbers: coordinates that are multiples of 2^-40 below 2^10 fit 50 bits, their products 128.
+/// The sign in integer arithmetic: coordinates that are multiples of 2^-40 below 2^10 fit 50 bits, their products
+/// 128.
 int by_whole_numbers(const Vec2& a, const Vec2& b, const Vec2& c) {
     __extension__ using Wide = __int128;
     const auto whole = [](double x) { return static_cast<Wide>(std::ldexp(x, 40)); };
@@ -25,13 +26,14 @@ TEST(Orient2d, KnowsLeftRightAndOn) {
 }
 
 TEST(Orient2d, IsRightWhereRoundingDecides) {
-    // A grid of neighbouring doubles around (0.5, 0.5) against the line through (12, 12) and (24, 24): the textbook case
-    // in which plain arithmetic gives wrong signs in blotches.
+    // A grid of adjacent doubles around (0.5, 0.5) and the line through (12, 12) and (24, 24): the textbook case
+    // in which plain arithmetic gives wrong signs in patches.
     int wrong_if_plain = 0;
     const Vec2 b(12, 12), c(24, 24);
     for (int i = 0; i < 64; ++i)
         for (int j = 0; j < 64; ++j) {
-            // multiples of 2^-53 are beyond the whole-number oracle; here the answer is known: below the diagonal turns right
+            // multiples of 2^-53 exceed the integer oracle, but the answer is known: below the diagonal turns
+            // right
             const Vec2 a(0.5 + i * 0x1p-53, 0.5 + j * 0x1p-53);
             const int expected = (a.y() > a.x()) - (a.y() < a.x());
             EXPECT_EQ(orient2d(a, b, c), expected) << i << ' ' << j;

@@ -34,10 +34,11 @@ TEST(Simplified, KeepsEveryPointWithinTheToleranceAndBothEnds) {
         EXPECT_EQ(less.row(0), line.row(0));
         EXPECT_EQ(less.row(less.rows() - 1), line.row(400));
         for (Eigen::Index i = 0; i <= 400; ++i) EXPECT_LE(distance(line.row(i), less), tolerance * (1 + 1e-9));
-        // A chord over the angle t stands off by 1 - cos(t / 2): about t^2 / 8, so 2 / t segments, and less than twice that.
+        // A chord over the angle t has the sagitta 1 - cos(t / 2), about t^2 / 8. So 2 / t segments suffice, and
+        // there are less than twice that.
         const double fewest = 2 / std::sqrt(8 * tolerance);
         EXPECT_LT(static_cast<double>(less.rows()), 2 * fewest + 2);
-        // and is short by t^2 / 24 = tolerance / 3 of its length
+        // it is too short by t^2 / 24 = tolerance / 3 of its length
         EXPECT_GT(length(less), length(line) * (1 - tolerance / 2));
     }
 }

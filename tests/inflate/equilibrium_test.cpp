@@ -31,7 +31,7 @@ double farthest(const Points3& a, const Points3& b) {
     return (a - b).rowwise().norm().maxCoeff();
 }
 
-/// Every free direction moved at random.
+/// Moves every free direction at random.
 Points3 shaken(const SewnEnvelope& sewn, const Points3& nodes, double by) {
     std::mt19937 random(4);
     std::normal_distribution<double> normal(0, by);
@@ -43,13 +43,13 @@ Points3 shaken(const SewnEnvelope& sewn, const Points3& nodes, double by) {
 }
 
 TEST(Balance, ForcesAndStiffnessOfAWholeEnvelopeAreTheDerivatives) {
-    // One sector of eight, its sides on each other turned, with tapes, wires, a crown ring and a cap; and a wall of
-    // tiles that hang on each other's edges.
+    // One sector of eight, with sides that are rotated copies of each other, tapes, wires, a crown ring and a cap;
+    // and a wall of tiles that hang on each other's edges.
     for (const bool with_t_junctions : {false, true}) {
         SewnEnvelope sewn = with_t_junctions ? sew(flatten_envelope(make_envelope(brick_wall(3, 4), {}), {}))
                                              : sewn_balloon(lobed, true);
         Balance balance(sewn, {10, 2.7, sewn.floor - 1}, 1);
-        // Stretched all over, so that no triangle is near a jump of its stiffness.
+        // Stretched everywhere, so that no triangle is near a jump of its stiffness.
         Points3 nodes = shaken(sewn, sewn.nodes, 1e-3);
         for (Eigen::Index n = 0; n < nodes.rows(); ++n)
             for (int axis = 0; axis < 3; ++axis)
@@ -64,7 +64,7 @@ TEST(Balance, ForcesAndStiffnessOfAWholeEnvelopeAreTheDerivatives) {
             const Eigen::VectorXd way =
                 Eigen::VectorXd::NullaryExpr(balance.unknowns(), [&] { return normal(random); });
             constexpr double step =
-                1e-8;  // short, so that no triangle of thousands jumps from taut to wrinkled on the way
+                1e-8;  // short, so that none of thousands of triangles changes from taut to wrinkled
             const Points3 up = balance.moved(nodes, step * way), down = balance.moved(nodes, -step * way);
             const double rise = (balance.energy(up) - balance.energy(down)) / (2 * step);
             EXPECT_NEAR(rise, gradient.dot(way), 1e-6 * gradient.norm() * way.norm());
@@ -125,7 +125,7 @@ TEST(Equilibrium, IsWhereRelaxationWithoutAMatrixComesToRest) {
     ASSERT_EQ(slow.summary.termination, Termination::converged);
     EXPECT_NEAR(slow.energy, newton.energy, 1e-7 * std::abs(newton.energy));
     EXPECT_GE(slow.energy, newton.energy - 1e-12 * std::abs(newton.energy));
-    EXPECT_LT(farthest(slow.nodes, newton.nodes), 2e-3);  // what forces of 1e-4 leave open
+    EXPECT_LT(farthest(slow.nodes, newton.nodes), 2e-3);  // the uncertainty at residual forces of 1e-4
 }
 
 TEST(Equilibrium, HardlyDependsOnTheResidualStiffness) {
@@ -135,7 +135,7 @@ TEST(Equilibrium, HardlyDependsOnTheResidualStiffness) {
         ASSERT_EQ(soft.summary.termination, Termination::converged);
         const Balance balance(sewn, hot_air(sewn), 0);
         EXPECT_NEAR(balance.volume(usual.nodes), balance.volume(soft.nodes), 5e-4 * balance.volume(soft.nodes));
-        EXPECT_LT(farthest(usual.nodes, soft.nodes), 0.01);  // a half per mille of the height
+        EXPECT_LT(farthest(usual.nodes, soft.nodes), 0.01);  // 0.05 % of the height
     }
 }
 

@@ -15,14 +15,14 @@ void expect_place(const Place& found, const Place& expected) {
 }
 
 TEST(Joints, TheLaterPointHangsOnTheEarlierTurnedBack) {
-    // 7 turned by two sectors is 3: so 7 is 3 turned by six of eight.
+    // 7 rotated by two sectors is 3, so 7 is 3 rotated by six of eight.
     Joints joints(10, 8);
     EXPECT_TRUE(joints.join({{3, 1, 0}}, {{7, 1, 2}}));
     EXPECT_TRUE(joints.is_free(3));
     EXPECT_FALSE(joints.is_free(7));
     expect_place(joints.resolved({{7, 1, 0}}), {{3, 1, 6}});
     expect_place(joints.resolved({{7, 1, 2}}), {{3, 1, 0}});
-    // In the other order too.
+    // The same in the other order.
     Joints other(10, 8);
     EXPECT_TRUE(other.join({{7, 1, 2}}, {{3, 1, 0}}));
     expect_place(other.resolved({{7, 1, 0}}), {{3, 1, 6}});
@@ -37,7 +37,7 @@ TEST(Joints, WeightsAndTurnsAreCarriedThrough) {
 }
 
 TEST(Joints, WhatHangsOffAChordKeepsItsWayOffIt) {
-    // 8, a quarter turn on, hangs 10 mm outside the middle between 1 and 2.
+    // 8, rotated by a quarter turn, hangs 10 mm outside of the midpoint between 1 and 2.
     Joints joints(10, 4);
     Place chord = {{1, 0.5, 0}, {2, 0.5, 0}};
     chord.offset = Vec3(0, 0.01, 0.002);
@@ -45,14 +45,14 @@ TEST(Joints, WhatHangsOffAChordKeepsItsWayOffIt) {
     const Place turned_on = joints.resolved({{8, 1, 1}}), first = joints.resolved({{8, 1, 0}});
     EXPECT_LT((turned_on.offset - chord.offset).norm(), 1e-15);
     EXPECT_LT((first.offset - Vec3(0.01, 0, 0.002)).norm(), 1e-15);
-    // The middle between 8 and 9 is half as far off.
+    // The midpoint between 8 and 9 is half as far off.
     EXPECT_LT((joints.resolved({{8, 0.5, 0}, {9, 0.5, 0}}).offset - Vec3(0.005, 0, 0.001)).norm(), 1e-15);
 }
 
 TEST(Joints, NothingComesToHangOnItself) {
     Joints joints(10, 1);
     EXPECT_TRUE(joints.join({{4, 1, 0}}, {{2, 0.5, 0}, {3, 0.5, 0}}));
-    // 2 half way between 4, which hangs on it, and 5.
+    // 2 would be the midpoint between 4, which hangs on it, and 5.
     EXPECT_FALSE(joints.join({{2, 1, 0}}, {{4, 0.5, 0}, {5, 0.5, 0}}));
     EXPECT_TRUE(joints.is_free(2));
     EXPECT_TRUE(joints.join({{4, 1, 0}}, {{5, 1, 0}}));  // 5 is free to follow

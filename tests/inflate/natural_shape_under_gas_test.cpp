@@ -1,5 +1,5 @@
-/// The designed shapes are equilibria of the sewn envelope: two independent ways to the same shape, an ordinary
-/// differential equation along the meridian and a mesh of cloth in space.
+/// The designed shapes are equilibria of the sewn envelope. Two independent ways give the same shape: an ordinary
+/// differential equation along the meridian, and a mesh of cloth in space.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,13 +32,13 @@ Inflated in_flight(const CutPlan& plan, RestState rest, double stiffer) {
 TEST(NaturalShapeUnderGas, StiffClothKeepsTheSmoothShape) {
     const Inflated found = in_flight(cut_balloon(design_of(0), false), RestState::as_drawn, 100);
     EXPECT_EQ(found.sectors, 24);
-    EXPECT_LT(found.off.moved_max, 0.033);  // 2 per mille of the height: facets, and stretch at the crown
+    EXPECT_LT(found.off.moved_max, 0.033);  // 0.2 % of the height: facets, and stretch at the crown
     EXPECT_LT(found.off.moved_rms, 0.014);
     EXPECT_NEAR(found.volume, found.drawn_volume, 1e-3 * found.drawn_volume);
 }
 
 TEST(NaturalShapeUnderGas, RealClothStretchesTheSmoothShapeUpwards) {
-    // Strains of half a per cent move it by 2 % of its height: hence patterns are corrected.
+    // Strains of half a per cent move it by 2 % of its height, so patterns must be corrected.
     const Inflated found = in_flight(cut_balloon(design_of(0), false), RestState::as_cut, 1);
     EXPECT_NEAR(found.off.moved_rms, 0.13, 0.04);
     EXPECT_GT(found.height, found.drawn_height + 0.25);
@@ -52,7 +52,7 @@ TEST_P(LobedShapeUnderGas, KeepsItsShapeAndTheForceInItsTapes) {
     const EnvelopeDesign design = design_of(bulge * degree);
     const CutPlan plan = cut_full_balloon(design, 0.03, Rigging{}.load_tape.stiffness);
     const Inflated found = in_flight(plan, RestState::as_cut, 1);
-    // Of 18.5 m: 2.2 per mille, with facets of 0.4 m. At 30 degrees 36 mm were measured while the two uppermost panels
+    // 0.22 % of 18.5 m, with facets of 0.4 m. At 30 degrees, 36 mm were measured while the two uppermost panels
     // were cut at a saddle (5.0 J); at their minimum (0.35 J) it is 39.8 mm.
     EXPECT_LT(std::abs(found.off.max), limit);
     EXPECT_LT(found.off.moved_max, 1.5 * limit);
@@ -64,7 +64,7 @@ TEST_P(LobedShapeUnderGas, KeepsItsShapeAndTheForceInItsTapes) {
         const int panel = plan.seams[static_cast<std::size_t>(tape.source)].a.tile % design.panels;
         const double expected = forces[static_cast<std::size_t>(panel)];
         const double force = 0.5 * (tape.force_min + tape.force_max);
-        // At the crown cloth and ring take a share.
+        // At the crown, cloth and ring take a share.
         EXPECT_NEAR(force, expected, (panel < 10 ? 0.03 : 0.07) * expected) << panel;
         ++tapes;
     }
@@ -83,7 +83,7 @@ TEST(NaturalShapeUnderGas, WithoutFullnessTheClothBearsTheLoadInsteadOfTheTapes)
 }
 
 TEST(NaturalShapeUnderGas, CausesOfADeviationAddUp) {
-    // The smooth shape is in balance, and the patterns are exact: what is left is stretch.
+    // The smooth shape is in equilibrium and the patterns are exact, so only stretch remains.
     InflatePlanOptions options;
     const Inflated found = inflate_plan(cut_balloon(design_of(0), false), options);
     ASSERT_TRUE(found.causes.has_value());

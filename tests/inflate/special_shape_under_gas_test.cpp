@@ -1,4 +1,4 @@
-/// A special shape, no body of revolution and no equilibrium, from its drawing to what it can hold.
+/// A special shape, neither a body of revolution nor an equilibrium: from its drawing to the shape it can hold.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -36,8 +36,8 @@ TEST(SpecialShapeUnderGas, IsSewnInflatedAndToldWhatItCanHold) {
     EXPECT_EQ(inflated.sectors, 1);
     EXPECT_LT(std::abs(inflated.imbalance), 1e-6) << "lift = b V - W";
     EXPECT_LT(inflated.seam_gap, 1e-6);
-    // A handle, ears and a nose of a skin under pressure lose some 3 % of the volume. Perfect patterns and cloth that does
-    // not stretch would not help.
+    // A handle, ears and a nose of a skin under pressure lose about 3 % of the volume. Perfect patterns and
+    // inextensible cloth would not help.
     EXPECT_NEAR(inflated.off.moved_rms, 0.015 * inflated.drawn_height, 0.004 * inflated.drawn_height);
     EXPECT_NEAR(inflated.volume / inflated.drawn_volume, 0.975, 0.01);
     ASSERT_TRUE(inflated.causes);

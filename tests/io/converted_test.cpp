@@ -81,7 +81,7 @@ TEST(Converted, WeldsTheFacesOfAnObjectWhereTheyMeet) {
     model.objects = {{"G01", "Shell", {}, {face("", 0), face("", 1)}}};
     const CadModel surfaces = as_surfaces(model, TilesAs::objects, "balloon");
     ASSERT_THAT(names(surfaces), ElementsAre("G01"));
-    EXPECT_EQ(surfaces.surfaces[0].mesh.vertex_count(), 15);  // two grids of 3 x 3 with three in common
+    EXPECT_EQ(surfaces.surfaces[0].mesh.vertex_count(), 15);  // two 3 x 3 grids with three vertices in common
     EXPECT_NEAR(surface_area(surfaces.surfaces[0].mesh), 2, 1e-12);
 }
 

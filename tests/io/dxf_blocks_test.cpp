@@ -8,7 +8,7 @@
 
 #include "support/dxf_pieces.h"
 
-/// What docs/dialects.md says of the dialects with blocks, fact by fact.
+/// Checks every statement of docs/dialects.md on the dialects with blocks.
 namespace ripstop {
 namespace dxf_blocks_test {
 
@@ -72,7 +72,7 @@ TEST(DxfBlocks, UseNumberedLayersOnlyAndNeverLayer0) {
     }
 }
 
-/// Polylines of a layer in the first block, as corners.
+/// The polylines of a layer in the first block, as corners.
 std::vector<std::vector<Vec2>> lines_on(const std::string& dxf, const std::string& layer,
                                         std::string* flags = nullptr) {
     std::vector<std::vector<Vec2>> lines;
@@ -156,7 +156,7 @@ TEST(DxfBlocks, MarkNotchesAsTheDialectDoes) {
         EXPECT_EQ(value_of(found[0], 39), e.width) << e.dialect;
         EXPECT_EQ(value_of(found[0], 50), "180.0000") << "inwards";
     }
-    // The drawing is turned, so the right edge is the upper one.
+    // The drawing is rotated, so the right edge becomes the upper one.
     EXPECT_EQ(value_of(notches("clo", "POINT").at(0), 50), "270.0000");
     const std::vector<DxfPairs> slits = notches("et", "LINE");
     ASSERT_EQ(slits.size(), 3U);

@@ -7,14 +7,14 @@
 #include "support/dxf_pieces.h"
 #include "support/outside.h"
 
-/// The files of tests/data/golden, byte for byte, so that no dialect changes unnoticed. Where a change is wanted, read the
-/// difference after
+/// Compares the files of tests/data/golden byte for byte, so that no dialect changes unnoticed. If a change is
+/// intended, read the difference after
 ///
 ///     RIPSTOP_RENEW_GOLDEN=1 build/release/ripstop-tests --gtest_filter='GoldenDxf.*' && git diff tests/data/golden
 namespace ripstop {
 namespace dxf_golden_test {
 
-/// Our version is the one thing in them that changes by itself.
+/// Removes our version, the only thing in them that changes by itself.
 std::string without_version(std::string text) {
     const std::string stated = version;
     for (std::size_t at; (at = text.find(stated + "\r\n")) != std::string::npos;)

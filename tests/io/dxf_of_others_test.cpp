@@ -1,5 +1,5 @@
-/// DXF files as CAD programs write them: what stands in /shared/data/faults/files, its neighbours, and drawings made at
-/// random that ezdxf reads too.
+/// DXF files as CAD programs write them: those in /shared/data/faults/files, similar ones, and random drawings
+/// that ezdxf reads too.
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
@@ -129,7 +129,7 @@ TEST(DxfOfOthers, RefusesAContourThatDoesNotLieInAPlane) {
 }
 
 TEST(DxfOfOthers, SeesPlanesInSpaceFromAbove) {
-    // A circle that stands upright, by its extrusion along x: from above a line of its diameter.
+    // An upright circle, with its extrusion along x: from above it is a line as long as its diameter.
     const PatternDrawing found = read("0 CIRCLE 8 A 10 0 20 0 40 5 210 1 220 0 230 0");
     ASSERT_EQ(found.paths.size(), 1U);
     EXPECT_NEAR(found.paths[0].high - found.paths[0].low, 10, 1e-3);
@@ -138,7 +138,7 @@ TEST(DxfOfOthers, SeesPlanesInSpaceFromAbove) {
 }
 
 TEST(DxfOfOthers, SamplesEllipsesAndSplinesToAChordError) {
-    // A quarter of a circle of 1000, exactly, as a rational spline of degree 2.
+    // A quarter of a circle of radius 1000, exactly, as a rational spline of degree 2.
     const PatternDrawing found = read(
         "0 SPLINE 8 A 70 12 71 2 40 0 40 0 40 0 40 1 40 1 40 1 41 1 41 0.70710678118654757 41 1 "
         "10 1000 20 0 30 0 10 1000 20 1000 30 0 10 0 20 1000 30 0 "
@@ -167,7 +167,7 @@ TEST(DxfOfOthers, NamesASplineWithoutControlPoints) {
 }
 
 TEST(DxfOfOthers, DrawsASplineThroughItsPoints) {
-    // Two points with tangents are a cubic whose middle is chord / 8 above the chord on either side of it: here a bow.
+    // Two points with tangents give a cubic whose middle is chord / 8 off the chord, here as a bow.
     const PatternDrawing found = read(
         "0 SPLINE 8 A 71 3 11 0 21 0 11 80 21 0 12 0 22 5 13 0 23 -1 0 SPLINE 8 A 71 3 11 0 21 0 11 1 21 1 11 2 21 2 "
         "0 SPLINE 8 A 70 1 71 3 11 0 21 0 11 9 21 0 11 9 21 9 11 0 21 0");
@@ -267,7 +267,7 @@ std::string layer_key(std::string layer) {
     return layer == "NäHTE" ? "NÄHTE" : layer;
 }
 
-/// Both are chords of the same curve: ours within 0.002 of it, those of ezdxf within 0.004.
+/// Both consist of chords of the same curve: ours within 0.002 of it, those of ezdxf within 0.004.
 constexpr double both_chords = 0.0062;
 
 void expect_line(const DrawnPath& path, std::istream& in, const std::string& where) {
@@ -278,7 +278,7 @@ void expect_line(const DrawnPath& path, std::istream& in, const std::string& whe
     in >> layer >> is_closed >> total >> low.x() >> low.y() >> low.z() >> high.x() >> high.y() >> high.z();
     EXPECT_EQ(layer_key(path.layer), layer) << where;
     EXPECT_EQ(path.is_closed, is_closed == 1) << where;
-    // Chords that are within e of a curve which turns by t are shorter than it by up to e t / 3.
+    // Chords within e of a curve that turns by t are shorter than it by up to e t / 3.
     EXPECT_NEAR(length(path), total, both_chords / 3 * turn_of(path.points) + 1e-3) << where;
     const Vec2 lower = path.points.colwise().minCoeff(), upper = path.points.colwise().maxCoeff();
     EXPECT_LE((Vec3(lower.x(), lower.y(), path.low) - low).cwiseAbs().maxCoeff(), both_chords) << where;

@@ -15,7 +15,7 @@ namespace dxf_read_test {
 
 using ::testing::HasSubstr;
 
-/// `0 LINE 8 A` as a DXF writes it: a group code and a value in turn, an underscore for a blank.
+/// Expands `0 LINE 8 A` to DXF: group codes and values in turn; an underscore stands for a blank.
 std::string groups(const std::string& words) {
     std::istringstream in(words);
     std::string text, code, value;
@@ -53,7 +53,7 @@ double length(const DrawnPath& path) {
     return sum;
 }
 
-// A point a degree: short by angle^2 / 24 = 1.3e-5 of the length.
+// One point per degree: too short by angle^2 / 24 = 1.3e-5 of the length.
 constexpr double sampled = 2e-5;
 
 TEST(ReadDxf, TakesLinesPolylinesAndPointsOfAllReleases) {
@@ -90,7 +90,7 @@ TEST(ReadDxf, SamplesArcsCirclesAndBulges) {
     EXPECT_NEAR(length(found.paths[1]), 2 * pi / 6, sampled);
     EXPECT_NEAR(length(found.paths[2]), 2 * pi, 2 * pi * sampled) << "two half circles of diameter 2";
     EXPECT_NEAR(length(found.paths[3]), pi / 2, sampled) << "a quarter of the unit circle";
-    // Counter-clockwise, so to the right of the chord.
+    // Counter-clockwise, so it bulges to the right of the chord.
     EXPECT_NEAR(found.paths[3].points.row(45).x(), std::sin(pi / 4), 1e-9);
     EXPECT_NEAR(found.paths[3].points.row(45).y(), 1 - std::cos(pi / 4), 1e-9);
 }
@@ -103,7 +103,7 @@ TEST(ReadDxf, PutsBlocksInBlocksWhereTheyAreInserted) {
     const PatternDrawing found =
         read(drawing("0 INSERT 8 1 2 OUT 10 0 20 5 0 INSERT 8 1 2 IN 10 0 20 0 70 2 44 7", blocks));
     ASSERT_EQ(found.paths.size(), 3U);
-    // Scaled by two, turned upright, moved to (10, 0), then by (0, 5).
+    // Scaled by two, turned upright, moved by (10, 0), then by (0, 5).
     EXPECT_LT((found.paths[0].points - (Points2(2, 2) << 10, 5, 10, 7).finished()).norm(), 1e-12);
     EXPECT_LT((found.paths[2].points - (Points2(2, 2) << 7, 0, 8, 0).finished()).norm(), 1e-12) << "second column";
     ASSERT_EQ(found.groups.size(), 4U);

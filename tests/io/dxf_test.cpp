@@ -59,7 +59,7 @@ TEST(Dxf, WritesOneClosedPolylineWithoutRepeatedCorners) {
     PatternPiece piece;
     piece.name = "P";
     piece.sew_line.resize(6, 2);
-    // the second corner differs from the first by less than what is written, the last from the first too
+    // the second corner differs from the first by less than the written precision, and so does the last
     piece.sew_line << 0, 0, 1e-9, 0, 1, 0, 1, 1, 0, 1, 0, 1e-9;
     int vertices = 0, contours = 0;
     std::string entity, layer;
@@ -122,7 +122,7 @@ for line in doc.modelspace().query('POLYLINE'):
             ASSERT_TRUE(in >> layer >> closed >> area >> length) << result.output;
             EXPECT_EQ(layer, name);
             EXPECT_EQ(closed, 1);
-            // Corners are rounded by up to 0.05 um; along the outline that adds up to far less than 0.01 mm.
+            // Corners are rounded by up to 0.05 um, which adds up to far less than 0.01 mm along the outline.
             EXPECT_NEAR(length, 1e3 * perimeter(*outline), 0.01);
             EXPECT_NEAR(area, 1e6 * signed_area(*outline), 1e-4 * length);
         }

@@ -27,12 +27,12 @@ constexpr bool sanitized = true;
 constexpr bool sanitized = false;
 #endif
 
-/// Of this process: what else the machine does is no fault of a reader's.
+/// Processor time of this process, so that other load on the machine does not count.
 double processor_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// What any format of the table that is written must do. What a format does not keep, the table says.
+/// Properties of every format that can be written. The table states what a format does not preserve.
 class EveryFormat : public ::testing::TestWithParam<MeshFormat> {
   protected:
     static std::string written(const std::vector<NamedMesh>& surfaces) {
@@ -46,7 +46,8 @@ class EveryFormat : public ::testing::TestWithParam<MeshFormat> {
     }
 };
 
-/// Coordinates with many digits, far apart in size, and a surface with drawn positions beside one without.
+/// Coordinates with many digits and of very different sizes, and a surface with drawn positions beside one
+/// without.
 std::vector<NamedMesh> some_surfaces() {
     std::vector<NamedMesh> surfaces;
     surfaces.push_back({"G01P01", testing::moved(testing::octant(3)), std::nullopt});
@@ -155,7 +156,7 @@ struct Comma : std::numpunct<char> {
 TEST_P(EveryFormat, DoesNotCareForTheLocale) {
     const std::string expected = written(some_surfaces());
     const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
-    std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // for what does not go through streams, where the system has it
+    std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // for code that does not use streams, if the system has the locale
     const std::string bytes = written(some_surfaces());
     const std::vector<NamedMesh> again = read(expected);
     std::setlocale(LC_NUMERIC, "C");
@@ -165,7 +166,7 @@ TEST_P(EveryFormat, DoesNotCareForTheLocale) {
 }
 
 TEST_P(EveryFormat, ReadsAMillionTrianglesInASecond) {
-    const int side = sanitized ? 100 : 708;  // 2 x 708^2 = 1,002,528 triangles
+    const int side = sanitized ? 100 : 708;  // 2 x 708² = 1,002,528 triangles
     const TriangleMesh mesh = testing::saddle(1, 3, side);
     const std::string bytes = written({{"large", mesh, std::nullopt}});
     const double start = processor_seconds();
@@ -189,7 +190,7 @@ TEST_P(EveryFormat, ReadsManySmallSurfacesAsFastAsOneLarge) {
     EXPECT_LT(processor_seconds() - start, 3.0) << "quadratic would take minutes";
 }
 
-/// What is only read has tests of its own: rhino_3dm_test.cpp.
+/// Formats that are only read have their own tests: rhino_3dm_test.cpp.
 std::vector<MeshFormat> written_formats() {
     std::vector<MeshFormat> formats(mesh_formats().begin(), mesh_formats().end());
     std::erase_if(formats, [](const MeshFormat& format) { return format.write == nullptr; });
@@ -255,7 +256,7 @@ TEST(FilesOfOthers, NastyOnesAreAMeshOrASentenceThatNamesThem) {
         }
 }
 
-/// Area and count of triangles of a whole file.
+/// The area and the number of triangles of a whole file.
 std::pair<double, int> measured(const std::filesystem::path& file) {
     std::pair<double, int> sum;
     for (const NamedMesh& surface : read_model(file).surfaces) {

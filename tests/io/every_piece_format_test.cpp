@@ -18,7 +18,7 @@ void PrintTo(const PieceFormat& format, std::ostream* out) {
 
 namespace every_piece_format_test {
 
-/// What any format of the table must do.
+/// Properties of every format of the table.
 class EveryPieceFormat : public ::testing::TestWithParam<PieceFormat> {
   protected:
     static std::string written(const std::vector<PatternPiece>& pieces) {

@@ -30,7 +30,7 @@ std::string refusal(const std::string& text) {
     return "accepted";
 }
 
-/// A sound fabric with `more` at its end.
+/// A valid fabric with `more` at its end.
 std::string fabric(const std::string& more) {
     return R"({"name": "mine", "warp_stiffness_n_per_m": 60000, "weft_stiffness_n_per_m": 50000,
                "shear_stiffness_n_per_m": 1500)" +
@@ -113,7 +113,7 @@ TEST(FabricPresets, AreTheFourThatComeWithTheProgramAndValid) {
     EXPECT_EQ(fabric_named("isotropic").shear_stiffness, fabric_named("isotropic").warp_stiffness / 2);
 }
 
-// 1/E(a) = c^4/E1 + s^4/E2 + c^2 s^2 (1/G - 2 nu12/E1): at 45 degrees the default nylon has 5742 N/m.
+// 1/E(a) = c^4/E1 + s^4/E2 + c^2 s^2 (1/G - 2 nu12/E1): the default nylon has 5742 N/m at 45 degrees.
 TEST(FabricPresets, NylonIsTenTimesSofterOnTheBias) {
     const Fabric nylon = fabric_named("nylon");
     const double bias = 4 / (1 / nylon.warp_stiffness + 1 / nylon.weft_stiffness + 1 / nylon.shear_stiffness -

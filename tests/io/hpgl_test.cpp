@@ -20,7 +20,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// A coordinate is rounded to 0.025 mm, so that each end of a stroke is off by 0.018 mm at most.
+/// Coordinates are rounded to 0.025 mm, so each end of a stroke is off by at most 0.018 mm.
 double rounding(const Points2& line) {
     return 2 * 0.018e-3 * static_cast<double>(line.rows());
 }
@@ -31,7 +31,7 @@ std::string hpgl(const std::vector<PatternPiece>& pieces, const HpglOptions& opt
     return out.str();
 }
 
-/// No letters: the square and its own aside, only the lines of the piece.
+/// Removes the letters; only the lines of the piece and the square remain.
 PatternPiece unlabelled(PatternPiece piece) {
     piece.labels.clear();
     return piece;
@@ -98,7 +98,7 @@ TEST(Hpgl, CutsLongPiecesIntoFramesForPlottersOfSixteenBits) {
     EXPECT_EQ(plot.frames, 27) << "40.144 m";
     EXPECT_LE(plot.largest, 32767);
     EXPECT_NEAR(plot.length(2), testing::cut_length(piece), rounding(piece.cut_line) + 27 * 4 * 0.05e-3);
-    // What one frame breaks off goes on in the next at the same place.
+    // Lines that one frame cuts continue in the next at the same place.
     const testing::Plot whole = testing::plot_of(hpgl({piece}));
     Vec2 lower(1e9, 1e9), upper(-1e9, -1e9), whole_lower = lower, whole_upper = upper;
     for (const Points2& stroke : plot.strokes.at(2)) {
@@ -142,7 +142,7 @@ TEST(Letters, AreAsHighAsTheyAreCalledAndWhereTheyAreCalled) {
         lower = lower.cwiseMin(Vec2(outline.colwise().minCoeff()));
         upper = upper.cwiseMax(Vec2(outline.colwise().maxCoeff()));
     }
-    // an H is symmetric; cairo counts in 1/256 of 1/200 of the height
+    // an H is symmetric; cairo rounds to 1/256 of 1/200 of the height
     EXPECT_NEAR(upper.y() - lower.y(), 0.02, 1e-5);
     EXPECT_NEAR((lower.x() + upper.x()) / 2, 0.1, 1e-4);
     EXPECT_NEAR((lower.y() + upper.y()) / 2, 0.2, 1e-5);
@@ -158,7 +158,7 @@ TEST(Letters, TurnCounterClockwise) {
     }
 }
 
-/// Sum of the lengths of the paths in hp2xx's SVG, which is in points, y down.
+/// The total length of the paths in hp2xx's SVG, which is in points, y down.
 double length_in_svg(const std::string& svg) {
     const std::regex path("<path d=\"([^\"]*)\""), number("(-?[0-9.]+), (-?[0-9.]+)");
     double sum = 0;
@@ -188,7 +188,7 @@ TEST(Hpgl, IsReadAlikeByHp2xx) {
         ASSERT_EQ(read.code, 0) << read.output;
         const testing::Plot plot = testing::plot_of(text);
         const double all = plot.length(1) + plot.length(2) + plot.length(3);
-        // it writes thousandths of a point, 0.35 micrometres, for some 2,000 points
+        // it rounds to thousandths of a point, 0.35 micrometres, at some 2,000 points
         EXPECT_NEAR(length_in_svg(testing::content(scratch.path("p.svg"))), all, 1e-3) << length;
     }
 }

@@ -33,8 +33,8 @@ TEST(Paper, IsKnownByNameOrByTheWidthOfTheRoll) {
     EXPECT_THAT(refusal("-1m"), HasSubstr("no paper"));
 }
 
-/// A piece of every kind on every paper: each point of the outline is on a page that is printed, off its edge, and neighbours
-/// share what they are said to share.
+/// Every kind of piece on every paper: each point of the outline is inside the printable area of a page, and
+/// neighbours share the stated overlap.
 TEST(PageGrid, ShowsEveryPointOfThePiece) {
     const PatternPiece pieces[] = {testing::band("wide", 2.31, 1.47, 0.05), testing::band("small", 0.1, 0.05),
                                    testing::band("tall", 0.4, 1.9), testing::band("long", 12.3, 0.6)};

@@ -27,7 +27,7 @@ std::string pdf(const std::vector<PatternPiece>& pieces, const std::string& pape
     return out.str();
 }
 
-/// A PDF in a folder of its own, seen by poppler's programs.
+/// A PDF in its own folder, as poppler's programs see it.
 class PrintedFile {
   public:
     explicit PrintedFile(const std::string& bytes) { testing::write_text(file(), bytes); }
@@ -45,12 +45,12 @@ class PrintedFile {
                 scratch_.path("page"));
         return testing::read_ppm(scratch_.path("page.ppm"));
     }
-    /// Length of all the lines of a page in the red of what is cut [m].
+    /// The length of all lines of a page in the colour of cuts, red [m].
     double red_length(int number) const {
         const std::string n = std::to_string(number);
         told_by("pdftocairo -svg -f " + n + " -l " + n, scratch_.path("page.svg"));
         const std::string svg = testing::content(scratch_.path("page.svg"));
-        // pdftocairo fits the page by a matrix; the path itself is in points
+        // pdftocairo fits the page with a matrix; the path itself is in points
         const std::regex path("<path style=\"[^\"]*stroke:rgb\\(79.9[0-9]*%,0%,0%\\)[^\"]*\" d=\"([^\"]*)\"");
         const std::regex step("([MLZ]) ?(-?[0-9.]*) ?(-?[0-9.]*)");
         double sum = 0;
@@ -75,8 +75,8 @@ class PrintedFile {
 #define RIPSTOP_REQUIRE_POPPLER() \
     if (!PrintedFile::can_be_read()) GTEST_SKIP() << "no poppler-utils here"
 
-/// Where the upright grey lines at least `tall` dots high stand, from the left: the middles of their dots. Other lines may
-/// cross them; what is dashed is none.
+/// The positions, from the left, of solid upright grey lines that are at least `tall` dots high: the middles of
+/// their dots. Other lines may cross them.
 std::vector<double> grey_uprights(const testing::Raster& raster, int tall) {
     std::vector<double> middles;
     int begin = -1;
@@ -104,7 +104,7 @@ TEST(Pdf, HasASquareOfHundredMillimetresOnEveryPage) {
         const std::string info = file.told_by("pdfinfo");
         const int pages = std::stoi(info.substr(info.find("Pages:") + 6));
         for (int page = std::string(paper) == "roll" ? 2 : 3; page <= pages; ++page) {
-            // 10 dots a mm; frame, side, side, frame
+            // 10 dots per mm; frame, side, side, frame
             const std::vector<double> lines = grey_uprights(file.page(page, 10), 900);
             ASSERT_EQ(lines.size(), 4U) << paper << " page " << page;
             EXPECT_NEAR(lines[2] - lines[1], 1000, 1) << paper << " page " << page;
@@ -118,7 +118,7 @@ TEST(Pdf, CutsEachPieceAtItsLength) {
     std::vector<PatternPiece> pieces = testing::odd_pieces();
     for (PatternPiece& piece : pieces) piece.notches.clear();
     const PrintedFile file(pdf(pieces));
-    // cairo counts in 1/256 points, 1.4 micrometres: half of it an end, two ends a segment, 50 segments
+    // cairo rounds to 1/256 point, 1.4 micrometres: half of it per end, two ends per segment, 50 segments
     for (std::size_t i = 0; i < pieces.size(); ++i)
         EXPECT_NEAR(file.red_length(2 + static_cast<int>(i)), testing::cut_length(pieces[i]), 0.1e-3) << i;
 }
@@ -135,7 +135,7 @@ TEST(Pdf, SpreadsFortyMetresOverPagesOfARoll) {
     EXPECT_NEAR(sum, testing::cut_length(piece) + twice, 0.2e-3) << "all of it, and twice what two pages share";
 }
 
-/// The pages of a piece laid together by their names on the map: step and overlap are all that is known of them.
+/// The pages of a piece joined by their names on the map; only the step and the overlap are used.
 testing::Raster joined(const PrintedFile& file, const PageGrid& grid, int first_page, int dots) {
     const Vec2 step = grid.page - Vec2::Constant(2 * Paper::margin + Paper::overlap);
     const auto dots_of = [dots](double length) { return static_cast<int>(std::lround(length * 1000 * dots)); };
@@ -166,9 +166,9 @@ TEST(Pdf, PagesLaidTogetherAreThePiece) {
     const PrintedFile file(pdf({piece}, "a4"));
     const PageGrid grid = make_page_grid(piece, paper_named("a4"));
     ASSERT_GT(grid.windows.size(), 9U);
-    constexpr int dots = 4;  // a mm
+    constexpr int dots = 4;  // per mm
     const testing::Raster sheet = joined(file, grid, 3, dots);
-    // The piece lies in the middle of its pages.
+    // The piece is centred on its pages.
     const Vec2 middle = (piece.lower() + piece.upper()) / 2;
     const auto on_piece = [&](int x, int y) {
         return Vec2(middle + Vec2(x + 0.5 - sheet.width / 2.0, sheet.height / 2.0 - y - 0.5) / (1000.0 * dots));
@@ -178,7 +178,8 @@ TEST(Pdf, PagesLaidTogetherAreThePiece) {
         for (int x = 0; x < sheet.width; ++x)
             if (sheet.is_red(x, y)) {
                 ++red;
-                // half the line's width, half a dot's diagonal, and what a page's size rounded to dots shifts it by
+                // half of the line's width, half of a dot's diagonal, and the shift from rounding a page's size to
+                // dots
                 ASSERT_LT(distance_to_outline(piece.cut_line, on_piece(x, y)), 0.35e-3 / 2 + 0.2e-3 + 0.25e-3);
             }
     EXPECT_GT(red, testing::cut_length(piece) * 1000 * dots * 0.7) << "drawn through: a dot a column or row at least";

@@ -62,7 +62,7 @@ TEST(PlyFaces, AreFannedAndMayComeAsStrips) {
     EXPECT_THAT(testing::corners_of(
                     model_of(ascii(vertices + "element face 1\n" + list, square + "4 0 1 2 3\n")).surfaces.at(0)),
                 ElementsAre(0, 1, 2, 0, 2, 3));
-    // Every other triangle of a strip turns the other way; one that repeats a vertex joins strips.
+    // Every other triangle of a strip has the opposite orientation; one with a repeated vertex joins strips.
     const auto strip = model_of(ascii(vertices + "element tristrips 1\nproperty list int int vertex_indices\n",
                                       square + "10 0 1 3 2 -1 1 2 3 3 0\n"))
                            .surfaces.at(0);
@@ -103,7 +103,7 @@ TEST(PlyUnit, IsThatOfTheComment) {
     EXPECT_THAT(model.remarks, ElementsAre(StartsWith("folder/hull.ply:3: the unit of the file is not taken")));
 }
 
-/// Every type, an element and a list that mean nothing here, in either order of bytes.
+/// Every type, and an element and a list without meaning here, in either byte order.
 std::string binary(bool big) {
     using testing::bytes_of;
     std::string bytes = std::string("ply\r\nformat binary_") + (big ? "big" : "little") +
@@ -117,7 +117,7 @@ std::string binary(bool big) {
         for (int i = 0; i < count; ++i) bytes += bytes_of<float>({1}, big);
     }
     for (const std::int16_t x : {std::int16_t{0}, std::int16_t{-300}, std::int16_t{300}}) {
-        bytes += '\n';  // red: any byte, such as the end of a line
+        bytes += '\n';  // red: any byte, such as a line end
         bytes += bytes_of<std::int16_t>({x}, big);
         bytes += bytes_of<double>({x / 7.0}, big);
         bytes += bytes_of<float>({x == 0 ? 0.5F : 0}, big);

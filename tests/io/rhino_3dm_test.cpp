@@ -73,8 +73,8 @@ class EveryRhino : public ::testing::TestWithParam<int> {
   protected:
     static std::string bytes() { return content(fixtures + "tiles_v" + std::to_string(GetParam()) + ".3dm"); }
     static bool has_blocks() { return GetParam() > 2; }     // openNURBS writes no definitions for Rhino 2
-    static bool has_user_text() { return GetParam() > 3; }  // and no text of attributes before Rhino 4
-    static bool has_sublayers() { return GetParam() > 4; }  // a layer of a layer is renamed before Rhino 5
+    static bool has_user_text() { return GetParam() > 3; }  // nor user text of attributes before Rhino 4
+    static bool has_sublayers() { return GetParam() > 4; }  // sublayers are renamed before Rhino 5
     static bool has_doubles() { return GetParam() > 4; }
 };
 
@@ -130,11 +130,11 @@ TEST_P(EveryRhino, LeavesOutWhatIsNotShownAndSaysSo) {
 TEST_P(EveryRhino, PlacesBlocksInBlocksAndKeepsTheOutsideOfMirroredOnes) {
     if (!has_blocks()) GTEST_SKIP() << "no blocks in a file of Rhino 2";
     const CadModel model = read(bytes());
-    // x' = 7 - x of a panel whose corner 2 is lifted by 1/4: its outside, +z, stays up.
+    // x' = 7 - x of a panel whose corner 2 is lifted by 1/4: its outside, +z, stays on top.
     const NamedMesh& mirror = surface_of(model, "mirror/inner");
     EXPECT_GT(area_of(mirror).z(), 0.9);
     EXPECT_EQ(mirror.mesh.positions.row(2), Eigen::RowVector3d(6, 1, 0.25));
-    // Turned by 90 degrees about z and moved by 3 after being lifted by 5.
+    // Lifted by 5, then rotated by 90 degrees about z and moved by 3.
     const NamedMesh& nested = surface_of(model, "pair_01/up/inner");
     EXPECT_EQ(nested.mesh.positions.row(1), Eigen::RowVector3d(3, 1, 5));
     EXPECT_GT(area_of(nested).z(), 0.9);
@@ -173,7 +173,7 @@ TEST(Rhino3dm, GivesCurvesToATenthOfAPercentOfTheirSize) {
         const CadModel model = read(content(fixtures + file));
         EXPECT_EQ(model.unit->metres, 0.3048);
         EXPECT_EQ(curve_of(model, "loop").points.rows(), 4);
-        // The half circle about (1, 0) through (1, 1), as an arc and as a rational NURBS: chords are inside of it.
+        // The half circle about (1, 0) through (1, 1), as an arc and as a rational NURBS: chords lie inside it.
         for (const char* name : {"bow", "conic"}) {
             const Points3& points = curve_of(model, name).points;
             EXPECT_LT((points.row(0) - Eigen::RowVector3d(0, 0, 0)).norm(), 1e-12);
@@ -184,7 +184,7 @@ TEST(Rhino3dm, GivesCurvesToATenthOfAPercentOfTheirSize) {
                 EXPECT_LT(1 - ((points.row(i) + points.row(i - 1)) / 2 - Eigen::RowVector3d(1, 0, 0)).norm(), 0.002)
                     << name;
         }
-        // Clamped cubic: ends at its first and last control points, whose tangents are the polygon's.
+        // A clamped cubic: it ends at its first and last control points, with the polygon's tangents.
         const Points3& wave = curve_of(model, "wave").points;
         EXPECT_LT((wave.row(0) - Eigen::RowVector3d(0, 0, 0)).norm(), 1e-12);
         EXPECT_LT((wave.row(wave.rows() - 1) - Eigen::RowVector3d(4, 1, 0)).norm(), 1e-12);
@@ -223,7 +223,7 @@ TEST(Rhino3dm, JoinsTheVerticesOfAnUnweldedMeshAndSaysSo) {
 }
 
 TEST(Rhino3dm, SplitsAQuadSoThatBothTrianglesFaceOneWayAndLeavesOutFacesOfTwoCorners) {
-    // A dart: from its reflex corner, vertex 2, only one diagonal lies inside.
+    // A dart: of its diagonals, only the one from the reflex corner, vertex 2, lies inside.
     const CadModel model = read(content(RIPSTOP_SOURCE_DIR "/fuzz/corpus/rhino_3dm/narrow_v8.3dm"));
     ASSERT_EQ(model.surfaces.size(), 1u);
     Triangles expected(2, 3);
@@ -232,7 +232,7 @@ TEST(Rhino3dm, SplitsAQuadSoThatBothTrianglesFaceOneWayAndLeavesOutFacesOfTwoCor
     EXPECT_THAT(model.remarks, ElementsAre("kite: 1 face without three different corners left out"));
 }
 
-/// The place in a file of the only bytes equal to `value`.
+/// The offset in a file of the only bytes equal to `value`.
 template <class T>
 std::size_t place_of(const std::string& bytes, const T& value) {
     std::string pattern(sizeof(T), '\0');
@@ -245,13 +245,14 @@ std::size_t place_of(const std::string& bytes, const T& value) {
 
 TEST(Rhino3dm, RefusesAFaceAtAVertexThatIsNotThereByTheNameOfItsMesh) {
     std::string bytes = content(RIPSTOP_SOURCE_DIR "/fuzz/corpus/rhino_3dm/mesh_v8.3dm");
-    bytes[place_of(bytes, std::array<unsigned char, 8>{1, 0, 0, 0, 0, 1, 2, 3}) + 7] = 9;  // corners of one byte
+    bytes[place_of(bytes, std::array<unsigned char, 8>{1, 0, 0, 0, 0, 1, 2, 3}) + 7] = 9;  // corners of one byte each
     EXPECT_THAT(refusal(bytes),
                 StartsWith("tiles.3dm: Mesh \"a\": face 1 has the vertex 9 of 4, counted from 0; repair"));
 }
 
 TEST(Rhino3dm, RefusesABlockThatSaysItUnpacksToMoreThanItCan) {
-    // A net of 5 x 5 vertices, packed: the counts of vertices and of the bytes they unpack to become those of a bomb.
+    // A packed net of 5 x 5 vertices: the counts of vertices and of unpacked bytes are replaced by those of a
+    // decompression bomb.
     std::string bytes = content(RIPSTOP_SOURCE_DIR "/fuzz/corpus/rhino_3dm/packed_v2.3dm");
     EXPECT_EQ(read(bytes).surfaces.at(0).mesh.vertex_count(), 25);
     const std::size_t counts = place_of(bytes, std::array<std::int32_t, 2>{25, 16});
@@ -269,9 +270,9 @@ TEST(Rhino3dm, RefusesVerticesThatAreNotWhatTheirChecksumSays) {
 }
 
 TEST(Rhino3dm, RefusesABlockThatHoldsItself) {
-    // The nested block is placed by the id of its own definition: the two ids of instances become one.
+    // The nested block refers to its own definition: the ids of both instances become equal.
     std::string bytes = content(RIPSTOP_SOURCE_DIR "/fuzz/corpus/rhino_3dm/nested_v8.3dm");
-    std::vector<std::size_t> places;  // instances: version 1.0, id, then the map, which begins with 1.0
+    std::vector<std::size_t> places;  // of instances: version 1.0, id, then the transformation, which begins with 1.0
     const std::string map(
         "\0\0\0\0\0\0\xF0\x3F\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\xF0\x3F", 48);
     for (std::size_t at = bytes.find(map); at != std::string::npos; at = bytes.find(map, at + 1))
@@ -284,7 +285,7 @@ TEST(Rhino3dm, RefusesABlockThatHoldsItself) {
 void expect_as_rhino_says(const std::string& file) {
     const Json says = testing::described_by_rhino(file);
     std::ifstream in(file, std::ios::binary);
-    const CadModel model = read_rhino_3dm(in, std::string(file));  // what it reads itself, without openNURBS
+    const CadModel model = read_rhino_3dm(in, std::string(file));  // without openNURBS
     std::vector<std::string> layers;
     for (const Json& layer : says["layers"]) layers.push_back(layer["path"]);
     EXPECT_EQ(model.layers, layers) << file;
@@ -306,7 +307,7 @@ void expect_as_rhino_says(const std::string& file) {
         EXPECT_EQ(found.attributes.contains("group"), !object["groups"].empty());
         for (const auto& [key, value] : object["text"].items()) EXPECT_EQ(found.attributes.at(key), value);
         EXPECT_EQ(found.mesh.triangle_count(), object["triangles"]);
-        // Joining coincident vertices is ours; every place a vertex is in must be there all the same.
+        // The program merges coincident vertices, but every place of a vertex must remain.
         EXPECT_LE(found.mesh.vertex_count(), object["vertices"]);
         for (int k = 0; k < 3; ++k) {
             const double low = object["box"][0][k], high = object["box"][1][k];
@@ -338,7 +339,7 @@ TEST(Rhino3dm, GivesOfWhatOpenNurbsWritesWhatItSays) {
             if (!object.contains("start") || object["name"].get<std::string>().empty()) continue;
             const Points3& points = curve_of(model, object["name"]).points;
             for (int k = 0; k < 3; ++k) {
-                // rhino3dm gives ends in double precision; ours are evaluated, by another formula.
+                // rhino3dm gives ends in double precision; ours are evaluated with another formula.
                 EXPECT_NEAR(points(0, k), object["start"][k], 1e-12);
                 EXPECT_NEAR(points(points.rows() - 1, k), object["end"][k], 1e-12);
             }
@@ -358,7 +359,7 @@ Json mesh_object(const TriangleMesh& mesh, const std::string& name) {
 TEST(Rhino3dm, GivesBackExactlyTheMeshesOpenNurbsWasGiven) {
     RIPSTOP_REQUIRE_RHINO();
     const ScratchDirectory scratch;
-    const TriangleMesh saddle = testing::moved(testing::saddle(1.0 / 3, 0.7, 30));  // corners of two bytes
+    const TriangleMesh saddle = testing::moved(testing::saddle(1.0 / 3, 0.7, 30));  // corners of two bytes each
     Json scene = {{"layers", {{{"name", "Default"}}}}, {"objects", {mesh_object(saddle, "saddle")}}};
     testing::write_by_rhino(scene, scratch.path("saddle.json"), {3, 5, 6, 8});
     for (const int version : {3, 5, 6, 8}) {
@@ -398,7 +399,7 @@ TEST(Rhino3dm, CallsTilesByTheTextOfBlocksInBlocksAndSaysWhichTextNamesNone) {
                           block("I3", "outer", 20, "THREE"), block("I4", "outer", 30, "")}}};
     testing::write_by_rhino(scene, scratch.path("blocks.json"), {7});
     const CadModel model = read_model(scratch.path("blocks_v7.3dm"));
-    // A block without a name of its own is called by its text, which so is in use.
+    // A block without its own name takes its text as name, which counts as use.
     EXPECT_THAT(names_of(model), ElementsAre("I1/L", "I1/right/A", "CROWN/L", "CROWN/right/A", "THREE", "I4/within"));
     EXPECT_THAT(model.remarks, ElementsAre(StartsWith("I1 (\"PAIR\"): the user text tile of a block names no tile")));
 }

@@ -11,7 +11,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::Pair;
 
-/// Objects without any geometry, on layers that are called like their numbers.
+/// Objects without geometry, on layers that are called by their numbers.
 class RhinoNames : public ::testing::Test {
   protected:
     RhinoNames() {

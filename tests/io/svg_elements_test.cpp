@@ -1,4 +1,4 @@
-/// Elements of SVG as browsers take them: units, viewports, uses, styles, text.
+/// Elements of SVG as browsers treat them: units, viewports, uses, styles, text.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ void expect_box(const PatternDrawing& drawing, const Eigen::RowVector4d& wanted)
     EXPECT_LT((box_of(drawing) - wanted).norm(), 1e-9) << box_of(drawing) << " instead of " << wanted;
 }
 
-/// The sentence on the only thing that is not read.
+/// The sentence on the only entity that is not read.
 std::string unread_of(const PatternDrawing& drawing) {
     return drawing.unread.size() == 1 ? unread_text(drawing.unread[0], 1e-3)
                                       : std::to_string(drawing.unread.size()) + " unread";
@@ -99,8 +99,8 @@ TEST(SvgElements, AreStretchedWithThePage) {
 TEST(SvgElements, AreRoundWhereRadiiSaySo) {
     const PatternDrawing found = read_body("<rect width='20' height='10' ry='50%'/>");
     expect_box(found, {0, 0, 20, 10});
-    // ry is 50 and rx as much, clamped to 10 and 5: an ellipse. Chords within 0.01 take 2/3 of that along 48 from its
-    // area.
+    // ry is 50, rx defaults to it, and they are clamped to 10 and 5: an ellipse. Chords within 0.01 lose 2/3 of
+    // that along a perimeter of 48 from its area.
     EXPECT_NEAR(signed_area(found.paths[0].points), -std::numbers::pi * 50, 0.4);
     EXPECT_GT(found.paths[0].points.rows(), 40);
 }
@@ -129,7 +129,7 @@ TEST(SvgElements, NameUsesThatLeadNowhereOrRoundInACircle) {
     EXPECT_THAT(all, HasSubstr("use refers to what it stands in itself"));
     EXPECT_THAT(all, HasSubstr("use refers to \"other.svg#c\", which is not in the file"));
     EXPECT_FALSE(check_drawing(found).sound());
-    // Ten levels of ten uses each would be 10^10 elements.
+    // Ten levels with ten uses each would be 10^10 elements.
     std::string bomb = "<svg><defs><path id='l0' d='M0 0h1'/>";
     for (int i = 1; i <= 10; ++i) {
         bomb += "<g id='l" + std::to_string(i) + "'>";

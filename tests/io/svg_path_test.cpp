@@ -24,7 +24,7 @@ std::vector<Vec2> points_of(const std::string& d, const SvgSampling& sampling = 
 }
 
 TEST(SvgPath, ReadsFlagsThatNothingParts) {
-    // Three ways to write a quarter of a circle of radius 2 about (8, 8).
+    // Three notations for a quarter circle of radius 2 about (8, 8).
     for (const char* d : {"M10 8A2 2 0 0 1 8 10", "M10 8a2 2 0 01-2 2", "M10,8a2,2,0,0,1-2,2"}) {
         const SvgSegment arc = svg_path(d, "p").at(0).segments.at(0);
         ASSERT_EQ(arc.kind, SvgSegment::Kind::arc) << d;
@@ -63,7 +63,7 @@ TEST(SvgPath, GrowsRadiiThatDoNotReachAndDrawsALineForNone) {
 }
 
 TEST(SvgPath, SamplesACurveWithinItsChordErrorWhateverItsSize) {
-    // A circle out of four cubics (within 2.8e-4 of the radius) and out of arcs.
+    // A circle made of four cubics (within 2.8e-4 of the radius) and of arcs.
     for (const double radius : {1.0, 60.0, 600.0, 6000.0}) {
         for (const double error : {0.05, 0.002}) {
             const SvgSampling sampling{error, 1};
@@ -81,7 +81,7 @@ TEST(SvgPath, SamplesACurveWithinItsChordErrorWhateverItsSize) {
             const SvgRun quarter{{radius, 0}, {svg_cubic({radius, k}, {k, radius}, {0, radius})}, false};
             const std::vector<Vec2> chords = sampled(quarter, Eigen::Affine2d::Identity(), sampling);
             const std::vector<Vec2> fine = sampled(quarter, Eigen::Affine2d::Identity(), {error / 1000, 1});
-            // A chord of length c on a curve of radius r stands off by c2 / 8r.
+            // A chord of length c on a curve of radius r has the sagitta c² / 8r.
             for (std::size_t i = 1; i < chords.size(); ++i)
                 EXPECT_LE((chords[i] - chords[i - 1]).squaredNorm() / (8 * radius), error * 1.01);
             EXPECT_NEAR(length_of(chords), length_of(fine), 8.0 / 3 * error);
@@ -97,7 +97,7 @@ TEST(SvgPath, SamplesAtTheScaleOfThePage) {
     const std::vector<Vec2> points = sampled(svg_ellipse({0, 0}, {1, 1}), motion, {0.05, 1});
     for (std::size_t i = 1; i < points.size(); ++i) {
         const Vec2 a = points[i - 1], b = points[i], middle = (a + b) / 2;
-        // The middle of a chord drawn out to the ellipse.
+        // The middle of a chord projected onto the ellipse.
         const double out = Vec2(middle.x() / 300, middle.y() / 20).norm();
         EXPECT_LE((middle / out - middle).norm(), 0.05 * (1 + 1e-6));
     }
@@ -111,13 +111,13 @@ TEST(SvgPath, MirrorsTheControlOfSmoothCurvesOnlyAfterTheirOwnKind) {
     EXPECT_EQ(first_control("M0 0C0 1 1 2 2 2S4 4 5 5", 1), Vec2(3, 2));
     EXPECT_EQ(first_control("M0 0L2 2S4 4 5 5", 1), Vec2(2, 2));
     EXPECT_EQ(first_control("M0 0Q1 1 2 2S4 4 5 5", 1), Vec2(2, 2)) << "Q is no cubic";
-    // A parabola: as a cubic its controls are two thirds of the way to the quadratic's, which t mirrors.
+    // A parabola: the control points of the cubic are two thirds of the way to the quadratic's, which t mirrors.
     EXPECT_LT((first_control("M0 0q3 0 3 3t3 3", 1) - Vec2(3, 5)).norm(), 1e-12);
     EXPECT_LT((first_control("M0 0q3 0 3 3t3 3 3 3", 2) - Vec2(8, 6)).norm(), 1e-12);
 }
 
 TEST(SvgPath, RoundsTheCornersOfARectangle) {
-    // (w h) less the corners' (4 - pi) r2; radii are at most half of the side.
+    // w h minus the corners' (4 - pi) r²; radii are at most half of the side.
     const auto area = [](const Vec2& radii) {
         const std::vector<Vec2> p =
             sampled(svg_rectangle({1, 2}, {30, 20}, radii), Eigen::Affine2d::Identity(), {1e-5, 1});

@@ -82,7 +82,8 @@ TEST(ReadSvg, LeavesOutWhatIsHidden) {
 }
 
 TEST(ReadSvg, FitsTheDrawingIntoWidthAndHeightAsSvgDoes) {
-    // A user unit is 2 mm by the width and 1 mm by the height: the smaller shows all of it, the larger fills the page.
+    // A user unit is 2 mm by the width and 1 mm by the height: the smaller shows everything, the larger fills the
+    // page.
     const PatternDrawing found = read("<svg width='100mm' height='100mm' viewBox='0 0 50 100'/>");
     ASSERT_EQ(found.units.size(), 2U);
     EXPECT_EQ(found.units[0].where, "height and viewBox");
@@ -96,7 +97,7 @@ TEST(ReadSvg, FitsTheDrawingIntoWidthAndHeightAsSvgDoes) {
         2e-3);
     EXPECT_DOUBLE_EQ(read("<svg width='100mm' height='96' viewBox='0 0 100 100'/>").units.at(0).unit.metres, 0.254e-3)
         << "a bare number counts 1/96 inch";
-    // Rounded to a hundredth: the smaller, and no second opinion.
+    // Rounding to a hundredth: the smaller unit is taken, without an alternative.
     const PatternDrawing rounded = read("<svg width='210mm' height='297mm' viewBox='0 0 210 297.01'/>");
     ASSERT_EQ(rounded.units.size(), 1U);
     EXPECT_DOUBLE_EQ(rounded.units[0].unit.metres, 0.297 / 297.01);
@@ -131,7 +132,7 @@ TEST(ReadSvg, FindsEveryPieceOfOurOwnWhereItWas) {
         if (!contour.is_cut) continue;
         const PatternPiece& piece = pieces.at(cut++);
         EXPECT_EQ(contour.piece, piece.name);
-        // Three decimals: each coordinate is off by up to 0.5 um.
+        // Three decimals: each coordinate has an error of up to 0.5 um.
         EXPECT_NEAR(contour.area, signed_area(piece.cut_line), 1e-6 * contour.perimeter);
         EXPECT_NEAR(contour.perimeter, perimeter(piece.cut_line), 1e-5);
     }

@@ -25,7 +25,7 @@ std::string svg(const std::vector<PatternPiece>& pieces, const std::vector<Vec2>
     return out.str();
 }
 
-/// A right triangle: its upright side on the left tells a mirrored drawing from a true one.
+/// A right triangle whose upright side is on the left, which distinguishes a mirrored drawing.
 PatternPiece triangle(const std::string& name) {
     PatternPiece piece;
     piece.name = name;
@@ -35,7 +35,7 @@ PatternPiece triangle(const std::string& name) {
 }
 
 TEST(Svg, IsTrueToSize) {
-    // the triangle, 20 mm, the square of 100 mm, and 10 mm around
+    // the triangle, 20 mm, the square of 100 mm, and a margin of 10 mm
     EXPECT_THAT(svg({triangle("P")}),
                 HasSubstr("width=\"340.000mm\" height=\"120.000mm\" viewBox=\"0 0 340.000 120.000\""));
 }
@@ -87,7 +87,7 @@ TEST(Svg, IsRenderedWithASquareOfHundredMillimetres) {
     const auto rendered = testing::run_command("rsvg-convert -d 127 -p 127 -b white -o " + scratch.path("p.png") + " " +
                                                scratch.path("p.svg"));
     ASSERT_EQ(rendered.code, 0) << rendered.output;
-    // At 127 dpi a pixel is 0.2 mm. The square is all that is drawn grey: look for its left and right strokes in a row.
+    // At 127 dpi a pixel is 0.2 mm. Only the square is grey: look for its left and right strokes in a row.
     testing::write_text(scratch.path("read.py"), R"(import struct, sys, zlib
 data = open(sys.argv[1], 'rb').read()
 at, packed = 8, b''
@@ -151,7 +151,7 @@ TEST(Svg, IsMeasuredInTrueSizeByInkscape) {
         EXPECT_EQ(result.code, 0) << result.output;
         return std::strtod(result.output.c_str(), nullptr) * 25.4 / 96;  // its pixels are 1/96 in
     };
-    // Inkscape adds a line's width, and rounds to six digits.
+    // Inkscape adds a line's width and rounds to six digits.
     constexpr double line = 0.2;
     EXPECT_NEAR(measured("reference", "width"), 100 + line, 0.01);
     EXPECT_NEAR(measured("P", "width"), 524 + line, 0.01) << "500 mm and the allowances";
@@ -181,7 +181,8 @@ TEST(Svg, LeavesTheAllowanceItStatesBetweenEachEdgeAndTheCutLine) {
             const Points2 line = points_of((*edge)[2]);
             EXPECT_GT(allowance, 1);
             for (Eigen::Index i = 0; i < line.rows(); ++i) EXPECT_TRUE(contains(outline, Vec2(line.row(i))));
-            // away from the corners, where the neighbour's allowance counts; both lines leave out 0.05 mm of a curve
+            // away from the corners, where the neighbour's allowance matters; both lines simplify curves by 0.05
+            // mm
             const Vec2 middle = (line.row((line.rows() - 1) / 2) + line.row(line.rows() / 2)) / 2;
             EXPECT_NEAR(distance_to_outline(outline, middle), allowance, 0.1) << piece.name << " edge " << edges + 1;
         }

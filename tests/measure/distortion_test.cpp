@@ -14,7 +14,7 @@
 namespace ripstop {
 namespace distortion_test {
 
-/// The singular values of the map surface -> cloth, which is how the fixtures' figures are given.
+/// The singular values of the map surface -> cloth, as in the fixtures.
 struct Fixture {
     std::vector<TriangleDistortion> distortion;
     std::size_t overlaps = 0;
@@ -58,7 +58,7 @@ TEST(DistortionFixtures, StretchedSquareDoublesOneWay) {
     const Fixture fixture = read(file);
     EXPECT_ALL_STRETCHED(fixture, 2.0, 1.0);
     for (const auto& d : fixture.distortion) {
-        EXPECT_DOUBLE_EQ(d.warp_strain, -0.5);  // twice too long on the cloth: it must shrink
+        EXPECT_DOUBLE_EQ(d.warp_strain, -0.5);  // twice too long on the cloth, so it must shrink
         EXPECT_NEAR(d.weft_strain, 0, 1e-15);
         EXPECT_DOUBLE_EQ(d.area_ratio, 2.0);
     }
@@ -90,7 +90,7 @@ TEST(DistortionFixtures, FlatTriangleHasNoAreaOnTheCloth) {
 
 TEST(DistortionFixtures, ShiftedColumnsStretchAsTheyWereShifted) {
     RIPSTOP_REQUIRE_SHARED(file, "uv_fixtures/big_left_shift.obj");
-    const Fixture fixture = read(file);  // the left column is half as wide on the cloth, the right one 4.5 times
+    const Fixture fixture = read(file);  // on the cloth the left column is half as wide, the right one 4.5 times
     ASSERT_EQ(fixture.distortion.size(), 8u);
     for (const std::size_t left : {0u, 1u, 4u, 5u}) {
         EXPECT_DOUBLE_EQ(fixture.largest(left), 1.0);
@@ -105,7 +105,7 @@ TEST(DistortionFixtures, ShiftedColumnsStretchAsTheyWereShifted) {
 TEST(Distortion, ShearByHand) {
     const TriangleMesh mesh = testing::rectangle(1, 1, 1, 1);
     Points2 flat(4, 2);
-    flat << 0, 0, 1, 0, 0.1, 1, 1.1, 1;  // the cloth leans by atan 0.1; in space its threads are square again
+    flat << 0, 0, 1, 0, 0.1, 1, 1.1, 1;  // the cloth leans by atan 0.1; its threads are perpendicular in space
     for (const auto& d : measure_distortion(mesh, flat)) {
         // F = [1 -0.1; 0 1]: warp (1, 0), weft (-0.1, 1)
         EXPECT_NEAR(d.warp_strain, 0, 1e-15);

@@ -82,7 +82,7 @@ TEST(OverlappingTriangles, AgreesWithSamplingOnRandomTriangles) {
             }
         }
     EXPECT_GT(sampled, 5);
-    EXPECT_LE(pairs.size(), static_cast<std::size_t>(sampled + 8));  // slivers of overlap that the samples miss
+    EXPECT_LE(pairs.size(), static_cast<std::size_t>(sampled + 8));  // small overlaps that the samples miss
 }
 
 }  // namespace overlap_test

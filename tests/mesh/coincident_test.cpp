@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace coincident_test {
 
-/// Each triangle with three vertices of its own.
+/// The mesh with three separate vertices for each triangle.
 TriangleMesh exploded(const TriangleMesh& mesh) {
     TriangleMesh result{Points3(3 * mesh.triangle_count(), 3), Triangles(mesh.triangle_count(), 3)};
     for (int t = 0; t < mesh.triangle_count(); ++t)

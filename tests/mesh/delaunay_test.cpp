@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace delaunay_test {
 
-/// A circle of `outline` points with others inside, `apart` from it at least.
+/// A circle of `outline` points with others inside, at least `apart` from it.
 Points2 round_cloud(int outline, int inside, double apart, unsigned seed) {
     std::mt19937 random(seed);
     const auto uniform = [&] { return 2 * (static_cast<double>(random()) / 4294967295.0) - 1; };
@@ -79,7 +79,8 @@ TEST(DelaunayInside, GivesNothingWhereAnEdgeOfTheOutlineIsMissing) {
     points << 0, 0, 4, 0, 4, 4, 0, 4, 2, 0.01;
     EXPECT_EQ(delaunay_inside(points, 4).rows(), 4);
     Points2 crossed(6, 2);
-    crossed << 0, 0, 4, 0, 4, 4, 2, 0.5, 0, 4, 2, -0.4;  // the last point lies beyond the outline, which it cuts
+    crossed << 0, 0, 4, 0, 4, 4, 2, 0.5, 0, 4, 2, -0.4;  // the last point lies beyond the outline and makes it
+                                                         // cross itself
     EXPECT_EQ(delaunay_inside(crossed, 5).rows(), 0);
 }
 

@@ -22,7 +22,7 @@ TEST(Fan, StartsAtTheFirstCornerOfAConvexPolygon) {
 }
 
 TEST(Fan, StartsWhereANotchCanBeSeenFrom) {
-    // an arrowhead: only from the notch and from the tip opposite does a fan stay inside
+    // an arrowhead: a fan stays inside only from the reflex corner and from the tip opposite
     EXPECT_EQ(fan_corner(polygon({{2, 0}, {0, 1}, {1, 0}, {0, -1}})), 0);
     EXPECT_EQ(fan_corner(polygon({{0, 1}, {1, 0}, {0, -1}, {2, 0}})), 1);
 }

@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace geodesic_test {
 
-/// A plane meshed irregularly, so that walks cross its edges at all angles.
+/// An irregularly meshed plane, so that walks cross edges at all angles.
 TriangleMesh jittered_plane() {
     TriangleMesh mesh = testing::rectangle(2, 1, 20, 10);
     std::mt19937 random(5);
@@ -46,7 +46,8 @@ TEST(Walk, IsAHelixOnAPrism) {
     const int facets = 12;
     const double angle = 1.2;
     const UnfoldedSurface surface(testing::cylinder(1, angle, 2, facets, 16));
-    const double width = 2 * std::sin(angle / 2 / facets);  // of a facet; laid flat the prism is a rectangle of 12
+    const double width = 2 * std::sin(angle / 2 / facets);  // of a facet; laid flat, the prism is a rectangle of
+                                                            // 12 facets
     const auto on_prism = [&](double x, double z) {
         const double facet = std::floor(x / width);
         const auto edge = [&](double k) {
@@ -70,7 +71,7 @@ TEST(Walk, KeepsToThePlaneOfAConeLaidFlat) {
     const double half = 0.5;
     const double angle = 2;
     const UnfoldedSurface surface(testing::cone(half, angle, 1, 2.5, facets, 12));
-    // Laid flat about its tip the polyhedral cone is a fan of equal triangles of this angle.
+    // Laid flat about its tip, the polyhedral cone is a fan of equal triangles with this angle.
     const double fan = 2 * std::asin(std::sin(half) * std::sin(angle / 2 / facets));
     const auto ruling = [&](double k) {
         const double phi = angle * (k / facets - 0.5);
@@ -117,7 +118,7 @@ TEST(Walk, LeavesAVertexInEveryDirection) {
     for (int t = 0; t < mesh.triangle_count(); ++t)
         for (int k = 0; k < 3; ++k) {
             const Vec3 vertex = mesh.corner(t, k);
-            if (mesh.triangles(t, k) != 12) continue;  // the middle
+            if (mesh.triangles(t, k) != 12) continue;  // the middle vertex
             for (int turn = 0; turn < 8; ++turn) {     // along edges and between them
                 const double angle = turn * std::numbers::pi / 4;
                 const Vec3 along(std::cos(angle), std::sin(angle), 0);
@@ -158,7 +159,7 @@ TEST(Walk, IsTheSameInOnePieceOrTwo) {
     EXPECT_LT((surface.position(whole.end) - surface.position(second.end)).norm(), 1e-13);
 }
 
-/// Looking and walking are two pieces of code: what is seen in a direction at a distance is met by walking there.
+/// Looking and walking are implemented independently: walking in a direction must reach what was seen there.
 TEST(LookAround, SeesWhatAWalkMeets) {
     for (const TriangleMesh& mesh : {testing::saddle(1, 0.4, 12), testing::cap(0.8, 10), jittered_plane()}) {
         const UnfoldedSurface surface(mesh);
@@ -202,7 +203,7 @@ TEST(LookAround, SeesEveryPlaceOfAPlaneOnceAndWhereItIs) {
 }
 
 TEST(LookAround, DoesNotSeeRoundACorner) {
-    // Three quarters of a square: from one arm the end of the other lies behind the inner corner.
+    // Three quarters of a square: seen from one arm, the end of the other is behind the inner corner.
     TriangleMesh mesh = testing::rectangle(2, 2, 10, 10);
     Triangles kept(mesh.triangle_count(), 3);
     int count = 0;

@@ -1,4 +1,4 @@
-/// What exporters leave behind is mended; what designers mean stays.
+/// Mends the defects that exporters leave; keeps what designers intend.
 #include "ripstop/mesh/change/mend.h"
 
 #include <gmock/gmock.h>
@@ -48,7 +48,7 @@ int add_vertex(TriangleMesh& mesh, const Vec3& at) {
     return mesh.vertex_count() - 1;
 }
 
-/// Each triangle with three vertices of its own.
+/// The mesh with three separate vertices for each triangle.
 TriangleMesh torn(const TriangleMesh& mesh) {
     TriangleMesh soup{Points3(3 * mesh.triangle_count(), 3), Triangles(mesh.triangle_count(), 3)};
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -59,7 +59,7 @@ TriangleMesh torn(const TriangleMesh& mesh) {
     return soup;
 }
 
-/// The mesh with a copy of vertex `v` for each triangle there.
+/// The mesh with a copy of vertex `v` for each of its triangles.
 TriangleMesh torn_at(TriangleMesh mesh, int v) {
     bool first = true;
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -101,7 +101,7 @@ TEST(Mend, JoinsWhatATriangleWithoutAreaJoins) {
 }
 
 TEST(Mend, JoinsTheRowsOfVerticesAtThePoles) {
-    // a sphere's gore as a grid whose first and last rows are points
+    // a gore of a sphere as a grid whose first and last rows are points
     TriangleMesh grid = testing::grid(4, 12, [](double u, double v) {
         const double lat = pi * (v - 0.5), lon = 0.3 * u;
         return Vec3(std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat));
@@ -144,7 +144,7 @@ TEST(Mend, TakesOutTrianglesGivenTwiceEitherWayUp) {
     const MendedMesh mended = mend_mesh(mesh);
     EXPECT_EQ(mended.doubled, 2);
     EXPECT_EQ(mended.mesh.triangles, sound.triangles);
-    // a back for every face, on the same vertices and on their own
+    // a back for every face, on the same vertices and on separate ones
     TriangleMesh both = sound;
     for (int t = 0; t < sound.triangle_count(); ++t)
         add_triangle(both, sound.triangles(t, 0), sound.triangles(t, 2), sound.triangles(t, 1));
@@ -170,11 +170,11 @@ TEST(Mend, WeldsAMeshWhoseFacesHaveVerticesOfTheirOwn) {
 }
 
 TEST(Mend, WeldsASlitOfNoWidthWithin) {
-    // a row of inner vertices twice: above it one copy, below it the other
+    // a row of inner vertices is doubled: one copy above it, one below
     TriangleMesh mesh = testing::rectangle(1, 1, 6, 6);
     const TriangleMesh sound = mesh;
     for (const int v : {22, 23, 24, 25}) {
-        if (v == 22 || v == 25) continue;  // the slit's ends stay one
+        if (v == 22 || v == 25) continue;  // the slit's ends stay single
         const int copy = add_vertex(mesh, mesh.positions.row(v));
         for (int t = 0; t < mesh.triangle_count(); ++t) {
             const bool above =
@@ -201,7 +201,7 @@ TEST(Mend, WeldsTheTipOfAGore) {
     }
 }
 
-/// A gore of the unit sphere that ends in edges, `tip` wide in all, instead of points.
+/// A gore of the unit sphere with blunt ends of total width `tip` instead of points.
 TriangleMesh blunt_gore(int columns, double tip) {
     const double angle = 2 * pi / 24, most = pi / 2 - tip / angle;
     return testing::grid(columns, 12, [=](double u, double v) {
@@ -251,7 +251,7 @@ TEST(CloseTips, KeepsWiderTipsNarrowSlotsAndShortEdgesOfAStraightSide) {
 }
 
 TEST(Mend, KeepsDarts) {
-    // closed darts: of several edges; of one edge from a straight side; of one edge that takes away an angle
+    // closed darts: of several edges; of one edge from a straight side; of one edge that removes an angle
     TriangleMesh mesh = testing::rectangle(2, 1, 8, 8);
     for (int j = 0; j < 4; ++j) {
         const int v = 9 * j + 4, copy = add_vertex(mesh, mesh.positions.row(v));
@@ -264,7 +264,7 @@ TEST(Mend, KeepsDarts) {
         EXPECT_FALSE(mend_mesh(mesh).any()) << j;
         EXPECT_TRUE(is_disk(mesh));
     }
-    const double edge = 1;  // a pyramid of three sides, cut open along one of its edges
+    const double edge = 1;  // a three-sided pyramid, cut open along one of its edges
     const TriangleMesh pyramid = mesh_of(
         {{edge, 0, 0}, {-0.5, 0.8660254037844386, 0}, {-0.5, -0.8660254037844386, 0}, {0, 0, 0.8}, {edge, 0, 0}},
         {{0, 1, 3}, {1, 2, 3}, {2, 4, 3}});

@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace sight_lines_test {
 
-/// By the three equations for where the line meets the triangle's plane, triangle by triangle.
+/// Solves the three equations for the intersection of the line with each triangle's plane.
 bool is_blocked_by_any(const TriangleMesh& mesh, const Vec3& from, const Vec3& direction, double least) {
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         Eigen::Matrix3d columns;

@@ -14,7 +14,7 @@ namespace unroll_test {
 
 constexpr double pi = std::numbers::pi;
 
-/// How far the places of a vertex in its triangles are apart at most.
+/// The largest distance between the places of a vertex in its triangles.
 double parted(const TriangleMesh& mesh) {
     const std::vector<LaidTriangle> laid = unroll(mesh, Adjacency(mesh.triangles, mesh.vertex_count()));
     Points2 low = Points2::Constant(mesh.vertex_count(), 2, 1e9), high = -low;

@@ -29,7 +29,7 @@ NestOptions quick(int rounds = 3) {
     return options;
 }
 
-/// A chevron: two arms of `width` that rise to the middle; hollow below.
+/// A chevron: two arms of `width` that rise to the middle, with a hollow below.
 PatternPiece chevron(const std::string& name, double length, double rise, double width) {
     Points2 outline(6, 2);
     outline << 0, 0, length / 2, rise, length, 0, length, width, length / 2, rise + width, 0, width;
@@ -52,8 +52,8 @@ TEST(NestPieces, LaysEveryCopyOnceAtTheGapWithinTheRoll) {
 }
 
 TEST(NestPieces, BeatsLibnest2dOnGoreLikePieces) {
-    // libnest2d leaves 24 % of the cloth of 200 such pieces (docs/benchmarks.md), 25 % of that of 60. The figure is
-    // ours after a short search, so that a search that no longer works is noticed.
+    // libnest2d wastes 24 % of the cloth for 200 such pieces (docs/benchmarks.md), 25 % for 60. This figure is
+    // ours after a short search, so the test fails if the search stops working.
     const PieceSet set = loose_set(gore_like_pieces(60));
     const Markers markers = nest_pieces(set, quick(10));
     EXPECT_EQ(faults_of(set, markers, 0.005), "");
@@ -82,8 +82,8 @@ TEST(NestPieces, UsesTheHollowsOfConcavePieces) {
     NestOptions options = quick(10);
     const Markers markers = nest_pieces(set, options);
     EXPECT_EQ(faults_of(set, markers, options.gap), "");
-    // 5 lie in one another across the roll: 0.4 + 5 * 0.2 m and the gaps, slanting; of their hulls 1.5 / 0.6 m only 2
-    // do.
+    // 5 nest across the roll: 0.4 + 5 * 0.2 m plus the gaps, slanted. Of their convex hulls only 1.5 / 0.6, that
+    // is 2, fit.
     EXPECT_LT(markers.markers.at(0).length, 6 * 2.01);
 }
 

@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace own_pieces_test {
 
-/// An L with unequal legs: like none of its mirror images and turns.
+/// An L with unequal legs, different from its mirror images and rotations.
 Points2 bent() {
     Points2 corners(6, 2);
     corners << 0, 0, 0.9, 0, 0.9, 0.2, 0.3, 0.2, 0.3, 0.5, 0, 0.5;
@@ -23,7 +23,7 @@ Points2 mirrored(Points2 outline) {
     return outline.colwise().reverse();
 }
 
-/// Four pieces of one pattern, wherever they were flattened: shifted, turned by half, mirrored, and mirrored and turned.
+/// Four pieces of one pattern with different flat positions: shifted, turned by half, mirrored, and both.
 PieceSet four_of_a_pattern() {
     std::vector<PatternPiece> pieces{testing::loose_piece("A", bent())};
     Points2 turned = -bent();

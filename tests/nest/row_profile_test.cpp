@@ -12,7 +12,7 @@ Points2 points(std::initializer_list<Vec2> corners) {
     return result;
 }
 
-/// Two legs of 1 x 2 with a beam of 1 above them: open below, from 1 to 2.
+/// Two legs of 1 x 2 with a beam of 1 above them: open at the bottom, from 1 to 2.
 Points2 gate() {
     return points({{0, 0}, {1, 0}, {1, 2}, {2, 2}, {2, 0}, {3, 0}, {3, 3}, {0, 3}});
 }
@@ -61,7 +61,7 @@ TEST(OverlappingShifts, LeaveRoomInAHollow) {
     const RowProfile inner = make_row_profile(points({{0, 0}, {0.6, 0}, {0.6, 1.5}, {0, 1.5}}), 0, 0.5);
     std::vector<Interval> shifts;
     find_overlapping_shifts(outer, inner, 0, shifts);
-    ASSERT_EQ(shifts.size(), 2u);  // between them 1 to 1.4
+    ASSERT_EQ(shifts.size(), 2u);  // between them, 1 to 1.4 is free
     EXPECT_NEAR(shifts[0].lower, -0.6, 1e-12);
     EXPECT_NEAR(shifts[0].upper, 1, 1e-12);
     EXPECT_NEAR(shifts[1].lower, 1.4, 1e-12);

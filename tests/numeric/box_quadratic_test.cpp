@@ -13,7 +13,7 @@ using Vector = Eigen::VectorXd;
 constexpr int size = 40;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A chain of springs that push on one another, on soft ground.
+/// A chain of springs that push each other, on soft ground.
 struct Springs {
     SparsePattern pattern = [] {
         Couplings couplings;
@@ -59,7 +59,7 @@ TEST(BoxQuadratic, RestsAtItsBoundsAndIsLevelBetween) {
             SCOPED_TRACE(i);
             EXPECT_GE(p[i], -bound);
             EXPECT_LE(p[i], 0.5 * bound);
-            // the first-order conditions, to what the solver leaves of forces of about one
+            // the first-order conditions, up to the solver's tolerance for forces of about one
             if (p[i] > -bound) {
                 EXPECT_LE(slope[i], 1e-10);
             }

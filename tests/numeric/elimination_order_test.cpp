@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace elimination_order_test {
 
-/// A grid of vertices, `each` unknowns to a vertex, vertices of a cell coupled.
+/// A grid of vertices with `each` unknowns per vertex; the vertices of a cell are coupled.
 SparsePattern grid_pattern(int side, int each) {
     Couplings couplings;
     for (int j = 0; j + 1 < side; ++j)
@@ -48,7 +48,7 @@ TEST(EliminationOrder, TakesTheUnknownsOfAVertexTogether) {
 }
 
 TEST(EliminationOrder, LeavesAStarWithoutFill) {
-    // the hub first would join all of its neighbours
+    // eliminating the hub first would couple all of its neighbours
     constexpr int arms = 40;
     Couplings couplings;
     std::array<int, arms> others{};
@@ -58,7 +58,7 @@ TEST(EliminationOrder, LeavesAStarWithoutFill) {
 }
 
 TEST(EliminationOrder, FillsFourTimesAsMuchForTwoUnknownsAVertex) {
-    // each entry of the vertices' factor becomes a 2 x 2 block, each diagonal one entry below it
+    // each entry of the vertices' factor becomes a 2 x 2 block; each diagonal one gets an entry below it
     constexpr int side = 30;
     EXPECT_EQ(fill(grid_pattern(side, 2)), 4 * fill(grid_pattern(side, 1)) + side * side);
 }

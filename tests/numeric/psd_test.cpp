@@ -39,7 +39,7 @@ TEST(PositiveSemidefinite, ClampsTheEigenvaluesAndNothingElse) {
 }
 
 TEST(PositiveSemidefinite, ClampsALoneNegativeEigenvalueAtEveryScale) {
-    // Stiff threads, weak shear and a small negative mode, in any directions: what a triangle's Hessian looks like.
+    // Stiff threads, weak shear and a small negative mode in arbitrary directions, as in a triangle's Hessian.
     for (unsigned seed = 0; seed < 200; ++seed)
         for (const double negative : {-1e-9, -1e-3, -0.5, -40.0}) {
             const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> axes(random_symmetric(seed));

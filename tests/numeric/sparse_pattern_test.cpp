@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace sparse_pattern_test {
 
-/// The dense symmetric matrix that `values` stands for.
+/// The dense symmetric matrix that `values` represents.
 Eigen::MatrixXd dense(const SparsePattern& pattern, const Eigen::VectorXd& values) {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
     for (int c = 0; c < pattern.size(); ++c)
@@ -78,7 +78,7 @@ TEST(SparsePattern, AssemblesWhatADenseMatrixDoes) {
                 if (i != j) expected(j, i) += value;
             }
     }
-    EXPECT_EQ(dense(pattern, values), expected);  // whole numbers: exact
+    EXPECT_EQ(dense(pattern, values), expected);  // integers, so exact
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(size, 1, size);
     EXPECT_EQ(product(pattern, values, x), expected * x);
 }

@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace symmetric_solver_test {
 
-/// A chain of springs of stiffness k, every unknown also tied to the ground with `ground`.
+/// A chain of springs of stiffness k; every unknown is also tied to the ground with `ground`.
 struct Chain {
     explicit Chain(int size) : pattern(size, couple(size)) {}
 
@@ -35,8 +35,8 @@ struct Chain {
     SparsePattern pattern;
 };
 
-/// A square plate of vertices with two unknowns each, coupled along edges and diagonals as elastic triangles are: large
-/// enough that dense blocks are chosen.
+/// A square plate of vertices with two unknowns each, coupled along edges and diagonals as elastic triangles are.
+/// It is large enough for dense blocks.
 struct Plate {
     explicit Plate(int side) : pattern(2 * side * side, couple(side)) {}
 
@@ -54,7 +54,7 @@ struct Plate {
         return couplings;
     }
 
-    /// A weighted Laplacian with weights that differ from place to place, each unknown tied to the ground.
+    /// A weighted Laplacian with varying weights; each unknown is tied to the ground.
     Eigen::VectorXd values(double ground) const {
         Eigen::VectorXd result = Eigen::VectorXd::Zero(pattern.entry_count());
         for (int c = 0; c < pattern.size(); ++c) {
@@ -155,11 +155,11 @@ TEST(SymmetricSolver, SolvesAConstrainedSystem) {
     right[size] = 2;
     const Eigen::VectorXd x = solver.solve(right);
     const double shift = (2 - right.head(size).sum()) / size;
-    EXPECT_LT(((x - right).head(size).array() - shift).abs().maxCoeff(), 1e-9);  // of the order δ times the sums
+    EXPECT_LT(((x - right).head(size).array() - shift).abs().maxCoeff(), 1e-9);  // of the order of δ times the sums
     EXPECT_NEAR(x.head(size).sum(), 2, 1e-10);
 }
 
-/// Of the large systems, which CHOLMOD factorises where the build has it.
+/// Large systems, which CHOLMOD factorises if the build has it.
 class LargeSymmetricSolver : public ::testing::Test {
   protected:
     Plate plate{75};
@@ -218,7 +218,7 @@ TEST_F(LargeSymmetricSolver, RefusesANotANumber) {
 }
 
 TEST_F(LargeSymmetricSolver, SaysThatAFreeBodyHasAZeroPivot) {
-    // x and y couple in this plate, so that it floats in one direction only
+    // x and y are coupled in this plate, so it floats in one direction only
     SymmetricSolver solver(plate.pattern);
     const bool done = solver.factorize(plate.values(0));
     EXPECT_TRUE(!done || solver.inertia().zero == 1);

@@ -22,7 +22,7 @@ Points2 square(const Vec2& lower, double side) {
     return points({lower, lower + Vec2(side, 0), lower + Vec2(side, side), lower + Vec2(0, side)});
 }
 
-/// In millimetres, and saying so.
+/// A drawing in millimetres, which it states.
 PatternDrawing drawing_of(const std::vector<DrawnPath>& paths) {
     PatternDrawing drawing;
     drawing.format = "DXF";
@@ -70,14 +70,14 @@ TEST(CheckDrawing, FindsASoundDrawingSound) {
 
 TEST(CheckDrawing, TakesEdgesThatTouchWithinAHundredthForAClosedContour) {
     const Vec2 a(0, 0), b(300, 0), c(300, 200), d(0, 200), off(0.005, 0.005);
-    // One of them the other way round, and none in order.
+    // One of them is reversed, and they are out of order.
     const DrawingCheck check =
         check_drawing(drawing_of({open("CUT", points({a, b})), open("CUT", points({d + off, c})),
                                   open("CUT", points({b, c + off})), open("CUT", points({d, a}))}));
     EXPECT_TRUE(check.sound());
     ASSERT_EQ(check.contours.size(), 1U);
     EXPECT_EQ(check.contours[0].parts, 4);
-    // The corners taken are up to 0.007 mm off.
+    // The corners used are up to 0.007 mm off.
     EXPECT_NEAR(check.contours[0].area, 0.06, 5e-6);
 }
 
@@ -138,7 +138,7 @@ TEST(CheckDrawing, NamesPiecesThatOverlapAndByHowMuch) {
     DrawingCheck check = check_drawing(drawing);
     EXPECT_EQ(codes(check), (std::vector<std::string>{"overlap"}));
     EXPECT_THAT(message(check, "overlap"), HasSubstr("A and B overlap by 10.00 mm at (290.00, 250.00) mm"));
-    // In a cross no corner of one lies in the other.
+    // In a cross, no corner of one lies inside the other.
     drawing.texts.clear();
     drawing.paths = {closed("CUT", points({{0, 100}, {300, 100}, {300, 150}, {0, 150}})),
                      closed("CUT", points({{100, 0}, {200, 0}, {200, 300}, {100, 300}}))};
@@ -148,7 +148,7 @@ TEST(CheckDrawing, NamesPiecesThatOverlapAndByHowMuch) {
 }
 
 TEST(CheckDrawing, LetsPiecesHaveACutInCommon) {
-    // Side by side, one of them half as tall, and one round its other sides that reaches 0.05 mm into it.
+    // Two side by side, one of them half as tall, and one around its other sides that overlaps it by 0.05 mm.
     const Points2 round =
         points({{300, 200}, {449.95, 200}, {449.95, 0}, {700, 0}, {700, 700}, {0, 700}, {0, 300}, {300, 300}});
     EXPECT_TRUE(check_drawing(drawing_of({closed("CUT", square({0, 0}, 300)), closed("CUT", square({300, 50}, 150)),
@@ -204,7 +204,7 @@ TEST(CheckDrawing, NamesASewLineOutsideOfThePieces) {
     EXPECT_TRUE(check_drawing(drawing_of({piece, closed("SEW", square({-0.01, -0.01}, 300.02))})).sound()) << "rounded";
     DrawingCheck check = check_drawing(drawing_of({piece, closed("SEW", square({40, 40}, 270))}));
     EXPECT_EQ(codes(check), (std::vector<std::string>{"sew_outside"}));
-    // The far corner is 10 mm out both ways.
+    // The far corner protrudes by 10 mm in both directions.
     EXPECT_THAT(message(check, "sew_outside"),
                 HasSubstr("reaches 14.14 mm out of the one on layer CUT at (310.00, 310.00)"));
     check = check_drawing(drawing_of({piece, closed("SEW", square({-10, -10}, 320))}));
@@ -215,7 +215,7 @@ TEST(CheckDrawing, NamesASewLineOutsideOfThePieces) {
                 HasSubstr("at (400.00, 40.00) mm lies in no closed contour that is cut"));
 }
 
-/// A closed path of these lines in millimetres.
+/// A closed path of these lines, in millimetres.
 DrawnPath drawn(const char* layer, const Points2& metres) {
     return closed(layer, 1000 * metres);
 }
@@ -235,7 +235,7 @@ TEST(CheckDrawing, NamesAnOpeningOfTheSewLineThatNothingCuts) {
                         slit == 0)
                 << slit;
             const DrawingCheck check = check_drawing(drawing_of({drawn("CUT", cut_of(piece)), drawn("SEW", sew)}));
-            if (slit == 0) continue;  // it touches itself, and that is said
+            if (slit == 0) continue;  // it touches itself, which is reported
             EXPECT_EQ(codes(check), (std::vector<std::string>{"opening"})) << slit;
             EXPECT_THAT(message(check, "opening"), HasSubstr("nothing on layer CUT is cut between")) << slit;
         }
@@ -251,7 +251,8 @@ TEST(CheckDrawing, TakesCornersThatAllowancesCloseAndHolesThatAreCutForSound) {
         EXPECT_TRUE(
             check_drawing(drawing_of({drawn("CUT", notched.cut_line), drawn("SEW", notched.sew_line)})).sound());
     }
-    // A square hole of the cloth, sewn round and cut, with a slit of the sew line to it that is not: the seam goes there and back.
+    // A square hole of the cloth, sewn around and cut. The sew line has a slit to it that is not cut: the seam
+    // goes there and back.
     const PatternPiece piece = testing::cut_piece(testing::square_keyhole(0.06, 0.25, 0.025));
     DrawnPath hole = closed("CUT", square({300, 275}, 200)), outside = closed("CUT", square({-25, -25}, 850));
     const DrawingCheck check = check_drawing(drawing_of({outside, hole, drawn("SEW", piece.sew_line)}));
@@ -294,7 +295,7 @@ TEST(CheckDrawing, MeasuresTheReferenceSquare) {
     EXPECT_TRUE(check.sound());
     EXPECT_DOUBLE_EQ(check.square.value_or(0), 0.1);
     EXPECT_EQ(check.contours.size(), 1U);
-    // As 72 for 96 dots an inch makes it.
+    // As if 72 dots per inch were taken for 96.
     drawing.paths[1].points *= 0.75;
     drawing.texts[0].at *= 0.75;
     check = check_drawing(drawing);
@@ -370,7 +371,7 @@ TEST(CheckDrawing, TellsAnOutlineLeftOpenFromAMarkWhereTheLayersAreNotKnown) {
     EXPECT_EQ(codes(side), (std::vector<std::string>{"open"}));
     EXPECT_THAT(message(side, "open"), HasSubstr("its ends are 300.0 mm apart"));
     EXPECT_FALSE(found(points({{500, 0}, {800, 0}, {800, 300}, {500, 300}, {500, 20}})).sound());
-    // The same line within a piece may be a pocket; a straight one is a ruler or an arrow.
+    // The same line inside a piece may be a pocket; a straight one is a ruler or an arrow.
     for (const Points2& mark : {points({{50, 50}, {100, 50}, {100, 100}, {50, 100}}), points({{400, 0}, {400, 300}})}) {
         const DrawingCheck check = found(mark);
         EXPECT_TRUE(check.sound());

@@ -22,7 +22,7 @@ std::vector<std::string> faults_of(const PatternPiece& piece) {
     return messages;
 }
 
-/// What must hold of any cut line, looked at without anything of what made it or checks it.
+/// Tests the properties of any cut line, independently of the code that makes or checks it.
 void expect_cut_round(const PatternPiece& piece, const std::string& what) {
     EXPECT_EQ(self_intersections(piece.cut_line).count, 0) << what;
     EXPECT_GT(signed_area(piece.cut_line), 0) << what;
@@ -37,7 +37,7 @@ void expect_cut_round(const PatternPiece& piece, const std::string& what) {
     EXPECT_THAT(faults_of(piece), IsEmpty()) << what;
 }
 
-/// What is left of an allowance in a gap, by the header's formula.
+/// What remains of an allowance in a gap, by the formula in the header.
 double left_in(double gap, double allowance, double other) {
     const double room = std::max((gap - 5e-5) / 2, gap - 5e-5 - other);
     return room < allowance ? room - std::clamp(std::min(0.1 * room, allowance - room), 0.0, 5e-4) : allowance;
@@ -61,7 +61,8 @@ TEST(CutCheck, KeepsTheOpeningOfEveryKeyholeAndSaysWhereItsHemsMeet) {
                     EXPECT_NEAR(signed_area(piece.cut_line), whole - slot * length, 1e-5) << what;
                     continue;
                 }
-                // The slot is at most 1.05 mm wide; at its ends the hems' corners are blunted by less than half of them.
+                // The slot is at most 1.05 mm wide; at its ends the hems' corners are blunted by less than half of
+                // them.
                 EXPECT_LT(signed_area(piece.cut_line), whole - 4e-5 * depth) << what;
                 EXPECT_GT(signed_area(piece.cut_line), whole - 1.06e-3 * length - 2 * allowance * allowance) << what;
                 if (2 * allowance - slit < 2e-5) {
@@ -102,7 +103,7 @@ TEST(CutCheck, CutsRingsOpenAtAnyAngle) {
         EXPECT_EQ(piece.met.empty(), gap >= 2 * allowance) << what;
         if (piece.met.empty()) continue;
         EXPECT_NEAR(piece.met.front().gap, gap, 1.5e-3) << what;
-        // Rims are chords of 5 degrees: their mitres stand out by 1e-3 of the allowance.
+        // Rims are chords of 5 degrees, so their mitres protrude by 1e-3 of the allowance.
         const double ring = angle * degree / 2 * (std::pow(1 + allowance, 2) - std::pow(0.3 - allowance, 2));
         EXPECT_NEAR(signed_area(piece.cut_line), ring, 0.02 * ring) << what << ": 3.30 m2 without its opening";
     }
@@ -169,7 +170,7 @@ TEST(CutCheck, FindsClothThatIsMissing) {
     EXPECT_THAT(faults_of(crossed), ::testing::Contains(HasSubstr("meets itself")));
 }
 
-/// A square with a slot 30 mm wide and 300 mm deep, all hems.
+/// A square with a slot 30 mm wide and 300 mm deep; all edges are hems.
 FlatTile slotted_tile() {
     Points2 corners(8, 2);
     corners << 0, 0, 0.8, 0, 0.8, 0.8, 0.415, 0.8, 0.415, 0.5, 0.385, 0.5, 0.385, 0.8, 0, 0.8;

@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace cut_line_test {
 
-constexpr double steps = 5e-7;  // whole steps of a tenth of a micrometre, and the cleaning of two of them
+constexpr double steps = 5e-7;  // steps of 0.1 micrometre, and the removal of points within two of them
 
 Points2 cut_points(const std::vector<AllowedEdge>& edges) {
     return make_cut_line(edges).points;
@@ -23,7 +23,7 @@ Points2 line(std::initializer_list<std::array<double, 2>> points) {
     return result;
 }
 
-/// A rectangle of 2 m x 1 m from the lower edge on, counter-clockwise, with these allowances.
+/// A rectangle of 2 m x 1 m with these allowances, counter-clockwise from the lower edge.
 std::vector<AllowedEdge> rectangle(const std::array<double, 4>& allowance,
                                    const std::array<CornerRule, 4>& corner = {}) {
     const Points2 corners = line({{0, 0}, {2, 0}, {2, 1}, {0, 1}, {0, 0}});
@@ -67,13 +67,13 @@ TEST(CutLine, CutsASquareCornerAcrossAtTheAllowance) {
     const Points2 cut = cut_points(rectangle({0.02, 0.02, 0.02, 0.02}, {square, square, square, square}));
     for (const Vec2& corner : {Vec2(0, 0), Vec2(2, 0), Vec2(2, 1), Vec2(0, 1)})
         EXPECT_NEAR(distance_to_outline(cut, corner), 0.02, steps);
-    // Each corner loses the tip beyond the chamfer: a right triangle with height (sqrt(2) - 1) * 0.02.
+    // Each corner loses the tip beyond the chamfer, a right triangle of height (sqrt(2) - 1) * 0.02.
     const double height = (std::numbers::sqrt2 - 1) * 0.02;
     EXPECT_NEAR(signed_area(cut), 2.04 * 1.04 - 4 * height * height, steps * 7);
 }
 
 TEST(CutLine, LimitsTheMitreOfASharpTip) {
-    // The tips of the lens open by 0.4 rad: an unlimited mitre would reach 0.025 / sin(0.2) = 126 mm.
+    // The tips of the lens open by 0.4 rad: an unlimited mitre would extend 0.025 / sin(0.2) = 126 mm.
     const Points2 cut = cut_points(lens(5, 0.2, 0.025, 64));
     const Vec2 tip(5 * std::sin(0.2), 0);
     EXPECT_NEAR(cut.col(0).maxCoeff() - tip.x(), 0.050, steps);
@@ -88,7 +88,8 @@ TEST(CutLine, FoldsAHemIntoTheMirrorImageOfThePiece) {
     for (int e = 0; e < 4; ++e)
         edges.push_back({corners.middleRows(e, 2), e == 0 ? hem : side, e == 0 ? CornerRule::fold : CornerRule::mitre});
     const Points2 cut = cut_points(edges);
-    // What lies below the fold, turned up about it, has the piece's own cut line: no cloth looks out beside the piece.
+    // The part below the fold, mirrored upwards, matches the piece's own cut line, so no cloth shows beside the
+    // piece.
     for (const double y : {0.005, 0.02, 0.035}) {
         const auto below = horizontal_chords(cut, -y), above = horizontal_chords(cut, y);
         ASSERT_EQ(below.size(), 1U);
@@ -109,7 +110,8 @@ TEST(CutLine, KeepsItsDistanceFromEveryEdgeOfAGore) {
                 for (Eigen::Index i = 0; i < edge.sew_line.rows(); ++i)
                     EXPECT_TRUE(contains(cut, Vec2(edge.sew_line.row(i))));
             }
-            // Turning by 2 * 0.6 / 80 rad a segment, the mitres between the segments stand out by less than 1e-4 of it.
+            // Segments turn by 2 * 0.6 / 80 rad, so the mitres between them protrude by less than 1e-4 of the
+            // allowance.
             const Points2 lower = edges[0].sew_line;
             double furthest = 0;
             for (Eigen::Index i = 20; i < 60; ++i)
@@ -118,7 +120,8 @@ TEST(CutLine, KeepsItsDistanceFromEveryEdgeOfAGore) {
         }
 }
 
-/// A piece 4 m wide whose lower outline turns by `turn` in its middle, with these allowances before and after, 20 mm elsewhere.
+/// A piece 4 m wide whose lower outline turns by `turn` in its middle, with these allowances before and after, 20
+/// mm elsewhere.
 std::vector<AllowedEdge> bent(double turn, double before, double after, CornerRule rule_before, CornerRule rule_after) {
     const Vec2 far = 2 * Vec2(std::cos(turn), std::sin(turn));
     const Points2 corners = line({{-2, 0}, {0, 0}, {far.x(), far.y()}, {far.x() - 0.1, 6}, {-2, 6}, {-2, 0}});
@@ -134,7 +137,7 @@ std::vector<AllowedEdge> bent(double turn, double before, double after, CornerRu
     return edges;
 }
 
-/// The largest part of an allowance that is missing anywhere at right angles to its edge.
+/// The largest part of an allowance that is missing anywhere, perpendicular to its edge.
 double missing(const std::vector<AllowedEdge>& edges, const Points2& cut) {
     double most = 0;
     for (const AllowedEdge& edge : edges) {
@@ -208,7 +211,7 @@ TEST(CutLine, IsCutDownTheMiddleOfANarrowNotchOfTheSewLine) {
 }
 
 TEST(CutLine, KeepsWhatAHookGoesRound) {
-    // Its ends come within twice the allowance of each other.
+    // Its ends are closer than twice the allowance.
     const Points2 corners = line(
         {{0, 0}, {1, 0}, {1, 0.2}, {0.2, 0.2}, {0.2, 0.8}, {1, 0.8}, {1, 0.25}, {1.2, 0.25}, {1.2, 1}, {0, 1}, {0, 0}});
     std::vector<AllowedEdge> edges;

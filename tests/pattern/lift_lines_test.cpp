@@ -47,7 +47,7 @@ TEST(LiftLine, ComesBackToTheSamePlaceOnTheCloth) {
 }
 
 TEST(LiftLine, EndsWhereItLeavesTheClothAndBeginsAgainWhereItComesBack) {
-    // A U of three squares, open to +y: a line across its two legs leaves the cloth between them.
+    // A U of three squares, open to +y: a line across its legs leaves the cloth between them.
     Points2 corners(8, 2);
     corners << 0, 0, 3, 0, 3, 2, 2, 2, 2, 1, 1, 1, 1, 2, 0, 2;
     TriangleMesh mesh;

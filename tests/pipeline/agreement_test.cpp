@@ -1,4 +1,4 @@
-/// One judgement: what `check` calls wrong `flatten` does not pass, whatever the shape and its meshes.
+/// `check` and `flatten` judge alike: `flatten` does not pass what `check` calls wrong, for any shape and mesh.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -30,7 +30,7 @@ struct Outcome {
     CutPlan plan;
 };
 
-/// As the two commands judge what was read.
+/// Judges the input as the two commands do.
 Outcome outcome(EnvelopeInput input, const RemeshOptions& remesh, const std::vector<std::string>& accept = {}) {
     Outcome result;
     JudgeOptions judging;
@@ -78,7 +78,7 @@ void move_mesh(TriangleMesh& mesh, const Vec3& by) {
     mesh.positions.rowwise() += by.transpose();
 }
 
-/// Something that goes wrong in a CAD, or is added there on purpose, at a tile of chance.
+/// Damages a random tile as a CAD might, or adds such a fault on purpose.
 void spoil(Meshes& tiles, std::mt19937& random) {
     const std::size_t t = random() % tiles.size();
     const double size = std::array{0.0002, 0.002, 0.05, 1.0, 40.0}[random() % 5];
@@ -202,7 +202,7 @@ TEST(SomeTilesAlone, AreNotBlamedForThoseLeftOut) {
     EXPECT_THAT(check.notes, Not(Contains(HasSubstr("FAR"))));
 }
 
-/// A plan of two tiles with one seam, all well.
+/// A sound plan of two tiles with one seam.
 CutPlan two_sheets() {
     TriangleMesh beside = testing::rectangle(1, 1, 4, 4);
     move_mesh(beside, Vec3(1, 0, 0));

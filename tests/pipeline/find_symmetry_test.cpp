@@ -21,7 +21,8 @@ TEST(FindSymmetry, FindsEverySectorOfADesign) {
     EXPECT_LT(symmetry.axis.head<2>().norm(), 1e-9);
 }
 
-// Its mouth edges turn by ten times the angle that an edge may turn by: rounding must not divide them by ten here, by eleven there.
+// Its mouth edges turn by exactly ten times the largest turn of an edge: rounding must not divide some by ten and
+// others by eleven.
 TEST(FindSymmetry, FindsEverySectorOnceTheTilesAreRemeshed) {
     if (!can_remesh()) GTEST_SKIP() << "built without CGAL";
     Envelope envelope = testing::balloon(lobed());

@@ -1,4 +1,4 @@
-/// Whole envelopes, designed and real, by the default method.
+/// Whole envelopes, designed and real, flattened by the default method.
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,8 @@ CutPlan flatten(const Envelope& envelope, const std::string& fabric, const std::
     return flatten_envelope(envelope, options);
 }
 
-/// The balloon of 24 x 15, coarser than the default so that a test is quick. The warp by project: along the gore or on the bias.
+/// The balloon of 24 x 15, coarser than the default to make the test quick. `grain_turn` rotates the warp from
+/// along the gore to the bias.
 Envelope balloon(double grain_turn = 0) {
     return make_envelope(design_natural({.edge_length = 0.25}), {.grain_turn = grain_turn});
 }
@@ -63,7 +64,7 @@ TEST(Balloon, OnTheBiasTheAreaCanBeHeldToo) {
 
 TEST(Balloon, NeighboursCutApartHaveSeamsOfTheSameLength) {
     const CutPlan plan = flatten(balloon(), "nylon");
-    // the upper edge of G01P05 and the lower one of G01P06 are one seam: each flat length is there once in both
+    // the upper edge of G01P05 and the lower one of G01P06 are one seam: each flat length occurs once in both
     const auto lengths = [&](const std::string& name) {
         for (const FlatTile& tile : plan.tiles)
             if (tile.tile.name == name) return tile.accuracy.chains;
@@ -76,7 +77,7 @@ TEST(Balloon, NeighboursCutApartHaveSeamsOfTheSameLength) {
     EXPECT_LT(nearest, 1e-8);
 }
 
-/// The same with the seams between its tiles, which share the places of their vertices.
+/// The same with seams; its tiles share the places of their vertices.
 Envelope sewn_balloon() {
     Envelope envelope = balloon();
     envelope.seams = testing::conforming_seams(envelope.tiles);

@@ -1,4 +1,4 @@
-/// What an inflation of a whole plan says, whatever it is loaded by and however its cloth was cut.
+/// Properties of the inflation of a whole plan, for any load and any cut.
 #include "ripstop/pipeline/flight/inflate_plan.h"
 
 #include <gmock/gmock.h>
@@ -94,7 +94,7 @@ TEST(InflatePlan, RefusesClothThatDoesNotEncloseTheGas) {
     }
 }
 
-// Nothing is kept of an inflation that was called off.
+// A cancelled inflation leaves no results.
 TEST(InflatePlan, CanBeCalledOff) {
     struct CalledOff {};
     InflatePlanOptions options;

@@ -19,7 +19,7 @@ namespace lift_drawing_test {
 
 using ::testing::HasSubstr;
 
-/// Two sheets of one size that are bent, not stretched, and a stripe on the second.
+/// Two sheets of the same size that are bent without stretch, and a stripe on the second.
 struct Plan {
     std::vector<FlatTile> tiles{testing::flat_cylinder("left"), testing::flat_cylinder("right")};
     PieceSet set;

@@ -13,7 +13,8 @@ namespace prepare_model_test {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// A square of two triangles and one without area, each with a warp; `apart`: the two corners in one place drawn apart.
+/// A square of two triangles and one triangle without area, each with a warp. `apart` separates its two coinciding
+/// corners in the drawn positions.
 CadModel square_with_a_pole(double apart) {
     NamedMesh square{"S", {}};
     square.mesh.positions.resize(5, 3);
@@ -50,7 +51,7 @@ TEST(MendSurfaces, DropsDrawnPositionsThatDoNotAgree) {
 }
 
 TEST(MendSurfaces, KeepsATipThatIsDrawnApart) {
-    // a triangle of two, the second with a copy of the tip
+    // a gore of two triangles, the second with a copy of the tip
     const auto gore = [](double apart) {
         NamedMesh fan{"G", {}};
         fan.mesh.positions.resize(5, 3);
@@ -63,11 +64,11 @@ TEST(MendSurfaces, KeepsATipThatIsDrawnApart) {
         model.surfaces = {fan};
         return model;
     };
-    // two triangles that hang together at a point alone are no tile, with their common edge they are one
+    // two triangles joined at one point only are no tile; with their common edge they are one
     CadModel halves = gore(0);
     EXPECT_THAT(mend_surfaces(halves, 0.0005),
                 ElementsAre("1 vertex joined with another in the same place: in G, near (0.0000, 8.0000, 0.0000)"));
-    // with cloth below it the copies are a tip
+    // with more cloth below, the copies are a tip
     const auto with_body = [&](double apart) {
         CadModel model = gore(apart);
         NamedMesh& fan = model.surfaces[0];

@@ -20,7 +20,7 @@ CutPlan flatten(const Envelope& envelope, const std::string& method = "seam-exac
     return flatten_envelope(envelope, {.method = method});
 }
 
-/// Certified edges are exact to 1e-8 of their length; what is asked for is 0.01 mm on a metre.
+/// Certified edges are exact to 1e-8 of their length; 0.01 mm per metre is required.
 void expect_exact_seams(const CutPlan& plan) {
     ASSERT_EQ(plan.walks.size(), plan.seams.size());
     for (std::size_t i = 0; i < plan.walks.size(); ++i) {
@@ -56,7 +56,7 @@ TEST(SewnEnvelope, OfBentSheetsMeshedDifferentlyFitsByMethodsThatKnowOnlyTheMesh
     ASSERT_EQ(envelope.seams.size(), 1u);
     for (const char* method : {"lscm", "arap", "seam-exact"}) {
         const SeamWalk walk = flatten(envelope, method).walks.front();
-        // The two polylines differ by (1/9^2 - 1/14^2) / 24 of a radian; what is left is how well the arc is known.
+        // The two polylines differ by (1/9^2 - 1/14^2) / 24 of a radian; the rest is the uncertainty of the arc.
         const double polylines = (1.0 / 81 - 1.0 / 196) / 24;
         EXPECT_LT(walk.drift_max, std::max(1e-6, 1e-3 * polylines)) << method;
         EXPECT_NEAR(walk.length, 1, 1e-4);
@@ -70,8 +70,8 @@ TEST(RealInput, TheDressHasExactSeamsAndItsOwnPatternTheMismatchThatWasPublished
     const Envelope envelope = read_envelope(dress, {});
     const CutPlan plan = flatten(envelope);
     expect_exact_seams(plan);
-    // Cloth is draped in folds that its triangles hardly follow: of many seams they leave the length open. Each
-    // of these is a finding, and nothing else is one.
+    // Cloth drapes in folds that its triangles hardly follow, so the length of many seams is uncertain. Each of
+    // these is a finding, and there are no others.
     std::vector<const SeamWalk*> open;
     for (const SeamWalk& walk : plan.walks)
         if (walk.uncertainty > 0.001 * walk.length) open.push_back(&walk);
@@ -85,7 +85,8 @@ TEST(RealInput, TheDressHasExactSeamsAndItsOwnPatternTheMismatchThatWasPublished
     std::ifstream in(list);
     const nlohmann::json published = nlohmann::json::parse(in);
     int certain = 0;
-    // Seams of the list and ours are one where they join the same panels and are as long, to 1 %, and not short.
+    // A seam of the list matches one of ours if they join the same panels and their lengths agree to 1 %; short
+    // ones are skipped.
     std::vector<double> differences;
     for (const auto& seam : published["seams"]) {
         if (seam["panel_a"].size() != 1 || seam["panel_b"].size() != 1 || seam["panel_a"] == seam["panel_b"]) continue;
@@ -97,7 +98,7 @@ TEST(RealInput, TheDressHasExactSeamsAndItsOwnPatternTheMismatchThatWasPublished
             const bool turned = ours.a.tile == b && ours.b.tile == a;
             if (!turned && !(ours.a.tile == a && ours.b.tile == b)) continue;
             if (std::abs(ours.length / length - 1) > 0.01) continue;
-            // Where the list has two sides that are not equally long as draped, ours is not certain.
+            // If the list's two sides have different draped lengths, our seam is uncertain.
             const double apart = std::abs(seam["draped_len_a"].get<double>() - seam["draped_len_b"].get<double>());
             if (plan.walks[i].is_certain()) {
                 EXPECT_LE(apart, plan.walks[i].limit) << ours.id;

@@ -15,7 +15,7 @@ namespace surface_lines_test {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// Two pieces of one cylinder about the z axis, 1 m in radius and height, side by side.
+/// Two adjacent parts of a cylinder about the z axis, 1 m in radius and height.
 std::vector<NamedMesh> two_sheets() {
     TriangleMesh left = testing::cylinder(1, 0.5, 1, 24, 12), right = left;
     const double turn = 0.5;
@@ -33,7 +33,7 @@ double length(const Points2& line) {
 
 TEST(SurfaceLines, AreCutAtTheSeamAndKeepTheirLengthOnTheCloth) {
     Envelope envelope = make_envelope(two_sheets(), {});
-    // A helix over both, from the middle of one sheet to the middle of the other.
+    // A helix across both, from the middle of one sheet to the middle of the other.
     const Vec3 from = envelope.tiles[0].mesh.positions.colwise().mean(),
                to = envelope.tiles[1].mesh.positions.colwise().mean();
     const double first = std::atan2(from.y(), from.x()), last = std::atan2(to.y(), to.x());
@@ -51,12 +51,12 @@ TEST(SurfaceLines, AreCutAtTheSeamAndKeepTheirLengthOnTheCloth) {
     const double drawn = std::hypot(std::abs(last - first), 0.6);
     EXPECT_NEAR(length(pieces[0].lines.at(0).points) + length(pieces[1].lines.at(0).points), drawn, 1e-3 * drawn);
     EXPECT_EQ(pieces[0].lines[0].name, "stripe");
-    // Straight on the cloth: a helix is.
+    // A helix is straight on the cloth.
     for (const PatternPiece& piece : pieces) {
         const Points2& line = piece.lines[0].points;
         EXPECT_NEAR((line.row(line.rows() - 1) - line.row(0)).norm(), length(line), 1e-4);
     }
-    // It goes on where it left off: the ends at the seam lie at the same height.
+    // It continues where it stopped: both ends at the seam have the same height.
     const auto end = [&](int tile, bool last_point) {
         const Points3& points = envelope.tiles[static_cast<std::size_t>(tile)].lines[0].points;
         return Vec3(points.row(last_point ? points.rows() - 1 : 0));
@@ -80,7 +80,7 @@ TEST(SurfaceLines, LeaveOutTheSeamsThemselvesAndSayWhatLiesNowhere) {
     EXPECT_TRUE(envelope.tiles[1].lines.empty());
 }
 
-/// Flat sheets side by side along x, a metre high, of these widths.
+/// Flat sheets of these widths side by side along x, one metre high.
 Envelope sheets(const std::vector<double>& widths) {
     std::vector<NamedMesh> tiles;
     double x = 0;

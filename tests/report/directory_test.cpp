@@ -120,7 +120,7 @@ TEST(PlanDirectory, ReplacesAnOldPlanUnderForceAndKeepsWhatIsNotIts) {
     ASSERT_EQ(refusal(scratch.path("plan"), {true, false, false}), "accepted");
     std::vector<std::string> expected{"bom.csv",     "cut",         "flat",      "photos",
                                       "report.html", "report.json", "seams.csv", "tiles.csv"};
-    if (page_template().empty()) expected.erase(expected.begin() + 4);  // the old one went all the same
+    if (page_template().empty()) expected.erase(expected.begin() + 4);  // the old one is removed all the same
     EXPECT_EQ(names(scratch.path("plan")), expected);
     EXPECT_FALSE(fs::exists(scratch.path("plan/flat/OLD.obj")));
     EXPECT_EQ(testing::content(scratch.path("plan/photos/first flight.txt")), "mine");
@@ -145,7 +145,7 @@ TEST(PlanDirectory, LeavesNothingHalfWrittenWhereItFails) {
     testing::write_text(scratch.path("plan/report.json"), "old");
     const CutPlan plan = testing::two_tile_plan();
     PieceSet pieces = make_piece_set(plan, make_pieces(plan), "A");
-    // The second piece's files have no folder to be in, which is found out with half of them written.
+    // The second piece's files have no folder, which shows only when half of them are written.
     pieces.pieces[1].file = "nowhere/piece";
     EXPECT_THROW(write_directory(scratch.path("plan"), plan, pieces, {true, false, false}), InputError);
     EXPECT_THAT(names(scratch.path()), ElementsAre("plan"));

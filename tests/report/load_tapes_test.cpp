@@ -30,7 +30,8 @@ TEST(LoadTapes, AreCutByTheSeamTheFactorAndTheForeshortening) {
     EXPECT_TRUE(std::isnan(tape_cut_lengths(plan)[0])) << "nothing is known of tapes";
 }
 
-/// Four copies of the inflated plan about an axis that is not the origin; only the first has tapes of its own, on S1 and S3.
+/// Four copies of the inflated plan about an axis that is not the origin; only the first has its own tapes, on S1
+/// and S3.
 CutPlan four_sectors() {
     const CutPlan one = testing::inflated_plan();
     CutPlan plan = one;

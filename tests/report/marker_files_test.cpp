@@ -65,7 +65,7 @@ TEST(MarkerJson, PlacesThePiecesWhereTheyWereLaid) {
         const Placement& placement = markers.markers[1].placements[i];
         const PatternPiece& piece = set.pieces[placement.piece];
         EXPECT_EQ(at["piece"], piece.name);
-        // As the schema says it: mirrored, turned, shifted.
+        // As in the schema: mirrored, turned, shifted.
         const double turn = at["turn_deg"].get<double>() * degree;
         const double sign = at["mirrored"] != at["face_down"] ? -1 : 1;
         const Vec2 p = piece.sew_line.row(7), m(p.x(), sign * p.y());

@@ -44,7 +44,7 @@ std::vector<SeamTypeChange> one_type() {
 TEST(RevisionText, SaysWhatChangedInMillimetres) {
     const std::string text = revision_text(three_changes());
     EXPECT_THAT(text, HasSubstr("G01P01  gone"));
-    EXPECT_THAT(text, HasSubstr("+12.00"));  // cm2
+    EXPECT_THAT(text, HasSubstr("+12.00"));  // cm²
     EXPECT_THAT(text, HasSubstr("+3.50"));
     EXPECT_THAT(text, HasSubstr("-1.000"));  // degrees
     EXPECT_THAT(

@@ -23,7 +23,7 @@ std::vector<std::string> lines(const std::string& text) {
     return result;
 }
 
-/// Fields of a CSV line, read by RFC 4180.
+/// The fields of a CSV line, by RFC 4180.
 std::vector<std::string> fields(const std::string& line) {
     std::vector<std::string> result(1);
     bool quoted = false;

@@ -131,7 +131,7 @@ TEST(WholeDirectory, IsTheOldOneOrTheNewOneWhereverTheLastRenamesAreKilled) {
         }
         require_writable(scratch.path(name), true);
     };
-    // Killed while the old entries moved out, then while the new ones moved in, then before the old ones were removed.
+    // Killed while the old entries moved out, while the new ones moved in, or before the old ones were removed.
     make("out", {".ripstop-partial-7/plan", ".ripstop-partial-7/extra", ".ripstop-old-7/plan", "extra", "photos"});
     EXPECT_THAT(names(scratch.path("out")), ElementsAre("extra", "photos", "plan"));
     EXPECT_EQ(testing::content(scratch.path("out/plan")), ".ripstop-old-7/plan");

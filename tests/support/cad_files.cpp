@@ -59,7 +59,7 @@
 namespace ripstop::testing {
 namespace {
 
-/// Open CASCADE tells of its writing on standard output, where the tests' results stand.
+/// Silences Open CASCADE, which reports its writing on standard output, among the tests' results.
 class Quiet {
   public:
     Quiet() : before_(std::cout.rdbuf(nowhere_.rdbuf())) {}
@@ -83,7 +83,7 @@ class Document {
         if (!layer.empty()) XCAFDoc_DocumentTool::LayerTool(document_->Main())->SetLayer(label, layer.c_str());
         return label;
     }
-    /// `parts`: each in a file of its own.
+    /// `parts`: writes each part to its own file.
     void write(const std::string& file, const std::string& unit, bool parts = false) const {
         const Quiet quiet;
         if (file.ends_with(".iges")) {

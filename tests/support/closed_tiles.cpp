@@ -37,7 +37,8 @@ TriangleMesh box_tube(double width, double depth, double height, int columns, in
 }
 
 TriangleMesh helical_tube(double radius, double height, int sides, int rows, int slip) {
-    // Upright lines at every side from the lower to the upper edge of the parallelogram; at its two tips these are points.
+    // Upright lines at every side from the lower to the upper edge of the parallelogram; at its two tips they are
+    // points.
     std::vector<Vec3> points;
     std::map<std::pair<int, int>, int> number;
     for (int i = 0; i <= sides + slip; ++i) {

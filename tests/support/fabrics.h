@@ -2,10 +2,10 @@
 
 #include "ripstop/model/tile/fabric.h"
 
-/// Cloth of the tables and of the derivative tests: E = 1 kN/m.
+/// Cloth for the tables and the derivative tests: E = 1 kN/m.
 namespace ripstop::testing {
 
-/// The same both ways, with this contraction and G / E.
+/// Equal in both directions, with this Poisson's ratio and G / E.
 inline Fabric cloth(double nu, double shear_ratio) {
     Fabric fabric;
     fabric.poisson = nu;
@@ -13,7 +13,7 @@ inline Fabric cloth(double nu, double shear_ratio) {
     return fabric;
 }
 
-/// Softer along the weft and weak in shear [N/m], so that no two constants are alike.
+/// Softer along the weft and weak in shear [N/m], so that all constants differ.
 inline Fabric uneven_cloth(double shear_stiffness) {
     Fabric fabric;
     fabric.weft_stiffness = 700;

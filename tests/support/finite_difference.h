@@ -4,7 +4,7 @@
 
 namespace ripstop::testing {
 
-/// The derivative of f: R^n -> R^m at x (m x n) by central differences: wrong by about f''' step² / 6 and by
+/// The derivative of f: R^n -> R^m at x (m x n) by central differences. Its error is about f''' step² / 6 plus
 /// 1e-16 |f| / step.
 template <class Function>
 Eigen::MatrixXd jacobian(Function&& f, const Eigen::VectorXd& x, double step = 1e-5) {

@@ -10,8 +10,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// A flat sheet from the x axis between `x0` and `x1`, `width` wide at `angle` [rad] about the axis from +y towards +z.
-/// Its first edge runs along the axis; `up` decides which side of it is the outside.
+/// A flat sheet that starts on the x axis between `x0` and `x1` and is `width` wide, at `angle` [rad] about the
+/// axis from +y towards +z. Its first edge runs along the axis; `up` decides which side is the outside.
 NamedMesh flag(const std::string& name, double x0, double x1, double width, double angle, int edges, bool up) {
     const Vec3 way(0, std::cos(angle), std::sin(angle));
     TriangleMesh mesh =
@@ -24,7 +24,7 @@ std::string numbered_sheet(const std::string& name, int number) {
     return name + std::to_string(number);
 }
 
-/// From the equator (v = 0) to a pole: rows of `columns` edges and one vertex at the pole.
+/// From the equator (v = 0) to a pole: rows of `columns` edges, and one vertex at the pole.
 TriangleMesh polar_sector(double west, double east, int columns, int rows, bool north) {
     TriangleMesh mesh;
     mesh.positions.resize(rows * (columns + 1) + 1, 3);
@@ -81,7 +81,7 @@ TriangleMesh disc(int edges, int rings) {
 
 constexpr double chord = 1.2, thickness = 0.2, span = 0.3;  // of a wing's cell [m]
 
-/// Half the thickness of the wing: more in the middle, none of it 0 at the ends.
+/// Half the thickness of the wing: largest in the middle, and not 0 at the ends.
 double half_thickness(double x) {
     return thickness / 2 * (0.4 + 0.6 * std::sin(pi * x / chord));
 }

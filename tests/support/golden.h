@@ -4,8 +4,8 @@
 
 namespace ripstop::testing {
 
-/// Fails where `text` is not what tests/data/golden/NAME holds, with the first line that differs. With RIPSTOP_RENEW_GOLDEN in
-/// the environment the file is written first; look at what it draws before it is committed.
+/// Fails if `text` differs from tests/data/golden/NAME, with the first line that differs. If RIPSTOP_RENEW_GOLDEN
+/// is set, writes the file first; look at its drawing before you commit it.
 void expect_golden(const std::string& name, const std::string& text);
 
 }  // namespace ripstop::testing

@@ -11,13 +11,13 @@ namespace {
 
 constexpr double small = 1e-9;  // [m]
 
-/// Symmetric about the planes x = 0, y = 0 and, where asked, z = 0.
+/// Symmetric about the planes x = 0, y = 0 and, if asked for, z = 0.
 Freedom by_planes(const Vec3& at, bool and_floor) {
     const int x = at.x() < small ? 0 : 1, y = at.y() < small ? 0 : 2, z = and_floor && at.z() < small ? 0 : 4;
     return static_cast<Freedom>(x | y | z);
 }
 
-/// Above the flat mesh: z = height (1 - share), share of each node's way to the edge.
+/// Lifts the flat mesh: z = height (1 - share), where share is each node's relative distance to the edge.
 Points3 domed(const Points3& flat, double height, const std::function<double(const Vec3&)>& share) {
     Points3 nodes = flat;
     for (Eigen::Index n = 0; n < nodes.rows(); ++n) {
@@ -148,7 +148,7 @@ Disk clamped_disk(double poisson, int n) {
     const Points3 start = domed(mesh.positions, 0.6 * unit, [](const Vec3& at) { return at.norm(); });
     const AtRest rest = at_rest(sewn, start, {pressure, 0, 0}, {0});
     const double tension = std::cbrt(stiffness * pressure * pressure);
-    // Of the triangles on the x axis: radial is along the warp there.
+    // For triangles on the x axis, where the radial direction is the warp.
     return {rest.found.nodes(0, 2) / unit, rest.stress(0).head<2>().mean() / tension,
             rest.stress((n - 1) * (n - 1))[0] / tension};
 }

@@ -18,7 +18,7 @@ inline CadModel read_bytes_with(MeshReader read, const std::string& bytes, const
     return read(in, name);
 }
 
-/// What a reader says against the bytes.
+/// The message with which a reader refuses the bytes.
 inline std::string refusal_of(MeshReader read, const std::string& bytes, const std::string& name) {
     try {
         read_bytes_with(read, bytes, name);
@@ -38,7 +38,7 @@ inline std::vector<int> corners_of(const NamedMesh& surface) {
     return {surface.mesh.triangles.data(), surface.mesh.triangles.data() + surface.mesh.triangles.size()};
 }
 
-/// The bytes of numbers of one type, least first or, `big`, last.
+/// The bytes of numbers of one type, least significant first, or last if `big`.
 template <class Number>
 std::string bytes_of(std::initializer_list<Number> numbers, bool big = false) {
     std::string bytes;

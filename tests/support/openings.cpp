@@ -114,7 +114,7 @@ PatternPiece as_written(const PatternPiece& piece, const Points2& cut_line, cons
     written.cut_line = forward(cut_line).rowwise() + shift;
     const Points2 sew = forward(sew_line).rowwise() + shift;
     const Eigen::Index count = sew.rows();
-    Eigen::Index start = 0;  // of places that touch the first that goes on as the piece does
+    Eigen::Index start = 0;  // among coinciding places, the first from which the line continues as the piece does
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < count; ++i) {
         const double off =

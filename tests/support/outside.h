@@ -4,17 +4,17 @@
 
 namespace ripstop::testing {
 
-/// A Python interpreter that has `module`, for independent readers of what we write; empty where there is none.
+/// A Python interpreter that has `module`, for independent readers of our files; empty if there is none.
 std::string python_with(const std::string& module);
 
-/// What a command prints on stdout and stderr, and its exit code.
+/// The output of a command on stdout and stderr, and its exit code.
 struct CommandResult {
     int code = -1;
     std::string output;
 };
 CommandResult run_command(const std::string& command);
 
-/// A fresh directory of the running test's own, removed when this goes out of scope. A second one needs another `purpose`.
+/// A new directory for the running test, removed at the end of its scope. A second one needs another `purpose`.
 class ScratchDirectory {
   public:
     explicit ScratchDirectory(const std::string& purpose = "");
@@ -27,7 +27,7 @@ class ScratchDirectory {
     std::string path_;
 };
 
-/// Everything in a file.
+/// The content of a file.
 std::string content(const std::string& path);
 void write_text(const std::string& path, const std::string& text);
 

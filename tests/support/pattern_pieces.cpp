@@ -8,7 +8,7 @@
 namespace ripstop::testing {
 namespace {
 
-/// Counter-clockwise from the lower left corner; `grown` outwards on all sides.
+/// Counter-clockwise from the lower left corner; extended outwards by `grown` on all sides.
 Points2 bowed(double length, double width, double bow, double grown) {
     constexpr int steps = 24;
     std::vector<Vec2> points;

@@ -9,27 +9,27 @@
 
 namespace ripstop::testing {
 
-/// What a run of the built program left behind.
+/// The result of a run of the built program.
 struct ProgramRun {
     int code = -1;
-    std::string out, err;  ///< stdout and stderr, neither of them a terminal
+    std::string out, err;  ///< stdout and stderr; neither is a terminal
 };
 
-/// The built program in a folder of its own, where the file names of its arguments begin.
+/// Runs the built program in its own folder; file names in arguments are relative to it.
 class Workshop {
   public:
-    /// `arguments` as a shell reads them.
+    /// Runs the program; a shell reads `arguments`.
     ProgramRun ripstop(const std::string& arguments) const;
 
-    /// An OBJ with these tiles; `scale`: its units a metre.
+    /// Writes an OBJ with these tiles; `scale` is the number of its units per metre.
     void write_tiles(const std::string& file, const std::vector<NamedMesh>& tiles, double scale = 1) const;
     void write(const std::string& file, const std::string& text) const { write_text(path(file), text); }
 
     std::string path(const std::string& name) const { return scratch_.path(name); }
     std::string read(const std::string& file) const { return content(path(file)); }
-    /// The files below `folder`, by their names from there on, with their bytes.
+    /// The files below `folder` with their contents, by their relative names.
     std::map<std::string, std::string> files(const std::string& folder) const;
-    /// What stands in the workshop itself, sorted.
+    /// The entries of the workshop itself, sorted.
     std::vector<std::string> names() const;
 
   private:
@@ -37,7 +37,8 @@ class Workshop {
 };
 
 NamedMesh flat_tile(const std::string& name = "plane");     ///< 2 m x 1 m along x and y
-NamedMesh curved_tile(const std::string& name = "sphere");  ///< a 90 degree lune of the unit sphere: cannot be made
+NamedMesh curved_tile(const std::string& name = "sphere");  ///< a 90 degree lune of the unit sphere, which cannot
+                                                            ///< be made
 NamedMesh bent_tile(const std::string& name = "cylinder");  ///< 1.2 m x 1 m, developable
 
 }  // namespace ripstop::testing

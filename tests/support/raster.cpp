@@ -38,7 +38,7 @@ int paeth(int left, int above, int before) {
     return a <= b && a <= c ? left : b <= c ? above : before;
 }
 
-/// Undoes the filter of each row; each row is preceded by the filter's number.
+/// Undoes the PNG filter of each row; the filter's number precedes the row.
 bool unfilter(std::vector<unsigned char>& bytes, std::size_t rows, std::size_t row_length, std::size_t pixel) {
     for (std::size_t y = 0; y < rows; ++y) {
         unsigned char* row = bytes.data() + y * (row_length + 1) + 1;

@@ -6,18 +6,19 @@
 
 namespace ripstop::testing {
 
-/// Whether openNURBS is here to ask: node, and rhino3dm in apps/rhino/node_modules.
+/// True if openNURBS is available: node, and rhino3dm in apps/rhino/node_modules.
 bool has_rhino();
 
-/// What openNURBS says of a file: `tests/rhino/rhino.mjs describe`.
+/// What openNURBS says about a file: `tests/rhino/rhino.mjs describe`.
 nlohmann::json described_by_rhino(const std::string& file);
 
-/// Has openNURBS write a file in each of the versions (2 to 8) of a scene, as `tests/rhino/rhino.mjs` reads it, beside
-/// `scene_file`, where the scene itself goes: `envelope.json` gives `envelope_v3.3dm`, … Fails the test where it does not.
+/// Lets openNURBS write a scene (as `tests/rhino/rhino.mjs` reads it) in each of these versions (2 to 8), beside
+/// `scene_file`, which gets the scene itself: `envelope.json` gives `envelope_v3.3dm`, … Fails the test on an
+/// error.
 void write_by_rhino(const nlohmann::json& scene, const std::string& scene_file, const std::vector<int>& versions);
 
 }  // namespace ripstop::testing
 
-/// Skips the test where openNURBS is not here to ask.
+/// Skips the test if openNURBS is not available.
 #define RIPSTOP_REQUIRE_RHINO() \
     if (!::ripstop::testing::has_rhino()) GTEST_SKIP() << "no node with rhino3dm here: npm ci in apps/rhino"

@@ -123,7 +123,7 @@ TriangleMesh octant(int n) {
     mesh.positions.resize((n + 1) * (n + 2) / 2, 3);
     for (int i = 0; i <= n; ++i)
         for (int j = 0; i + j <= n; ++j) {
-            // angles, not chords, are divided evenly, so that the three sides have equal edges
+            // divides angles and not chords, so that the three sides have equal edges
             const double a = std::numbers::pi / 2 / n;
             const Vec3 p(std::sin(a * i), std::sin(a * j), std::sin(a * (n - i - j)));
             mesh.positions.row(id(i, j)) = p.normalized().transpose();
@@ -140,7 +140,7 @@ TriangleMesh octant(int n) {
 }
 
 TriangleMesh spherical_square(double a, int n) {
-    // Four geodesic sides: the central projection of the square of half side tan(a) in the tangent plane.
+    // Four geodesic sides: the central projection of the square with half side tan(a) in the tangent plane.
     return grid(
         n, n,
         [=](double u, double v) { return Vec3(std::tan(a * (2 * u - 1)), std::tan(a * (2 * v - 1)), 1).normalized(); },

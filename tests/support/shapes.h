@@ -5,11 +5,11 @@
 
 #include "ripstop/mesh/triangle_mesh.h"
 
-/// Surfaces whose flattening is known. All are disks, counter-clockwise seen from outside, in metres.
+/// Surfaces with known flattenings. All are disks, counter-clockwise as seen from outside, in metres.
 namespace ripstop::testing {
 
-/// A grid of (nu + 1) x (nv + 1) points of a surface map (u, v) in [0,1]2 -> space, two triangles a cell. `staggered`:
-/// the diagonals alternate in a checkerboard; otherwise all run from (0,0) to (1,1) of the cell.
+/// A grid of (nu + 1) x (nv + 1) points of a surface map (u, v) in [0,1]² -> space, two triangles per cell.
+/// `staggered`: diagonals alternate in a checkerboard; otherwise all run from (0,0) to (1,1) of the cell.
 template <class Map>
 TriangleMesh grid(int nu, int nv, Map&& map, bool staggered = false) {
     TriangleMesh mesh;
@@ -39,30 +39,33 @@ TriangleMesh grid(int nu, int nv, Map&& map, bool staggered = false) {
 TriangleMesh rectangle(double width, double height, int nu, int nv);
 /// Ruled along z: an inscribed prism, exactly developable.
 TriangleMesh cylinder(double radius, double angle, double height, int nu, int nv);
-/// Edges along the rulings: a polyhedral cone, exactly developable. Half angle `half`, slant from s0 to s1 [m].
+/// Edges along the rulings: a polyhedral cone, exactly developable. Half angle `half`, slant height from s0 to s1
+/// [m].
 TriangleMesh cone(double half, double angle, double s0, double s1, int nu, int nv);
-/// The same cone with every second row shifted by half a cell: developable only in the limit, second order.
+/// The same cone with every second row shifted by half a cell: developable only in the limit, with second order.
 TriangleMesh staggered_cone(double half, double angle, double s0, double s1, int nu, int nv);
-/// Tangent surface of the helix (a cos t, a sin t, b t), t in [0, t1], v in [v0, v1] along the tangent; ruled.
+/// The tangent surface of the helix (a cos t, a sin t, b t), t in [0, t1], v in [v0, v1] along the tangent; ruled.
 TriangleMesh tangent_developable(double a, double b, double t1, double v0, double v1, int nu, int nv);
-/// A gore of the unit sphere: longitude in [-angle/2, angle/2], pole to pole; single vertices at the poles.
+/// A gore of the unit sphere: longitude in [-angle/2, angle/2], pole to pole, with single vertices at the poles.
 TriangleMesh lune(double angle, int columns, int rows);
-/// Spherical cap of the unit sphere around +z with opening angle `theta`, rings around a central vertex.
+/// A cap of the unit sphere around +z with half opening angle `theta`: rings around a central vertex.
 TriangleMesh cap(double theta, int rings);
-/// The octant x, y, z >= 0 of the unit sphere, n subdivisions a side.
+/// The octant x, y, z >= 0 of the unit sphere, n subdivisions per side.
 TriangleMesh octant(int n);
-/// Patch of the unit sphere over [-a, a]2 in the two angles of the tangent plane (gnomonic free): exp map grid.
+/// A patch of the unit sphere with four geodesic sides, half side `a` [rad] along the axes of the tangent plane; n
+/// x n cells.
 TriangleMesh spherical_square(double a, int n);
-/// z = k (x2 - y2) / 2 over [-a, a]2: negative curvature.
+/// z = k (x² - y²) / 2 over [-a, a]²: negative curvature.
 TriangleMesh saddle(double k, double a, int n);
-/// Part of a torus: major R, minor r, `around` the axis, the tube from angle p0 to p1 (0 outside, pi inside).
+/// Part of a torus: major radius R, minor radius r, `around` the axis, the tube from angle p0 to p1 (0 outside, pi
+/// inside).
 TriangleMesh torus_patch(double R, double r, double around, double p0, double p1, int nu, int nv);
 
 /// The mesh with its vertices renumbered by a seeded shuffle; `order[new] = old`.
 TriangleMesh shuffled(const TriangleMesh& mesh, unsigned seed, std::vector<int>* order = nullptr);
-/// The mesh turned and shifted in space.
+/// The mesh rotated and shifted in space.
 TriangleMesh moved(const TriangleMesh& mesh);
-/// x -> -x with the triangles turned round, so it is still seen from outside.
+/// x -> -x with reversed triangles, so that it is still seen from outside.
 TriangleMesh mirrored(const TriangleMesh& mesh);
 TriangleMesh scaled(const TriangleMesh& mesh, double factor);
 
@@ -70,9 +73,9 @@ struct Shape {
     std::string name;
     TriangleMesh mesh;
 };
-/// Cylinder, cone, plane, tangent developable: exactly developable as meshes.
+/// Cylinder, cone, plane, tangent developable: their meshes are exactly developable.
 std::vector<Shape> developable_shapes();
-/// Gently and strongly curved tiles, positive and negative.
+/// Slightly and strongly curved tiles, of positive and negative curvature.
 std::vector<Shape> curved_shapes();
 
 }  // namespace ripstop::testing

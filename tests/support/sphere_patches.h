@@ -5,18 +5,18 @@
 
 #include "ripstop/model/tile/envelope.h"
 
-/// Tiles of the unit sphere that lie between circles of latitude and longitude, meshed each on its own.
+/// Tiles of the unit sphere between circles of latitude and longitude, each meshed independently.
 namespace ripstop::testing {
 
-/// A part of the sphere: longitudes and latitudes [rad], edges east and north.
+/// A part of the sphere: longitudes and latitudes [rad], numbers of edges east and north.
 struct Patch {
     std::string name;
     double west, east, south, north;
     int columns, rows;
 };
 
-/// The tiles of the patches, their edges measured on the sphere (`Tile::curve_lengths`), and the seams between all that share
-/// a piece of a circle. Patches may end within an edge of their neighbour.
+/// The tiles of the patches, with edges measured on the sphere (`Tile::curve_lengths`), and the seams between all
+/// that share a part of a circle. Patches may end within an edge of their neighbour.
 Envelope sewn_patches(const std::vector<Patch>& patches);
 
 }  // namespace ripstop::testing

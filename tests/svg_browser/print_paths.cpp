@@ -1,5 +1,5 @@
-/// Prints what the library reads of SVG files, in millimetres with y down, for a comparison with a browser: print_paths
-/// FILE... Of a file that it refuses it prints why.
+/// Prints what the library reads from SVG files, in millimetres with y down, for a comparison with a browser:
+/// print_paths FILE... For a file that it refuses, it prints the reason.
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
