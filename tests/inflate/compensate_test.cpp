@@ -1,4 +1,5 @@
 #include "ripstop/pipeline/flight/compensate.h"
+#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ namespace compensate_test {
 
 using namespace testing;
 
-/// Largest difference between the two sides of a seam, over its length.
+/// The largest relative length difference between the two sides of a seam.
 double worst_seam(const CutPlan& plan) {
     double worst = 0;
     for (const SeamWalk& walk : plan.walks) worst = std::max(worst, walk.drift_max / walk.length);
@@ -35,9 +36,9 @@ TEST(Compensate, SmoothEnvelopeInflatesToTheDrawnShape) {
     const CutPlan plan = compensate(balloon(design), nylon_options());
     ASSERT_TRUE(plan.inflated.has_value());
     const Inflated& inflated = *plan.inflated;
-    const CompensationRound& before = inflated.rounds.front();
+    const CompensationRound& before = plan.rounds.front();
     EXPECT_EQ(before.step, "as drawn");
-    EXPECT_NEAR(before.off.moved_rms, 0.125, 0.03);  // the stretch of real cloth, by the design of the prototype 0.148
+    EXPECT_NEAR(before.off.moved_rms, 0.125, 0.03);  // the stretch of real cloth; the prototype's design has 0.148
     EXPECT_LT(inflated.off.moved_rms, 1e-3 * inflated.drawn_height);
     EXPECT_NEAR(inflated.volume, inflated.drawn_volume, 3e-3 * inflated.drawn_volume);
     EXPECT_NEAR(inflated.height, inflated.drawn_height, 6e-3 * inflated.drawn_height);
@@ -52,7 +53,7 @@ TEST(Compensate, LobedEnvelopeWithShorterTapesInflatesToTheDrawnShape) {
     options.inflate.rigging.foreshortening = 0.02;
     const CutPlan plan = compensate(balloon(design), options);
     const Inflated& inflated = *plan.inflated;
-    EXPECT_GT(inflated.rounds.front().off.moved_rms, 0.2);  // the tapes pull it down
+    EXPECT_GT(plan.rounds.front().off.moved_rms, 0.2);  // the tapes pull it down
     EXPECT_LT(inflated.off.moved_rms, 1e-3 * inflated.drawn_height);
     EXPECT_NEAR(inflated.volume, inflated.drawn_volume, 3e-3 * inflated.drawn_volume);
     EXPECT_LT(worst_seam(plan), 1e-3);
@@ -62,7 +63,7 @@ TEST(Compensate, LobedEnvelopeWithShorterTapesInflatesToTheDrawnShape) {
 TEST(Compensate, KeepsTheBestRound) {
     const EnvelopeDesign design{.gores = 12, .panels = 4, .edge_length = 1};
     const CutPlan plan = compensate(balloon(design), nylon_options());
-    const auto& rounds = plan.inflated->rounds;
+    const auto& rounds = plan.rounds;
     const auto best = std::min_element(rounds.begin(), rounds.end(),
                                        [](const auto& a, const auto& b) { return a.off.moved_rms < b.off.moved_rms; });
     EXPECT_TRUE(best->is_best);
@@ -90,7 +91,7 @@ TEST(WantedCloth, IsCutShorterByTheStrainItIsToBear) {
         const std::vector<Mat22> before = target_triangles(drawn.tiles[i]), after = target_triangles(cut.tiles[i]);
         const Eigen::Matrix2Xd warp = warp_in_triangles(drawn.tiles[i]);
         for (std::size_t t = 0; t < before.size(); ++t) {
-            // Cloth to surface: 1.01 along the warp, nothing across.
+            // The map from cloth to surface: 1.01 along the warp, 1 across.
             const Mat22 F = before[t] * after[t].inverse();
             const Vec2 along = warp.col(static_cast<Eigen::Index>(t)), across(-along.y(), along.x());
             const Mat22 C = F.transpose() * F;
@@ -143,7 +144,7 @@ TEST(Sensitivity, StifferClothComesNearerToTheDrawnShapeAndLooserTapesLetItRise)
         return found == all.end() ? Sensitivity{} : *found;
     };
     EXPECT_LT(named("cloth 20 % stiffer").off.moved_rms, named("cloth 20 % softer").off.moved_rms);
-    for (const Sensitivity& each : all) EXPECT_EQ(each.what.find("tape"), std::string::npos);  // there are none
+    for (const Sensitivity& each : all) EXPECT_EQ(each.what.find("tape"), std::string::npos);  // there are no tapes
 }
 
 }  // namespace compensate_test

@@ -88,8 +88,8 @@ TEST(SewingJson, RefusesAnythingElseAndSaysWhere) {
         return text.replace(at, what.size(), instead);
     };
     EXPECT_THAT(refusal("[]"), HasSubstr("sewing.json"));
-    EXPECT_THAT(refusal("{\"schema\": \"1.0\"}"), HasSubstr("input is missing"));
-    EXPECT_THAT(refusal(without("\"schema\":\"1.0\"", "\"schema\":\"9\"")), HasSubstr("another version"));
+    EXPECT_THAT(refusal("{\"schema\": \"1.1\"}"), HasSubstr("input is missing"));
+    EXPECT_THAT(refusal(without("\"schema\":\"1.1\"", "\"schema\":\"9\"")), HasSubstr("another version"));
     EXPECT_THAT(refusal(without("\"tile\":", "\"tile\":99,\"x\":")), HasSubstr("tile is out of range"));
     EXPECT_THAT(refusal(without("\"edges\":[", "\"edges\":[1,")), HasSubstr("differ in number"));
     EXPECT_THAT(refusal(without("\"edges\":[", "\"edges\":[-1,")), HasSubstr("edges is out of range"));

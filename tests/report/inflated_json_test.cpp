@@ -57,7 +57,7 @@ TEST(InflatedJson, TellsThreadsBySharesOfTheirLength) {
 }
 
 TEST(InflatedJson, TellsTheAngleBetweenTheThreadsOfAShear) {
-    CutPlan plan = testing::inflated_plan();  // F = [1 tan g; 0 1]: the weft turns by g, and is 1/cos g long
+    CutPlan plan = testing::inflated_plan();  // F = [1 tan g; 0 1]: the weft turns by g and becomes 1/cos g long
     const double g = 0.1, t = std::tan(g);
     plan.inflated->tiles[0].strain.row(0) = Vec3(0, 0.5 * t * t, t);
     const Json strain = report(plan)["tiles"][0]["inflated"]["strain"];
@@ -90,8 +90,8 @@ TEST(InflatedJson, GivesLoadsOfClothByTheMetre) {
 
 TEST(InflatedJson, HoldsRoundsCausesAndSensitivity) {
     CutPlan plan = testing::inflated_plan();
-    plan.inflated->rounds = {{"as drawn", {0.02, 0.03, 0.025, 0.04}, 10.1, 410, 0, false},
-                             {"displacement", {0.01, -0.02, 0.012, 0.025}, 10.05, 404, 0.7, true}};
+    plan.rounds = {{"as drawn", {0.02, 0.03, 0.025, 0.04}, 10.1, 410, 0, false},
+                   {"displacement", {0.01, -0.02, 0.012, 0.025}, 10.05, 404, 0.7, true}};
     plan.inflated->sensitivity = {{"cloth 20 % stiffer", {0.011, 0.02, 0.013, 0.03}, 10.06, 405}};
     plan.inflated->causes->patterns = std::numeric_limits<double>::quiet_NaN();
     const Json json = report(plan)["inflated"];

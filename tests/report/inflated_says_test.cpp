@@ -59,8 +59,8 @@ TEST_F(InflatedSays, DrawsTheLineAtTheLimitItself) {
 
 TEST_F(InflatedSays, DoesNotAdviseToCorrectWhatWasCorrected) {
     inflated.causes = Causes{0.050, 0.080, std::numeric_limits<double>::quiet_NaN()};
-    inflated.rounds = {{"as drawn", {0.08, 0.1, 0.090, 0.1}, 10, 400, 0, false},
-                       {"elastic", {0.01, 0.02, 0.012, 0.025}, 10, 400, 0, true}};
+    plan.rounds = {{"as drawn", {0.08, 0.1, 0.090, 0.1}, 10, 400, 0, false},
+                   {"elastic", {0.01, 0.02, 0.012, 0.025}, 10, 400, 0, true}};
     EXPECT_THAT(says(), Not(Contains(HasSubstr("--compensate"))));
     EXPECT_THAT(says(), Contains(HasSubstr("As drawn, gas pressure could not hold this shape")));
     EXPECT_THAT(says(), Not(Contains(HasSubstr("The patterns are")))) << "what was wanted of them is not the drawing";
@@ -128,8 +128,8 @@ TEST_F(InflatedSays, MentionsWrinklesWhereThereAreSome) {
 }
 
 TEST_F(InflatedSays, StandsAboveTheTablesOfTheTerminal) {
-    inflated.rounds = {{"as drawn", {0.08, -0.1, 0.09, 0.11}, 10.1, 410, 0, false},
-                       {"elastic", {0.01, 0.02, 0.012, 0.025}, 10.05, 404, 0, true}};
+    plan.rounds = {{"as drawn", {0.08, -0.1, 0.09, 0.11}, 10.1, 410, 0, false},
+                   {"elastic", {0.01, 0.02, 0.012, 0.025}, 10.05, 404, 0, true}};
     inflated.sensitivity = {{"cloth 20 % softer", {0.013, 0.02, 0.014, 0.03}, 10.06, 405}};
     const std::string text = inflated_text(plan);
     EXPECT_EQ(text.find(says()[0]), 0u);

@@ -31,8 +31,9 @@ TEST(ReportJson, TellsTheInputAndTheTolerancesInRoundFigures) {
 }
 
 TEST(ReportJson, SaysTheVerdictInPartsOfSentencesAndTheWarnings) {
-    const CutPlan plan = testing::two_tile_plan();
-    const Json envelope = Json::parse(report_json(plan, true, {"a tile is missing"}))["envelope"];
+    CutPlan plan = testing::two_tile_plan();
+    plan.warnings = {"a tile is missing"};
+    const Json envelope = Json::parse(report_json(plan, true))["envelope"];
     EXPECT_EQ(envelope["warnings"], Json::array({"a tile is missing"}));
     const Json& says = envelope["says"];
     EXPECT_EQ(says["word"], "Not manufacturable as drawn.");
@@ -188,7 +189,7 @@ TEST(ReportJson, SurvivesANameThatIsNoUtf8) {
     EXPECT_EQ(report(plan)["tiles"][0]["name"], "tile \xEF\xBF\xBD");
 }
 
-/// What python3-jsonschema has against each of the reports: a line a fault, `NUMBER: message`.
+/// The errors that python3-jsonschema finds in each of the reports, one per line: `NUMBER: message`.
 std::string schema_errors(const std::string& python, const std::vector<Json>& reports) {
     const testing::ScratchDirectory scratch;
     testing::write_text(scratch.path("reports.json"), Json(reports).dump());
@@ -213,7 +214,7 @@ TEST(ReportSchema, HoldsForWhatIsWrittenAndOnlyForThat) {
     const Json failed = report(plan);
     CutPlan inflated = testing::inflated_plan();
     const Json flown = report(inflated), flown_reproducible = Json::parse(report_json(inflated, true));
-    inflated.inflated->rounds = {{"as drawn", {}, 10, 400, 0, true}};
+    inflated.rounds = {{"as drawn", {}, 10, 400, 0, true}};
     inflated.inflated->sensitivity = {{"cloth 20 % softer", {}, 10, 400}};
     EXPECT_EQ(schema_errors(python, {written, reproducible, failed, report(CutPlan{}), report(testing::sewn_plan()),
                                      flown, flown_reproducible, report(inflated)}),

@@ -20,17 +20,17 @@ struct CheckArguments {
 };
 
 ExitCode run(const CheckArguments& given) {
-    Input input = resolve(given.input);
-    RemeshOptions remesh = std::exchange(input.read.remesh, {});  // only to see what it would make certain
-    remesh.seam_tolerance = input.read.seam_tolerance;
-    const EnvelopeInput whole = read(given.input, input, given.quiet);
+    Job job = job_of(given.input);
+    RemeshOptions remesh = std::exchange(job.read.remesh, {});  // only to see what it would make certain
+    remesh.seam_tolerance = job.read.seam_tolerance;
+    const EnvelopeInput whole = read(given.input, job, given.quiet);
     EnvelopeCheck check = [&] {
         const Waiting waiting("Checking " + given.input.file.filename().string(), given.quiet);
-        EnvelopeCheck found = judge_envelope(given.input, input, whole);
+        EnvelopeCheck found = judge_envelope(job, whole);
         add_seam_doubts(found, whole.envelope, remesh);
         return found;
     }();
-    check.fabrics = count_fabrics(whole.envelope, input.fabric);
+    check.fabrics = count_fabrics(whole.envelope, *job.fabric);
     check.notes.insert(check.notes.end(), whole.unused.begin(), whole.unused.end());
     const std::string& unit = whole.unit.unit.name;
     const std::string file = given.input.file.filename().string();

@@ -59,9 +59,9 @@ void require_room(const CompareArguments& given, std::size_t tiles) {
 }
 
 ExitCode run(const CompareArguments& given) {
-    const Input input = resolve(given.input);
+    const Job job = job_of(given.input);
     require_free_sheet(given);
-    const EnvelopeInput found = read(given.input, input, given.quiet);
+    const EnvelopeInput found = read(given.input, job, given.quiet);
     const Envelope& envelope = found.envelope;
     for (const EnvelopeIssue& issue : found.issues) tell(fmt::format("Warning: {}\n", issue.message));
     tell_unused(found.unused);
@@ -71,7 +71,7 @@ ExitCode run(const CompareArguments& given) {
     const Progress bar = progress_bar(given.quiet);
     for (const std::string& method : names) {
         const auto done = static_cast<double>(plans.size()), all = static_cast<double>(names.size());
-        FlattenOptions options{method, input.fabric, input.tolerances, given.jobs};
+        FlattenOptions options{method, *job.fabric, *job.tolerances, given.jobs};
         if (bar)
             options.progress = [&](double fraction, const std::string& tile) {
                 bar((done + fraction) / all, method + ", " + tile);

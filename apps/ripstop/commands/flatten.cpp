@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
+#include <optional>
 #include <utility>
 
 #include "commands/commands.h"
@@ -14,21 +14,10 @@
 #include "options/format_options.h"
 #include "options/options.h"
 #include "options/piece_options.h"
-#include "ripstop/base/error.h"
-#include "ripstop/base/sha256.h"
-#include "ripstop/io/mesh/mesh_file.h"
-#include "ripstop/io/print/pdf.h"
-#include "ripstop/pattern/cut/cut_check.h"
-#include "ripstop/pipeline/flatten/flatten_envelope.h"
-#include "ripstop/pipeline/flatten/strain_maps.h"
-#include "ripstop/pipeline/flight/compensate.h"
-#include "ripstop/pipeline/read/envelope_faults.h"
-#include "ripstop/pipeline/read/own_meshes.h"
-#include "ripstop/pipeline/redesign/propose_redesign.h"
-#include "ripstop/plan_folder/cut_files.h"
+#include "ripstop/pipeline/plan.h"
 #include "ripstop/plan_folder/directory.h"
-#include "ripstop/report/figures/wide_pieces.h"
-#include "ripstop/report/json/report_json.h"
+#include "ripstop/plan_folder/inflated_files.h"
+#include "ripstop/plan_folder/whole_directory.h"
 #include "ripstop/report/picture/png_pictures.h"
 #include "ripstop/report/tables/tables.h"
 #include "ripstop/report/words/inflated_text.h"
@@ -61,50 +50,6 @@ void print_assumed_size(const Envelope& envelope) {
         size.x(), size.y(), size.z()));
 }
 
-/// What to draw instead. Nothing where the input was only judged: there is no method to try it with.
-void propose(CutPlan& plan, const std::string& method, const FlattenArguments& given) {
-    if (method == "given") return;
-    constexpr int all = std::numeric_limits<int>::max();
-    const Progress bar = progress_bar(given.quiet);
-    if (given.propose == "auto" && !add_proposals(plan, method_named(method), given.jobs, {}, bar) && !given.quiet)
-        tell("Too many tiles fail to propose seams for them unasked; --propose all tries every one\n");
-    if (given.propose == "all") add_proposals(plan, method_named(method), given.jobs, {all, all}, bar);
-    if (given.propose_merges)
-        plan.merges = propose_merges(plan, method_named(method), given.jobs, progress_bar(given.quiet));
-}
-
-/// What is wrong with the envelope itself, as `ripstop check` says. What of it is meant is told.
-void take_faults(CutPlan& plan, const EnvelopeCheck& check, bool quiet) {
-    const std::size_t told = plan.remarks.size();
-    add_faults(plan, check);
-    for (std::size_t i = told; i < plan.remarks.size() && !quiet; ++i) tell(fmt::format("Note: {}\n", plan.remarks[i]));
-}
-
-/// Leaves the PDF out if it has more pages than anyone prints, or if the unit is wrong: then nobody prints it, and
-/// writing its thousands of pages takes a minute. Returns a warning that says so.
-std::vector<std::string> leave_out_unprintable(DirectoryOptions& writing, const PieceSet& pieces, bool unit_is_wrong) {
-    const auto pdf = std::find(writing.formats.begin(), writing.formats.end(), "pdf");
-    if (pdf == writing.formats.end()) return {};
-    if (unit_is_wrong) {
-        writing.formats.erase(pdf);
-        return {"no PDF is written: the unit is wrong"};
-    }
-    try {
-        require_printable(pieces.pieces, writing.files.paper);
-    } catch (const InputError& error) {
-        writing.formats.erase(pdf);
-        return {"no PDF is written: " + std::string(error.what())};
-    }
-    return {};
-}
-
-/// On stderr and in the report.
-void warn(DirectoryOptions& writing, const std::vector<std::string>& warnings, bool quiet) {
-    for (const std::string& warning : warnings)
-        if (!quiet) tell(fmt::format("Warning: {}\n", warning));
-    writing.warnings.insert(writing.warnings.end(), warnings.begin(), warnings.end());
-}
-
 /// Of seams that fail only the worst have pictures.
 void tell_unpictured(const CutPlan& plan) {
     const std::size_t pictured = pictured_seams(plan).size();
@@ -115,74 +60,106 @@ void tell_unpictured(const CutPlan& plan) {
                          failing));
 }
 
-/// Patterns that inflate to the drawn shape, and how they fly.
-CutPlan compensated(const Envelope& envelope, FlattenOptions flattening, const Flight& flight, bool quiet) {
-    if (!flattening.method.starts_with("seam-"))
-        throw CLI::ValidationError("--compensate",
-                                   "only the methods seam-… cut cloth for a strain, not " + flattening.method);
-    CompensateOptions options{std::exchange(flattening, {}), {flight.load, flight.rigging}, flight.tapes};
-    options.inflate.threads = options.flatten.threads;
-    options.flatten.progress = {};
-    options.progress = progress_bar(quiet);
-    CutPlan plan = compensate(envelope, options);
-    plan.flight = flight;
-    return plan;
+const char* word_of(PlanMessage::Kind kind) {
+    switch (kind) {
+        case PlanMessage::Kind::note:
+            return "Note: ";
+        case PlanMessage::Kind::warning:
+            return "Warning: ";
+        default:
+            return "";
+    }
+}
+
+/// Shows on stderr what `plan_envelope` is at.
+class Teller {
+  public:
+    Teller(const FlattenArguments& given) : given_(given) {}
+
+    PlanWatch watch() {
+        PlanWatch watch;
+        watch.stage = [this](PlanStage stage) { begin(stage); };
+        watch.progress = [this](double fraction, const std::string& what) {
+            if (progress_) progress_(fraction, what);
+        };
+        watch.read = [this](const EnvelopeInput& input) { tell_input(input); };
+        watch.message = [this](const PlanMessage& message) {
+            if (!given_.quiet) tell(fmt::format("{}{}\n", word_of(message.kind), message.text));
+        };
+        return watch;
+    }
+
+  private:
+    void begin(PlanStage stage) {
+        reading_.reset();
+        progress_ = {};
+        if (stage == PlanStage::read) {
+            reading_.emplace("Reading " + given_.input.file.filename().string(), given_.quiet);
+            progress_ = reading_->progress();
+        } else if (stage != PlanStage::pieces) {
+            progress_ = progress_bar(given_.quiet);
+        }
+    }
+
+    void tell_input(const EnvelopeInput& input) {
+        reading_.reset();
+        if (!given_.quiet) tell_remarks(input);
+        tell_unused(input.unused);
+        if (input.unit_assumed && !given_.quiet) print_assumed_size(input.envelope);
+    }
+
+    const FlattenArguments& given_;
+    std::optional<Waiting> reading_;
+    Progress progress_;
+};
+
+Job flatten_job(const FlattenArguments& given) {
+    Job job = job_of(given.input);
+    job.method = method_of(given.input);
+    if (given.compensate && !job.method.starts_with("seam-"))
+        throw CLI::ValidationError("--compensate", "only the methods seam-… cut cloth for a strain, not " + job.method);
+    job.compensate = given.compensate;
+    job.flight = [&given](const Flight& flight) { return flight_of(given.flight, flight); };
+    job.propose = given.propose == "all"    ? ProposeScope::all
+                  : given.propose == "none" ? ProposeScope::none
+                                            : ProposeScope::automatic;
+    job.propose_merges = given.propose_merges;
+    job.pieces = piece_options(given.pieces);
+    job.allowance_fit = given.pieces.allowance_fit;
+    job.threads = given.jobs;
+    return job;
+}
+
+WriteOptions write_options(const FlattenArguments& given) {
+    WriteOptions options{given.force, given.reproducible, given.pictures, given.jobs};
+    options.formats = given.files.formats;
+    options.files = file_options(given.files);
+    return options;
 }
 
 ExitCode run(FlattenArguments given) {
     choose_formats(given.files, false);
     if (given.compensate && !given.input.tiles.empty())
         throw CLI::ValidationError("--compensate", "only a whole envelope can be inflated; leave out --tile");
-    const std::string method = method_of(given.input);
-    PieceOptions pattern = piece_options(given.pieces);
-    DirectoryOptions writing{given.force, given.reproducible};
-    writing.png = given.pictures;
-    writing.threads = given.jobs;
-    writing.formats = given.files.formats;
-    writing.files = file_options(given.files);
+    const WriteOptions writing = write_options(given);
+    const Job job = flatten_job(given);
     require_writable(given.directory, given.force);
-    const Input input = resolve(given.input);
-    EnvelopeInput found = read(given.input, input, given.quiet);
-    const Envelope& envelope = found.envelope;
-    tell_unused(found.unused);
-    writing.warnings = found.unused;
-    if (found.doubt && !found.doubt->is_wrong) writing.warnings.push_back(found.doubt->sentence);
-    if (found.unit_assumed && !given.quiet) print_assumed_size(envelope);
-
-    const EnvelopeCheck faults = judge_envelope(given.input, input, found);
-    FlattenOptions options{method, input.fabric, input.tolerances, given.jobs, progress_bar(given.quiet)};
-    const Flight& flight = found.flight;
-    CutPlan plan = given.compensate ? compensated(envelope, options, flight_of(given.flight, flight), given.quiet)
-                                    : flatten_envelope(envelope, options);
-    if (!given.compensate && input.read.remesh.mode == RemeshMode::automatic &&
-        prefer_own_meshes(plan, found, options) && !given.quiet)
-        tell(fmt::format("Note: {}\n", found.remarks.back()));
-    if (!plan.flight && input.read.project) plan.flight = flight;
-    plan.input_file = given.input.file.filename().string();
-    plan.input_sha256 = sha256_of_file(given.input.file);
-    plan.unit = found.unit.unit.name;
-    plan.remarks = found.remarks;
-    take_faults(plan, faults, given.quiet);
-    propose(plan, method, given);
-
-    if (pattern.revision.empty()) pattern.revision = plan.input_sha256.substr(0, 8);
-    std::vector<PatternPiece> drawn = make_pieces(plan, pattern, given.jobs);
-    warn(writing, judge_cut_lines(plan, drawn, given.pieces.allowance_fit, given.jobs), given.quiet);
-    const PieceSet pieces = make_piece_set(plan, std::move(drawn), pattern.revision);
-    warn(writing, too_wide_pieces(pieces), given.quiet);
-    const bool unit_is_wrong = found.doubt && found.doubt->is_wrong;
-    warn(writing, leave_out_unprintable(writing, pieces, unit_is_wrong), given.quiet);
+    Teller teller(given);
+    const Plan plan = plan_envelope(given.input.file, job, teller.watch());
+    std::vector<std::string> warnings;
     {
         const Waiting waiting("Writing " + given.directory.string(), given.quiet);
-        write_directory(given.directory, plan, pieces, writing, measure_strain_maps(plan, given.jobs));
+        warnings = write_plan(given.directory, plan, writing);
     }
-    if (given.pictures && !given.quiet) tell_unpictured(plan);
+    for (const std::string& warning : warnings)
+        if (!given.quiet) tell(fmt::format("Warning: {}\n", warning));
+    if (given.pictures && !given.quiet) tell_unpictured(plan.cut);
     if (given.json)
-        print("{}", report_json(plan, given.reproducible, writing.warnings));
+        print("{}", report_of(given.directory));
     else if (!given.quiet)
-        show(fmt::format("{}{}\n{}{}\n", tiles_table(plan), proposals_text(plan),
-                         plan.inflated ? inflated_text(plan) + "\n" : "", given.directory.string()));
-    return plan.manufacturable() && (!plan.inflated || flies_as_drawn(plan)) ? manufacturable : not_manufacturable;
+        show(fmt::format("{}{}\n{}{}\n", tiles_table(plan.cut), proposals_text(plan.cut),
+                         plan.cut.inflated ? inflated_text(plan.cut) + "\n" : "", given.directory.string()));
+    return plan.is_good() ? manufacturable : not_manufacturable;
 }
 
 }  // namespace

@@ -7,14 +7,14 @@
 #include "help/tell.h"
 #include "options/flight_options.h"
 #include "options/options.h"
-#include "ripstop/pipeline/flatten/strain_maps.h"
 #include "ripstop/pipeline/flight/compensate.h"
 #include "ripstop/pipeline/flight/inflate_plan.h"
 #include "ripstop/pipeline/flight/tape_seams.h"
+#include "ripstop/pipeline/plan.h"
 #include "ripstop/plan_folder/inflated_files.h"
-#include "ripstop/plan_folder/read_cut_plan.h"
 #include "ripstop/plan_folder/whole_directory.h"
 #include "ripstop/report/json/report_json.h"
+#include "ripstop/report/words/inflated_says.h"
 #include "ripstop/report/words/inflated_text.h"
 
 namespace ripstop::cli {
@@ -29,29 +29,33 @@ struct InflateArguments {
 };
 
 ExitCode run(const InflateArguments& given) {
-    CutPlan plan = read_cut_plan(given.plan);
+    Plan plan = read_plan(given.plan);
+    CutPlan& cut = plan.cut;
     require_writable(given.plan, true);
-    const std::optional<Project> project = project_of(given.project, plan.unit);
-    const Flight flight = flight_of(given.flight, project ? project->flight : plan.flight.value_or(Flight{}));
-    tape_seams(plan, flight.tapes);
+    const std::optional<Project> project = project_of(given.project, cut.unit);
+    const Flight flight = flight_of(given.flight, project ? project->flight : cut.flight.value_or(Flight{}));
+    tape_seams(cut, flight.tapes);
     InflatePlanOptions options{flight.load, flight.rigging};
     options.use_symmetry = !given.whole;
     options.threads = given.jobs;
     options.progress = progress_bar(given.quiet);
-    plan.inflated = inflate_plan(plan, options);
+    cut.inflated = inflate_plan(cut, options);
     if (given.sensitivity) {
         options.progress = progress_bar(given.quiet);
-        plan.inflated->sensitivity = measure_sensitivity(plan, options);
+        cut.inflated->sensitivity = measure_sensitivity(cut, options);
     }
     {
         const Waiting waiting("Writing " + given.plan.string(), given.quiet);
-        write_inflated(given.plan, plan, measure_strain_maps(plan, given.jobs), given.reproducible);
+        WriteOptions writing;
+        writing.reproducible = given.reproducible;
+        writing.threads = given.jobs;
+        update_plan(given.plan, plan, writing);
     }
     if (given.json)
         print("{}", report_of(given.plan));
     else if (!given.quiet)
-        show(inflated_text(plan));
-    return flies_as_drawn(plan) ? manufacturable : not_manufacturable;
+        show(inflated_text(cut));
+    return flies_as_drawn(cut) ? manufacturable : not_manufacturable;
 }
 
 }  // namespace

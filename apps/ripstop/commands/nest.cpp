@@ -1,9 +1,6 @@
 /// ripstop nest: the pieces of a cut plan on the roll.
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "commands/commands.h"
 #include "commands/known.h"
 #include "help/progress_bar.h"
@@ -11,15 +8,14 @@
 #include "options/format_options.h"
 #include "options/piece_options.h"
 #include "ripstop/base/error.h"
-#include "ripstop/base/system/folder_lock.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/io/piece_format.h"
-#include "ripstop/io/text/output_file.h"
 #include "ripstop/nest/nest_pieces.h"
 #include "ripstop/plan_folder/cut_files.h"
+#include "ripstop/plan_folder/inflated_files.h"
 #include "ripstop/plan_folder/marker_files.h"
+#include "ripstop/plan_folder/unchanged.h"
 #include "ripstop/plan_folder/whole_directory.h"
-#include "ripstop/report/page/html_report.h"
 
 namespace ripstop::cli {
 namespace {
@@ -55,21 +51,11 @@ void require_no_plan(const std::filesystem::path& folder) {
                                          folder.string(), file));
 }
 
-/// The page of the plan shows the roll too, once there is one.
-void show_in_report(const std::filesystem::path& plan, const std::string& markers) {
-    const FolderLock turn(plan);
-    const std::filesystem::path page = plan / "report.html";
-    std::ifstream in(page, std::ios::binary);
-    if (!in) return;
-    std::ostringstream text;
-    text << in.rdbuf();
-    replace_file(page, with_roll(text.str(), markers));
-}
-
 ExitCode run(NestArguments given) {
     NestOptions options = options_of(given);
     options.progress = progress_bar(given.quiet);
     if (given.output.empty()) given.output = given.plan / "marker";
+    const Unchanged read({given.plan / "cut" / "pieces.json"});
     const PieceSet set = read_pieces_of(given.plan);
     require_no_plan(given.output);
     require_writable(given.output, given.force);
@@ -77,7 +63,8 @@ ExitCode run(NestArguments given) {
     write_whole_directory(
         given.output, given.force, {"marker*.*", "bom.csv"},
         [&](const std::filesystem::path& folder) { write_marker_files(folder, set, markers, given.formats); });
-    show_in_report(given.plan, marker_json(set, markers, given.formats));
+    if (!show_roll(given.plan, marker_json(set, markers, given.formats), read) && !given.quiet)
+        tell("Note: report.html is of another version and does not show the roll; flatten the envelope again\n");
     if (given.json)
         print("{}", marker_json(set, markers, given.formats));
     else if (!given.quiet || !markers.refusals.empty())

@@ -77,10 +77,4 @@ Flight flight_of(const FlightArguments& given, Flight flight) {
     return flight;
 }
 
-bool flies_as_drawn(const CutPlan& plan) {
-    const Inflated& inflated = *plan.inflated;
-    return inflated.summary.termination == Termination::converged && inflated.off.rms <= deviation_limit(inflated) &&
-           inflated.is_safe();
-}
-
 }  // namespace ripstop::cli

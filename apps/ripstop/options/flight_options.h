@@ -10,7 +10,7 @@
 
 namespace ripstop::cli {
 
-/// How the envelope flies, as the command line has it; what is not given is the project's.
+/// The flight options on the command line; the project fills in what is not given.
 struct FlightArguments {
     std::optional<double> inside, outside, altitude, pressure, tape_stiffness, tape_strength, foreshortening;
     std::string mouth_plane, tapes, mouth;
@@ -18,10 +18,7 @@ struct FlightArguments {
 
 void add_flight_options(CLI::App& command, FlightArguments& given);
 
-/// What the arguments and the project say together; the command line goes before the project. Throws InputError.
+/// The project's flight, overridden by the command line. Throws InputError.
 Flight flight_of(const FlightArguments& given, Flight flight);
-
-/// Does an inflated plan come to rest, take the drawn shape to 0.3 % of its height and bear what it must?
-bool flies_as_drawn(const CutPlan& plan);
 
 }  // namespace ripstop::cli

@@ -14,6 +14,7 @@
 #include "ripstop/base/text/units.h"
 #include "ripstop/flatten/method.h"
 #include "ripstop/io/json/fabric_json.h"
+#include "ripstop/io/json/project_json.h"
 #include "ripstop/io/mesh/mesh_file.h"
 #include "ripstop/io/text/input_file.h"
 #include "ripstop/measure/judge.h"
@@ -26,9 +27,9 @@ namespace {
 constexpr std::size_t shown_remarks = 12;
 constexpr const char* surfaces = "Surfaces of CAD (STEP, IGES, BREP, Rhino)";
 
-/// Throws InputError where the file cannot be opened or read.
+/// Throws InputError if the file cannot be opened or read.
 
-/// Throws InputError, with the preset that may be meant.
+/// Throws InputError that suggests a similar preset.
 Fabric fabric_of(const std::string& named, const std::optional<Project>& project) {
     try {
         return envelope_fabric(named, project);
@@ -37,7 +38,7 @@ Fabric fabric_of(const std::string& named, const std::optional<Project>& project
     }
 }
 
-/// What came flat is judged on the mesh it came with.
+/// A flat input is judged on the mesh that it came with.
 RemeshOptions remesh_options(const InputArguments& given) {
     RemeshOptions options;
     if (given.remesh == "never") return options;
@@ -132,7 +133,7 @@ void add_input_options(CLI::App& command, InputArguments& given) {
                     "file (else the project's, else isotropic)")
         ->group("Input")
         ->type_name("FILE.json")
-        ->check(known([](const std::string&) {}, fabric_presets()));  // looked up when the project is known
+        ->check(known([](const std::string&) {}, fabric_presets()));  // checked once the project is known
     command
         .add_option("--grain", given.grain,
                     "Turn the warp from each tile's longest axis, degrees counter-clockwise seen from outside")
@@ -210,60 +211,55 @@ std::optional<Project> project_of(const std::string& file, const std::string& un
     return read_project(in, file, unit);
 }
 
-Input resolve(const InputArguments& given) {
-    Input input;
-    input.read.project = project_of(given.project, given.unit);
-    const auto& project = input.read.project;
-    const std::string unit = !given.unit.empty() ? given.unit : project ? project->unit.value_or("") : "";
-    if (!unit.empty()) input.read.unit = LengthUnit{unit, metres_per_unit(unit)};
-    input.read.size_is_meant = given.size_is_meant || (project && project->size_is_meant);
-    input.read.grain_turn = given.grain * degree;
-    input.read.only = given.tiles;
-    input.read.layers = given.layers.empty() && project ? project->layers : given.layers;
-    if (project && project->seam_tolerance) input.read.seam_tolerance = *project->seam_tolerance;
-    if (!given.seam_tolerance.empty())
-        input.read.seam_tolerance = parse_length(given.seam_tolerance, "--seam-tolerance");
-    input.accept = given.accept;
-    if (project) input.accept.insert(input.accept.end(), project->accept.begin(), project->accept.end());
-    input.fabric = fabric_of(given.fabric, project);
-    input.read.fabric = input.fabric;
-    input.read.meshing = meshing_of(given.chord, given.edge, given.tiles_are);
-    input.tolerances = tolerances_of(input.fabric);
-    if (project) input.tolerances = tolerances(*project, input.tolerances);
+Job job_of(const InputArguments& given) {
+    Job job;
+    job.read.project = project_of(given.project, given.unit);
+    if (!given.unit.empty()) job.read.unit = LengthUnit{given.unit, metres_per_unit(given.unit)};
+    job.read.size_is_meant = given.size_is_meant;
+    job.read.grain_turn = given.grain * degree;
+    job.read.only = given.tiles;
+    job.read.layers = given.layers;
+    if (!given.seam_tolerance.empty()) job.seam_tolerance = parse_length(given.seam_tolerance, "--seam-tolerance");
+    job.accept = given.accept;
+    job.fabric = fabric_of(given.fabric, job.read.project);
+    job.read.meshing = meshing_of(given.chord, given.edge, given.tiles_are);
     if (given.fair_seams && given.method == "given")
         throw CLI::ValidationError(
             "--fair-seams does not go with --method given: flat positions belong to the input's mesh");
-    input.read.fair_seams = given.fair_seams;
-    input.read.remesh = remesh_options(given);
-    input.read.remesh.length_tolerance = input.tolerances.length;
-    return input;
+    job.read.fair_seams = given.fair_seams;
+    job.read.remesh = remesh_options(given);
+    return completed(std::move(job));
 }
 
-EnvelopeCheck judge_envelope(const InputArguments& given, const Input& input, const EnvelopeInput& read) {
-    return judge_input(read, {input.read.seam_tolerance, given.tiles.empty(), input.accept});
+EnvelopeCheck judge_envelope(const Job& job, const EnvelopeInput& read) {
+    return judge_input(read, {job.read.seam_tolerance, job.read.only.empty(), job.accept});
 }
 
 void tell_unused(const std::vector<std::string>& unused) {
     for (const std::string& sentence : unused) tell(fmt::format("Warning: {}\n", sentence));
 }
 
-EnvelopeInput read(const InputArguments& given, const Input& input, bool quiet) {
+void tell_remarks(const EnvelopeInput& input) {
+    for (std::size_t i = 0; i < input.remarks.size(); ++i) {
+        if (i == shown_remarks) {
+            tell(fmt::format("Note: and {} more; report.json has them all\n", input.remarks.size() - i));
+            break;
+        }
+        tell(fmt::format("Note: {}\n", input.remarks[i]));
+    }
+}
+
+EnvelopeInput read(const InputArguments& given, const Job& job, bool quiet) {
     EnvelopeInput read = [&] {
         Waiting waiting("Reading " + given.file.filename().string(), quiet);
-        ReadOptions options = input.read;
+        ReadOptions options = job.read;
         options.meshing.progress = waiting.progress();
         options.doubts = [&](const UnitDoubt& doubt) {
             if (!quiet) tell(fmt::format("Warning: {}\n", doubt.sentence));
         };
         return read_input(given.file, options);
     }();
-    for (std::size_t i = 0; !quiet && i < read.remarks.size(); ++i) {
-        if (i == shown_remarks) {
-            tell(fmt::format("Note: and {} more; report.json has them all\n", read.remarks.size() - i));
-            break;
-        }
-        tell(fmt::format("Note: {}\n", read.remarks[i]));
-    }
+    if (!quiet) tell_remarks(read);
     return read;
 }
 

@@ -1,6 +1,7 @@
 #include "ripstop/plan_folder/directory.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "ripstop/io/json/sewing_json.h"
 #include "ripstop/io/mesh/flat_obj.h"
@@ -31,9 +32,9 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
     fs::create_directory(dir / "flat");
     const std::vector<std::string> stems = file_stems(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
-        if (is_drawable(plan.tiles[i])) write_file(dir / "flat" / (stems[i] + ".obj"), flat_obj(plan.tiles[i]));
-    if (std::all_of(plan.tiles.begin(), plan.tiles.end(), is_drawable))
-        write_file(dir / "flat" / "sewing.json", sewing_json(plan, stems));
+        if (plan.tiles[i].is_flat()) write_file(dir / "flat" / (stems[i] + ".obj"), flat_obj(plan.tiles[i]));
+    if (std::all_of(plan.tiles.begin(), plan.tiles.end(), std::mem_fn(&FlatTile::is_flat)))
+        write_file(dir / "flat" / "sewing.json", sewing_json(plan, stems, options.reproducible));
     write_cut_files(dir / "cut", pieces, options.formats, options.files);
     write_pieces(dir / "cut" / "pieces.json", pieces);
     if (options.pictures || options.png) fs::create_directory(dir / "pictures");
@@ -50,18 +51,24 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
     }
     write_file(dir / "tiles.csv", tiles_csv(plan));
     write_file(dir / "seams.csv", seams_csv(plan));
-    const std::string page = html_report(plan, pieces.pieces, strains, report_json(plan, true, options.warnings));
+    const std::string page = html_report(plan, pieces.pieces, strains, report_json(plan, true));
     if (!page.empty()) write_file(dir / "report.html", page);
     write_file(dir / "bom.csv", bom_csv(pieces, nullptr));
-    write_file(dir / "report.json", report_json(plan, options.reproducible, options.warnings));
+    write_file(dir / "report.json", report_json(plan, options.reproducible));
 }
 
 }  // namespace
 
 void write_directory(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces, const DirectoryOptions& options,
                      const std::vector<StrainMap>& strains) {
+    CutPlan warned;
+    if (!options.warnings.empty()) {
+        warned = plan;
+        warned.warnings.insert(warned.warnings.end(), options.warnings.begin(), options.warnings.end());
+    }
+    const CutPlan& told = options.warnings.empty() ? plan : warned;
     write_whole_directory(dir, options.force, ours,
-                          [&](const fs::path& partial) { write_all(partial, plan, pieces, options, strains); });
+                          [&](const fs::path& partial) { write_all(partial, told, pieces, options, strains); });
 }
 
 }  // namespace ripstop

@@ -19,7 +19,7 @@ struct DirectoryOptions {
     bool pictures = true;                    ///< pictures/NAME.svg, one a tile, and pictures/seams.svg
     bool png = false;                        ///< beside them the PNG pictures of `write_png_pictures`
     int threads = 0;                         ///< to make these (0: one a core)
-    std::vector<std::string> warnings = {};  ///< for report.json and report.html
+    std::vector<std::string> warnings = {};  ///< of what is left out, after those of the plan
     std::vector<std::string> formats = {"dxf", "svg", "pdf"};  ///< of the cut files: names of `piece_formats`
     PieceFileOptions files = {};                               ///< how they are written
 };

@@ -8,6 +8,7 @@
 #include "ripstop/io/piece_format.h"
 #include "ripstop/io/print/marker_pdf.h"
 #include "ripstop/io/text/output_file.h"
+#include "ripstop/nest/laid_piece.h"
 #include "ripstop/report/figures/figures.h"
 #include "ripstop/report/figures/json_figures.h"
 #include "ripstop/report/figures/text_table.h"
@@ -77,7 +78,7 @@ std::vector<PatternPiece> drawn_marker(const PieceSet& set, const Marker& marker
         roll.lines.push_back({"roll", rectangle(part.start, part.length, marker.roll_width)});
     std::vector<PatternPiece> pieces{roll};
     for (const Placement& placement : marker.placements)
-        pieces.push_back(placed_piece(set.pieces[placement.piece], placement));
+        pieces.push_back(laid_piece(set.pieces[placement.piece], placement));
     return pieces;
 }
 

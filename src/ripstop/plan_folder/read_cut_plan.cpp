@@ -6,10 +6,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/io/json/sewing_json.h"
 #include "ripstop/io/mesh/mesh_file.h"
-#include "ripstop/measure/accuracy.h"
-#include "ripstop/measure/judge.h"
 #include "ripstop/measure/judge_seams.h"
-#include "ripstop/measure/judge_zigzags.h"
 #include "ripstop/measure/seam_walk.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
@@ -49,13 +46,15 @@ void read_mesh(const std::filesystem::path& file, const std::vector<int>& corner
     Tile& tile = flat.tile;
     tile.mesh = std::move(model.surfaces[0].mesh);
     flat.flattening.positions = *model.surfaces[0].drawn;
-    flat.flattening.summary = {Termination::converged, 0, 0, "read from the cut plan"};
     tile.boundary = require_disk(tile.mesh, Adjacency(tile.mesh.triangles, tile.mesh.vertex_count()), tile.name);
     cut_boundary(tile, corners, file);
     if (tile.curve_lengths.size() != 0 && tile.curve_lengths.size() != std::ssize(tile.boundary))
         refuse(file, "has another boundary than flat/sewing.json");
     if (tile.grain.field.rows() != 0 && tile.grain.field.rows() != tile.mesh.triangle_count())
         refuse(file, "has other triangles than flat/sewing.json");
+    const Eigen::Index tensions = flat.flattening.seam_tension.size();
+    if (tensions != 0 && tensions != std::ssize(tile.boundary))
+        refuse(file, "has another boundary than flat/sewing.json");
 }
 
 void require_sides(const CutPlan& plan, const std::filesystem::path& file) {
@@ -68,6 +67,18 @@ void require_sides(const CutPlan& plan, const std::filesystem::path& file) {
                 if (part.edge >= std::ssize(tile.boundary))
                     refuse(file, "seam " + seam.id + " is on an edge that is not there");
         }
+}
+
+/// The seams are walked and judged anew; the verdicts stay, because they also know what was found in the input and on
+/// the pieces.
+void walk(CutPlan& plan) {
+    std::vector<Finding> findings = plan.findings;
+    std::vector<Verdict> verdicts;
+    for (const FlatTile& tile : plan.tiles) verdicts.push_back(tile.verdict);
+    plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);
+    judge_seams(plan);
+    plan.findings = std::move(findings);
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) plan.tiles[i].verdict = std::move(verdicts[i]);
 }
 
 }  // namespace
@@ -85,14 +96,7 @@ CutPlan read_cut_plan(const std::filesystem::path& folder) {
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
         read_mesh(folder / "flat" / (sewing.files[i] + ".obj"), sewing.corners[i], plan.tiles[i]);
     require_sides(plan, file);
-    for (FlatTile& tile : plan.tiles) {
-        tile.accuracy = measure_accuracy(tile.tile, tile.flattening.positions, plan.fabric_of(tile.tile),
-                                         tile.flattening.edges_on_curve);
-        tile.verdict = judge(tile.tile, tile.bounds, tile.flattening, tile.accuracy, plan.tolerances_of(tile.tile));
-    }
-    plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);
-    judge_seams(plan);
-    judge_zigzags(plan);
+    walk(plan);
     return std::move(plan);
 }
 

@@ -138,13 +138,14 @@ bool take_name(const fs::path& partial, const fs::path& target) {
 }
 
 void enter(const fs::path& partial, const fs::path& target, const fs::path& dir, bool force,
-           const std::vector<std::string_view>& ours) {
+           const std::vector<std::string_view>& ours, const std::function<void()>& require) {
     const FolderLock turn(target);
     if (!force && content_of(target) == Content::some)
         throw InputError(
             dir.string() +
             ": another run has written into it meanwhile, and its files stay; choose another directory, or "
             "replace it with --force");
+    if (require) require();
     exchange_entries(partial, target, [&ours](const fs::path& entry) {
         return std::any_of(ours.begin(), ours.end(), [&](auto glob) { return is_called(entry, glob); });
     });
@@ -173,7 +174,7 @@ void require_writable(const fs::path& dir, bool force) {
 }
 
 void write_whole_directory(const fs::path& dir, bool force, const std::vector<std::string_view>& ours,
-                           const std::function<void(const fs::path&)>& write) {
+                           const std::function<void(const fs::path&)>& write, const std::function<void()>& require) {
     require_writable(dir, force);
     const fs::path target = resolved(dir);
     try {
@@ -181,7 +182,7 @@ void write_whole_directory(const fs::path& dir, bool force, const std::vector<st
         const fs::path& made = partial.folder.path();
         write(made);
         partial.folder.finish([&] {
-            if (partial.stands_in_target || !take_name(made, target)) enter(made, target, dir, force, ours);
+            if (partial.stands_in_target || !take_name(made, target)) enter(made, target, dir, force, ours, require);
         });
     } catch (const fs::filesystem_error& error) {
         throw InputError(dir.string() + ": cannot be written: " + error.code().message() + " (" +

@@ -19,10 +19,14 @@ namespace ripstop {
 /// one stays. What a killed process left in or beside `dir` is removed, or finished if the kill came between the last
 /// renames.
 ///
+/// `require` is called last before the entries take their place, while no other run writes into `dir`; if it throws,
+/// `dir` is as before. A folder that did not exist needs no such check.
+///
 /// Throws InputError with path and reason: `dir` is not empty (without `force`) or no directory, its parent is missing
 /// or closed, the disk is full.
 void write_whole_directory(const std::filesystem::path& dir, bool force, const std::vector<std::string_view>& ours,
-                           const std::function<void(const std::filesystem::path&)>& write);
+                           const std::function<void(const std::filesystem::path&)>& write,
+                           const std::function<void()>& require = {});
 
 /// Throws InputError as `write_whole_directory` would for what stands at `dir`, so that a long job can say so before it
 /// starts. Removes what killed processes left there; makes and removes a folder, to try.

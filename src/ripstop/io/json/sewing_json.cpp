@@ -7,6 +7,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/io/json/fabric_json.h"
 #include "ripstop/io/json/json_text.h"
+#include "ripstop/io/json/outcome_json.h"
 #include "ripstop/io/json/plan_reader.h"
 #include "ripstop/io/json/project_flight.h"
 
@@ -62,6 +63,7 @@ Json side_json(const SeamSide& side) {
 }
 
 constexpr double most_vertices = 1e8;
+constexpr const char* sewing_schema = "1.1";
 
 SeamType type_of(const PlanReader& reader) {
     return {reader.text("name"), reader.number("allowance_m"), reader.whole("rows", 0, 100), reader.flag("tape")};
@@ -112,7 +114,7 @@ SeamSide side_of(const PlanReader& reader, std::size_t tiles) {
     return side;
 }
 
-/// The seam it lies in stands before it, and is one of two sheets.
+/// The seam must come before this one in the list, and must join two sheets.
 SewnInto read_sewn_into(const PlanReader& reader, const std::vector<Seam>& before) {
     const SewnInto into{reader.whole("seam", 0, static_cast<double>(before.size()) - 1), reader.number("from_m"),
                         reader.flag("backwards")};
@@ -122,7 +124,7 @@ SewnInto read_sewn_into(const PlanReader& reader, const std::vector<Seam>& befor
 
 }  // namespace
 
-std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& files) {
+std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& files, bool reproducible) {
     const std::vector<Fabric> fabrics = plan.fabrics();
     Json cloths = Json::array(), tiles = Json::array(), seams = Json::array();
     for (const Fabric& fabric : fabrics) cloths.push_back(Json::parse(write_fabric(fabric)));
@@ -131,6 +133,7 @@ std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& fil
         const auto fabric = std::find(fabrics.begin(), fabrics.end(), plan.fabric_of(tile.tile));
         tiles.push_back(
             tile_json(tile.tile, files[i], tile.flattening.edges_on_curve, static_cast<int>(fabric - fabrics.begin())));
+        tiles.back()["outcome"] = outcome_json(tile, reproducible);
     }
     for (const Seam& seam : plan.seams) {
         seams.push_back({{"id", seam.id},
@@ -144,7 +147,7 @@ std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& fil
             seams.back()["sewn_into"] = {
                 {"seam", seam.into->seam}, {"from_m", seam.into->from}, {"backwards", seam.into->backwards}};
     }
-    Json object = {{"schema", "1.0"},
+    Json object = {{"schema", sewing_schema},
                    {"input", plan.input_file},
                    {"fabrics", cloths},
                    {"tolerances",
@@ -157,7 +160,8 @@ std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& fil
                    {"tiles", tiles},
                    {"seams", seams},
                    {"tape_factors", plan.tape_factors},
-                   {"unit", plan.unit}};
+                   {"unit", plan.unit},
+                   {"outcome", plan_outcome_json(plan)}};
     if (plan.flight) object["flight"] = flight_json(*plan.flight);
     return object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -165,7 +169,7 @@ std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& fil
 Sewing read_sewing(std::istream& in, const std::string& name) {
     const json object = read_json_object(in, name);
     const PlanReader reader(object, name);
-    if (reader.text("schema") != "1.0") reader.refuse("is of another version");
+    if (reader.text("schema") != sewing_schema) reader.refuse("is of another version");
     Sewing sewing;
     sewing.plan.input_file = reader.text("input");
     if (reader.has("unit")) sewing.plan.unit = reader.text("unit");
@@ -192,6 +196,9 @@ Sewing read_sewing(std::istream& in, const std::string& name) {
         if (each.has("sewn_into")) seam.into = read_sewn_into(each.at("sewn_into"), sewing.plan.seams);
         sewing.plan.seams.push_back(std::move(seam));
     }
+    for (std::size_t i = 0; i < sewing.plan.tiles.size(); ++i)
+        read_outcome(reader.in("tiles", i).at("outcome"), i, sewing.plan.tiles[i]);
+    read_plan_outcome(reader.at("outcome"), sewing.plan);
     sewing.plan.tape_factors = reader.numbers("tape_factors");
     if (reader.has("flight"))
         sewing.plan.flight = read_flight(reader.value().at("flight"), 1, reader.place() + ", flight");

@@ -8,18 +8,18 @@
 
 namespace ripstop {
 
-/// flat/sewing.json: what of a plan its meshes (flat/NAME.obj) do not say and sewing needs: the tiles' corners, warp,
-/// fabric, lengths on their seams' curves and what they are cut longer for; the seams edge by edge with their types;
-/// tape lengths, tolerances. Lengths in metres, numbers read back to the same doubles. `files`: of each tile the stem
+/// The text of flat/sewing.json: what sewing needs beyond the meshes (flat/NAME.obj). For tiles: corners, warp,
+/// fabric, lengths on their seams' curves and compensation. For seams: each edge with its type. Then tape lengths
+/// and tolerances. Lengths are in metres and read back as the same doubles. `files` holds, for each tile, the stem
 /// of its mesh file.
-std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& files);
+std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& files, bool reproducible = true);
 
-/// A plan without meshes and flattenings, and the stems of the tiles' files. Throws InputError naming the file and the
-/// place for anything but what `sewing_json` writes.
+/// A plan without meshes and flattenings, and the stems of the tiles' files. `read_sewing` throws InputError with
+/// the file and the place for anything but what `sewing_json` writes.
 struct Sewing {
     CutPlan plan;
     std::vector<std::string> files;
-    std::vector<std::vector<int>> corners;  ///< of each tile: the vertex each chain starts at
+    std::vector<std::vector<int>> corners;  ///< for each tile, the vertices at which its chains start
 };
 Sewing read_sewing(std::istream& in, const std::string& name);
 

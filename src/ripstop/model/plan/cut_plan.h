@@ -16,7 +16,7 @@
 
 namespace ripstop {
 
-/// A tile with all that became of it.
+/// A tile with its flattening and everything computed for it.
 struct FlatTile {
     Tile tile;
     std::string method;
@@ -24,44 +24,50 @@ struct FlatTile {
     Bounds bounds;  ///< known before the solve
     Accuracy accuracy;
     Verdict verdict;
-    double seconds = 0;     ///< of this tile's solve, wall clock; its share where all tiles are solved together
-    int equal_to = -1;      ///< in `CutPlan::tiles`: an earlier tile that is cut alike; -1: the first of its kind
-    bool mirrored = false;  ///< its pattern is that one's turned over
-    std::optional<SplitProposal> proposal = {};  ///< for a tile that cannot be made
+    double seconds = 0;  ///< wall-clock time of this tile's solve; its share if all tiles are solved together
+    int equal_to = -1;   ///< index in `CutPlan::tiles` of an earlier tile with the same pattern; -1: the first of its
+                         ///< kind
+    bool mirrored = false;                       ///< cut by that pattern turned over
+    std::optional<SplitProposal> proposal = {};  ///< for a tile that cannot be manufactured
+
+    /// True if every vertex has a finite flat position: false after a failed flattening.
+    bool is_flat() const;
 };
 
-/// What `flatten` gives: every tile flattened and judged.
+/// The result of `flatten`: every tile flattened and judged.
 struct CutPlan {
     std::string input_file;
     std::string input_sha256;
-    std::string unit = "m";                 ///< of the input file
-    std::vector<std::string> remarks = {};  ///< what of the input was left out or taken otherwise than it stands
-    Fabric fabric;                          ///< of the tiles without one of their own
+    std::string unit = "m";                  ///< unit of the input file
+    std::vector<std::string> remarks = {};   ///< parts of the input that were ignored or interpreted
+    std::vector<std::string> warnings = {};  ///< remarks that may be intended and are not findings, one sentence each
+    Fabric fabric;                           ///< fabric of the tiles that name none
     Tolerances tolerances;
     std::vector<FlatTile> tiles;
     std::vector<Seam> seams = {};
-    std::vector<SeamWalk> walks = {};    ///< one a seam; none before they are walked
-    std::vector<Finding> findings = {};  ///< what is wrong between the tiles; values and limits in mm
+    std::vector<SeamWalk> walks = {};    ///< one per seam; empty until they are walked
+    std::vector<Finding> findings = {};  ///< faults between tiles; values and limits in mm
     std::vector<MergeProposal> merges = {};
     std::vector<double> tape_factors =
-        {};  ///< of each seam: its load tape is cut so much longer than drawn; 1 where empty
-    bool is_compensated =
-        false;  ///< cut for the strain it has in flight (`Compensation::strain`), which may not be at hand
-    std::optional<Flight> flight = {};      ///< how it is to fly, where that was said
-    std::optional<Inflated> inflated = {};  ///< once it was sewn and inflated
+        {};  ///< ratio of the cut to the drawn length of each seam's load tape; empty: 1 everywhere
+    bool is_compensated = false;  ///< cut for the strain in flight (`Compensation::strain`), which may not be available
+    std::vector<CompensationRound> rounds = {};  ///< rounds of pattern compensation (`compensate`); empty if there were
+                                                 ///< none
+    std::optional<Flight> flight = {};           ///< flight conditions, if given
+    std::optional<Inflated> inflated = {};       ///< present after the inflation
 
-    bool manufacturable() const;  ///< every tile, and nothing wrong between them
-    double area() const;          ///< of the tiles in space [m2]
+    bool manufacturable() const;  ///< every tile is manufacturable and there is no fault between them
+    double area() const;          ///< total area of the tiles in space [m2]
 
-    /// The tile's own fabric, else the plan's; the plan's tolerances with the limits of that fabric.
+    /// The tile's own fabric, otherwise the plan's; the plan's tolerances with the limits of that fabric.
     const Fabric& fabric_of(const Tile& tile) const { return tile.fabric_or(fabric); }
     Tolerances tolerances_of(const Tile& tile) const;
-    /// Every fabric that is cut, each once, in the order of the tiles; the plan's own where there is no tile.
+    /// Every fabric in use, each once, in the order of the tiles; the plan's own if there is no tile.
     std::vector<Fabric> fabrics() const;
 };
 
-/// How many pieces are cut by each tile's pattern (`equal_to`), and how many by the pattern turned over. None by one
-/// that is equal to an earlier tile.
+/// How many pieces each tile's pattern cuts (`equal_to`), as drawn and turned over; none for a tile that equals an
+/// earlier one.
 struct Quantity {
     int same = 0, mirrored = 0;
 };

@@ -130,7 +130,7 @@ CutPlan compensate(const Envelope& envelope, const CompensateOptions& options) {
     InflatePlanOptions judging = options.inflate;
     judging.progress = correction.part("what is cut", 0, 1);
     result.inflated = inflate_plan(result, judging);
-    result.inflated->rounds = correction.rounds();
+    result.rounds = correction.rounds();
     if (options.find_sensitivity) {
         judging.progress = correction.part("other cloth, tapes and air", 1, 3);
         result.inflated->sensitivity = measure_sensitivity(result, judging);

@@ -13,7 +13,9 @@
 #include "ripstop/pipeline/read/seam_rules.h"
 #include "ripstop/pipeline/read/surface_lines.h"
 #include "ripstop/pipeline/read/tile_fabrics.h"
+#include "ripstop/pipeline/read/tile_options.h"
 #include "ripstop/pipeline/remesh/fair_seams.h"
+#include "ripstop/tile/make_tile.h"
 
 namespace ripstop {
 namespace {
@@ -181,6 +183,19 @@ Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& optio
     return make_envelope(std::move(surfaces), options, unheard, nullptr);
 }
 
+void remesh_input(EnvelopeInput& input, const ReadOptions& options) {
+    if (options.fair_seams)
+        for (std::string& remark : fair_seams(input.envelope, options.seam_tolerance))
+            input.remarks.push_back(std::move(remark));
+    RemeshOptions remesh = options.remesh;
+    remesh.seam_tolerance = options.seam_tolerance;
+    if (remesh.mode != RemeshMode::never) input.drawn = AsDrawn{input.envelope, input.remarks};
+    for (std::string& remark : remesh_envelope(input.envelope, remesh)) input.remarks.push_back(std::move(remark));
+    const std::vector<Tile>& tiles = input.envelope.tiles;
+    if (std::none_of(tiles.begin(), tiles.end(), [](const Tile& tile) { return tile.remeshed.has_value(); }))
+        input.drawn.reset();
+}
+
 EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& options) {
     MeshingOptions meshing = options.meshing;
     meshing.sewing_tolerance = options.seam_tolerance;
@@ -213,16 +228,7 @@ EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& o
     for (std::string& remark : lay_grain_lines(model, grain_layers)) input.remarks.push_back(std::move(remark));
     input.envelope = make_envelope(std::move(model.surfaces), in_this_unit, input.remarks, &input.issues);
     if (project && options.only.empty()) input.unused = unused_entries(*project, input.envelope);
-    if (options.fair_seams)
-        for (std::string& remark : fair_seams(input.envelope, options.seam_tolerance))
-            input.remarks.push_back(std::move(remark));
-    RemeshOptions remesh = options.remesh;
-    remesh.seam_tolerance = options.seam_tolerance;
-    if (remesh.mode != RemeshMode::never) input.drawn = AsDrawn{input.envelope, input.remarks};
-    for (std::string& remark : remesh_envelope(input.envelope, remesh)) input.remarks.push_back(std::move(remark));
-    const std::vector<Tile>& tiles = input.envelope.tiles;
-    if (std::none_of(tiles.begin(), tiles.end(), [](const Tile& tile) { return tile.remeshed.has_value(); }))
-        input.drawn.reset();
+    remesh_input(input, options);
     finish_meshes(model, project, grain_layers, input.envelope, input.remarks);
     if (input.drawn) finish_meshes(model, project, grain_layers, input.drawn->envelope, input.drawn->remarks);
     return input;

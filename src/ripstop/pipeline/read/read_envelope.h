@@ -9,8 +9,8 @@
 #include "ripstop/assembly/faults/judge_unit.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/io/cad/convert.h"
-#include "ripstop/io/json/project_json.h"
 #include "ripstop/model/plan/envelope_check.h"
+#include "ripstop/model/project/project.h"
 #include "ripstop/model/tile/cad_model.h"
 #include "ripstop/model/tile/envelope.h"
 #include "ripstop/pipeline/remesh/remesh_envelope.h"
@@ -74,6 +74,10 @@ struct EnvelopeInput {
 /// Throws InputError for a file that cannot be read or holds no surface that is a tile: a sentence for each that is
 /// none; and for a glob in `only` or `layers` that fits nothing.
 EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& options);
+
+/// The last step of `read_input`, for an envelope that comes from elsewhere: makes zigzag edges fair and remeshes tiles as
+/// the options say, and keeps the drawn meshes. Remarks say what was done.
+void remesh_input(EnvelopeInput& input, const ReadOptions& options);
 
 /// The envelope alone; surfaces that are no tiles are refused.
 Envelope read_envelope(const std::filesystem::path& file, const ReadOptions& options);

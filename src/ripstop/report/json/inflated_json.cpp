@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The least and the most of what threads and their angle go through.
+/// The ranges of strain and stress of the threads, and of the shear angle.
 struct ClothRange {
     double warp_min = 0, warp_max = 0, weft_min = 0, weft_max = 0, shear = 0;  ///< strains [1, rad]
     double warp_stress = 0, weft_stress = 0, shear_stress = 0;                 ///< [N/m]
@@ -122,7 +122,7 @@ Json sensitivity_json(const std::vector<Sensitivity>& sensitivity) {
     return list;
 }
 
-/// What the contract promises, in its order.
+/// The keys that the contract promises, in its order.
 Json promised_json(const Inflated& inflated, bool reproducible) {
     double least = std::numeric_limits<double>::infinity();
     for (const SafetyFactor& each : inflated.safety) least = std::min(least, each.factor);
@@ -155,7 +155,7 @@ void add_sizes(Json& json, const Inflated& inflated) {
     json["slack_pct"] = in_percent(inflated.slack);
 }
 
-/// How it was found, and how far it can be believed.
+/// How the solution was found, and how reliable it is.
 void add_solution(Json& json, const Inflated& inflated) {
     json["sectors"] = inflated.sectors;
     json["residual_stiffness"] = figure(inflated.residual_stiffness);
@@ -187,7 +187,7 @@ Json inflated_json(const CutPlan& plan, bool reproducible) {
                           {"patterns_mm", in_millimetres(inflated.causes->patterns)}};
     json["compensated"] = is_corrected(plan);
     json["tapes"] = tapes_json(plan);
-    json["rounds"] = rounds_json(inflated.rounds);
+    json["rounds"] = rounds_json(plan.rounds);
     json["sensitivity"] = sensitivity_json(inflated.sensitivity);
     add_solution(json, inflated);
     return json;

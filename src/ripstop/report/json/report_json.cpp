@@ -5,13 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "ripstop/base/text/units.h"
-#include "ripstop/model/plan/allowance.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/report/figures/figures.h"
 #include "ripstop/report/figures/json_figures.h"
 #include "ripstop/report/figures/load_tapes.h"
 #include "ripstop/report/json/inflated_json.h"
 #include "ripstop/report/json/says_json.h"
 #include "ripstop/report/tables/seam_tables.h"
+#include "ripstop/tile/allowance.h"
 #include "ripstop/version.h"
 
 namespace ripstop {
@@ -33,7 +34,7 @@ Json fabric_json(const Fabric& fabric) {
             {"shear_limit_deg", in_degrees(fabric.shear_limit)}};
 }
 
-/// Every fabric that is cut, and how much of it.
+/// All fabrics that are cut, with their amounts.
 Json fabrics_json(const CutPlan& plan) {
     Json list = Json::array();
     for (const Fabric& fabric : plan.fabrics()) {
@@ -64,7 +65,7 @@ Json seam_types_json(const CutPlan& plan) {
     return list;
 }
 
-/// Smallest, mean (by length) and largest tension of each chain's edges [N].
+/// Adds the smallest, mean (by length) and largest tension of each chain's edges [N].
 void add_tension(Json& chains, const FlatTile& tile) {
     if (tile.flattening.seam_tension.size() == 0) return;
     std::vector<Eigen::Index> place(static_cast<std::size_t>(tile.tile.mesh.vertex_count()));
@@ -84,7 +85,7 @@ void add_tension(Json& chains, const FlatTile& tile) {
     }
 }
 
-/// What each chain is sewn in: the first seam along it, and all where there are several.
+/// Adds the seams of each chain: the first along it, and all if there are several.
 void add_seams(Json& chains, const std::vector<std::vector<int>>& sewn, const CutPlan& plan) {
     for (std::size_t c = 0; c < std::min(chains.size(), sewn.size()); ++c) {
         Json ids = Json::array();
@@ -94,7 +95,7 @@ void add_seams(Json& chains, const std::vector<std::vector<int>>& sewn, const Cu
     }
 }
 
-/// How what of a chain is in no seam is finished.
+/// Adds the finish of the parts of chains that are in no seam.
 void add_finishes(Json& chains, const Tile& tile, const Eigen::VectorXd& left) {
     for (std::size_t c = 0; c < std::min(chains.size(), tile.chains.size()); ++c) {
         const double length = left[static_cast<Eigen::Index>(c)];
@@ -168,7 +169,7 @@ Json seam_json(const Seam& seam, const SeamWalk& walk, const CutPlan& plan) {
             {"ok", walk.ok}};
 }
 
-/// A seam of three or more as its records: what lies in which.
+/// Adds the records of seams of three or more sheets: which lies in which.
 void add_further_sheets(Json& seams, const CutPlan& plan) {
     for (std::size_t i = 0; i < plan.seams.size(); ++i) {
         if (!plan.seams[i].into) continue;
@@ -224,7 +225,7 @@ Json merges_json(const CutPlan& plan) {
     return merges;
 }
 
-Json envelope_json(const CutPlan& plan, const std::vector<std::string>& warnings) {
+Json envelope_json(const CutPlan& plan) {
     Json failed = Json::array(), failed_seams = Json::array();
     for (const FlatTile& tile : plan.tiles)
         if (!tile.verdict.manufacturable()) failed.push_back(tile.tile.name);
@@ -240,7 +241,7 @@ Json envelope_json(const CutPlan& plan, const std::vector<std::string>& warnings
             {"failed", failed},
             {"failed_seams", failed_seams},
             {"findings", findings_json(plan.findings)},
-            {"warnings", warnings},
+            {"warnings", plan.warnings},
             {"says", says_json(plan)},
             {"merges", merges_json(plan)}};
 }
@@ -261,7 +262,7 @@ void add_accuracy(Json& json, const Accuracy& accuracy) {
     json["overlaps"] = accuracy.overlaps;
 }
 
-/// The new mesh beside the input's: what was drawn, and how the piece differs from that.
+/// A new mesh compared with the input's: what was drawn, and how the piece differs from it.
 Json remeshed_json(const Remeshed& remeshed, const Accuracy& accuracy) {
     return {{"reason", remeshed.reason},
             {"triangles_before", remeshed.triangles_before},
@@ -275,7 +276,7 @@ Json remeshed_json(const Remeshed& remeshed, const Accuracy& accuracy) {
             {"perimeter_change_pct", in_percent(accuracy.perimeter / remeshed.perimeter_before - 1)}};
 }
 
-/// What a piece is cut longer for beside the flight: shrinkage of the cloth, take-up of the seams.
+/// The lengthening of a piece that does not come from flight: shrinkage of the cloth, take-up of the seams.
 Json compensation_json(const Compensation& longer) {
     Json chains = Json::array();
     for (const double chain : longer.chains) chains.push_back(in_percent(chain));
@@ -324,7 +325,7 @@ void add_quantity(Json& json, const CutPlan& plan, std::size_t i, const Quantity
 
 }  // namespace
 
-std::string report_json(const CutPlan& plan, bool reproducible, const std::vector<std::string>& warnings) {
+std::string report_json(const CutPlan& plan, bool reproducible) {
     Json tiles = Json::array(), seams = Json::array();
     const auto sewn = seams_of_chains(plan);
     const std::vector<std::string> stems = file_stems(plan);
@@ -364,7 +365,7 @@ std::string report_json(const CutPlan& plan, bool reproducible, const std::vecto
         {"tiles", tiles},
         {"seams", seams},
         {"seam_types", seam_types_json(plan)},
-        {"envelope", envelope_json(plan, warnings)}};
+        {"envelope", envelope_json(plan)}};
     if (plan.inflated) report["inflated"] = inflated_json(plan, reproducible);
     return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -7,13 +7,13 @@
 
 namespace ripstop {
 
-/// Version of the keys of report.json: the first number changes when a key goes or changes its meaning.
+/// Version of the keys of report.json. The first number changes if a key is removed or changes its meaning.
 inline constexpr const char* report_schema = "1.3";
 
-/// The text of report.json: what docs/report.schema.json describes. Every key carries its unit; figures have 12
-/// significant digits; a figure that is not finite (the energy of a flipped tile, the errors of a failed one) is null.
-/// `reproducible` leaves out `seconds`, the only thing that differs from run to run. Each tile's `file` is the stem of
-/// its files. `warnings`: what may be meant and is no finding, a sentence each.
-std::string report_json(const CutPlan& plan, bool reproducible = false, const std::vector<std::string>& warnings = {});
+/// The text of report.json, as docs/report.schema.json describes it. Every key carries its unit. Figures have 12
+/// significant digits; one that is not finite (the energy of a flipped tile, the errors of a failed one) is null.
+/// `reproducible` omits `seconds`, the only value that differs between runs. `file` of each tile is the stem of
+/// its files.
+std::string report_json(const CutPlan& plan, bool reproducible = false);
 
 }  // namespace ripstop

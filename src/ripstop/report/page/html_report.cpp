@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <stdexcept>
 
@@ -30,6 +31,36 @@ std::string summary(const CutPlan& plan) {
            "All figures are in report.json, tiles.csv and seams.csv beside this page.";
 }
 
+std::string packed(const std::string& text) {
+    return base64(deflated(text));
+}
+
+/// The parts of a page and their places in the template, in its order.
+struct Slot {
+    std::string_view word;
+    std::string PageParts::*part;
+};
+constexpr std::array<Slot, 5> slots{{{"RIPSTOP_TITLE", &PageParts::title},
+                                     {"RIPSTOP_SUMMARY", &PageParts::summary},
+                                     {"RIPSTOP_REPORT", &PageParts::report},
+                                     {"RIPSTOP_SHAPES", &PageParts::shapes},
+                                     {"RIPSTOP_ROLL", &PageParts::roll}}};
+
+/// What stands between the slots: one text before each, and one after the last.
+std::array<std::string_view, slots.size() + 1> fixed_texts(std::string_view page) {
+    std::array<std::string_view, slots.size() + 1> texts;
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const std::size_t at = page.find(slots[i].word, from);
+        if (at == std::string_view::npos)
+            throw std::logic_error("the page has no place for " + std::string(slots[i].word));
+        texts[i] = page.substr(from, at - from);
+        from = at + slots[i].word.size();
+    }
+    texts.back() = page.substr(from);
+    return texts;
+}
+
 std::string xml_lines(const std::string& text) {
     std::string result;
     std::istringstream lines(text);
@@ -53,33 +84,48 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-std::string html_report(const CutPlan& plan, const std::vector<PatternPiece>& pieces,
-                        const std::vector<StrainMap>& strains, const std::string& report) {
-    const std::string_view page = page_template();
-    if (page.empty()) return {};
-    const std::pair<std::string_view, std::string> parts[] = {
-        {"RIPSTOP_TITLE", xml_text(plan.input_file.empty() ? "Ripstop report" : plan.input_file + ", Ripstop report")},
-        {"RIPSTOP_SUMMARY", xml_lines(summary(plan))},
-        {"RIPSTOP_REPORT", base64(deflated(report))},
-        {"RIPSTOP_SHAPES", base64(deflated(page_shapes(plan, pieces, strains)))}};
-    // In the order of the page: what a name says is never taken for one of the words.
-    std::string result;
-    std::size_t from = 0;
-    for (const auto& [word, text] : parts) {
-        const std::size_t at = page.find(word, from);
-        if (at == std::string_view::npos) throw std::logic_error("the page has no place for " + std::string(word));
-        result.append(page.substr(from, at - from)).append(text);
-        from = at + word.size();
-    }
-    return result.append(page.substr(from));
+PageParts page_parts(const CutPlan& plan, const std::vector<PatternPiece>& pieces,
+                     const std::vector<StrainMap>& strains, const std::string& report) {
+    return {xml_text(plan.input_file.empty() ? "Ripstop report" : plan.input_file + ", Ripstop report"),
+            xml_lines(summary(plan)),
+            packed(report),
+            packed(page_shapes(plan, pieces, strains)),
+            {}};
 }
 
-std::string with_roll(const std::string& page, const std::string& marker_json) {
-    constexpr std::string_view before = "id=\"ripstop-roll\">", after = "</script>";
-    const std::size_t at = page.find(before);
-    if (at == std::string::npos) return page;
-    const std::size_t start = at + before.size();
-    return page.substr(0, start) + base64(deflated(marker_json)) + page.substr(page.find(after, start));
+void set_roll(PageParts& page, const std::string& marker_json) {
+    page.roll = packed(marker_json);
+}
+
+std::string write_page(const PageParts& page) {
+    const std::string_view whole = page_template();
+    if (whole.empty()) return {};
+    const auto texts = fixed_texts(whole);
+    std::string result(texts.front());
+    for (std::size_t i = 0; i < slots.size(); ++i) result.append(page.*slots[i].part).append(texts[i + 1]);
+    return result;
+}
+
+std::optional<PageParts> read_page(std::string_view text) {
+    const std::string_view whole = page_template();
+    if (whole.empty()) return std::nullopt;
+    const auto texts = fixed_texts(whole);
+    if (!text.starts_with(texts.front()) || !text.ends_with(texts.back())) return std::nullopt;
+    PageParts page;
+    std::size_t from = texts.front().size();
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const bool is_last = i + 1 == slots.size();
+        const std::size_t to = is_last ? text.size() - texts.back().size() : text.find(texts[i + 1], from);
+        if (to == std::string_view::npos || to < from) return std::nullopt;
+        page.*slots[i].part = text.substr(from, to - from);
+        from = to + texts[i + 1].size();
+    }
+    return page;
+}
+
+std::string html_report(const CutPlan& plan, const std::vector<PatternPiece>& pieces,
+                        const std::vector<StrainMap>& strains, const std::string& report) {
+    return write_page(page_parts(plan, pieces, strains, report));
 }
 
 }  // namespace ripstop

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,9 +21,26 @@ namespace ripstop {
 std::string html_report(const CutPlan& plan, const std::vector<PatternPiece>& pieces,
                         const std::vector<StrainMap>& strains, const std::string& report);
 
-/// The page with the roll shown in it: `marker_json` in the place of the one before, if any. A page without that place
-/// is returned as it is.
-std::string with_roll(const std::string& page, const std::string& marker_json);
+/// The parts of a page, as texts that stand in it: title and summary escaped, the others deflated in base64.
+struct PageParts {
+    std::string title, summary;
+    std::string report;  ///< report.json
+    std::string shapes;  ///< `page_shapes`
+    std::string roll;    ///< marker.json; empty before `nest`
+};
+
+/// The parts of the page of a plan, without a roll. Parameters and errors are those of `html_report`.
+PageParts page_parts(const CutPlan& plan, const std::vector<PatternPiece>& pieces,
+                     const std::vector<StrainMap>& strains, const std::string& report);
+
+/// Replaces the roll that the page shows. `marker_json`: the text of marker.json.
+void set_roll(PageParts& page, const std::string& marker_json);
+
+/// The text of the page. Empty where the program was built without the page.
+std::string write_page(const PageParts& page);
+
+/// The parts of a page that `write_page` of this version wrote; nothing for any other text.
+std::optional<PageParts> read_page(std::string_view text);
 
 /// Bytes in base64 [RFC 4648], padded, in one line.
 std::string base64(std::string_view bytes);

@@ -31,7 +31,7 @@ void say_rest(const Inflated& inflated, Sentences& says) {
                        " %: finer triangles would make the figures surer.");
 }
 
-/// `isotropic` is there to compare methods with, and the default of `flatten`.
+/// `isotropic` is meant for comparing methods, and is the default of `flatten`.
 void say_cloth(const CutPlan& plan, Sentences& says) {
     const std::vector<Fabric> fabrics = plan.fabrics();
     if (std::any_of(fabrics.begin(), fabrics.end(), [](const Fabric& fabric) { return fabric.name == "isotropic"; }))
@@ -71,7 +71,7 @@ void say_causes(const CutPlan& plan, Sentences& says) {
         else
             says.push_back("This shape cannot be held by gas pressure: even " + bare);
         if (is_corrected(plan) && inflated.off.moved_rms <= limit)
-            ;  // what was wanted of the pieces is not the drawing
+            ;  // the pieces were not meant to match the drawing
         else if (!std::isfinite(causes.patterns))
             says.push_back("What the patterns do to it is not known: what they were corrected to is not at hand.");
         else
@@ -84,10 +84,10 @@ void say_causes(const CutPlan& plan, Sentences& says) {
                                : "The stretch of cloth and tapes moves it by " + in_mm(causes.stretch) + ".");
     }
     const auto best =
-        std::find_if(inflated.rounds.begin(), inflated.rounds.end(), [](const auto& each) { return each.is_best; });
-    if (inflated.rounds.size() > 1 && best != inflated.rounds.end())
-        says.push_back("Correcting the patterns brought it from " + in_mm(inflated.rounds.front().off.moved_rms) +
-                       " to " + in_mm(best->off.moved_rms) + " from the drawn places (root mean square).");
+        std::find_if(plan.rounds.begin(), plan.rounds.end(), [](const auto& each) { return each.is_best; });
+    if (plan.rounds.size() > 1 && best != plan.rounds.end())
+        says.push_back("Correcting the patterns brought it from " + in_mm(plan.rounds.front().off.moved_rms) + " to " +
+                       in_mm(best->off.moved_rms) + " from the drawn places (root mean square).");
 }
 
 void say_lift(const Inflated& inflated, Sentences& says) {
@@ -113,7 +113,7 @@ void say_strength(const Inflated& inflated, Sentences& says) {
                                shown(least.factor, 2), least.required, least.where));
 }
 
-/// Each on its own: shrinkage in the two directions and take-up, with how many tiles have them.
+/// States shrinkage in each direction and take-up separately, with the number of tiles that have them.
 void say_compensation(const CutPlan& plan, Sentences& says) {
     const auto say = [&](const std::string& what, const auto& value_of) {
         double least = 0, most = 0;
@@ -151,8 +151,14 @@ double deviation_limit(const Inflated& inflated) {
     return deviation_share * inflated.drawn_height;
 }
 
+bool flies_as_drawn(const CutPlan& plan) {
+    const Inflated& inflated = *plan.inflated;
+    return inflated.summary.termination == Termination::converged && inflated.off.rms <= deviation_limit(inflated) &&
+           inflated.is_safe();
+}
+
 bool is_corrected(const CutPlan& plan) {
-    return plan.is_compensated || (plan.inflated && plan.inflated->rounds.size() > 1);
+    return plan.is_compensated || (plan.rounds.size() > 1);
 }
 
 Sentences inflated_says(const CutPlan& plan) {

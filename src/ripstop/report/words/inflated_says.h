@@ -7,19 +7,22 @@
 
 namespace ripstop {
 
-/// From this share of the drawn height on a deviation is called one, and a cause of it is named as such.
+/// A deviation above this share of the drawn height is called one, and its causes are named.
 inline constexpr double deviation_share = 0.003;
 
-/// That, of an inflated envelope [m].
+/// The same limit for an inflated envelope [m].
 double deviation_limit(const Inflated& inflated);
 
-/// Were the patterns corrected for what they do in flight?
+/// True if the patterns were corrected for their deformation in flight.
 bool is_corrected(const CutPlan& plan);
 
-/// What the inflated shape says of the plan, a sentence each, in this order: did it come to rest; is it within
-/// `deviation_limit` of the drawn shape; what is too weak; can gas pressure hold the shape, are the patterns wrong,
-/// does the cloth stretch too far (each against that limit by itself, as far as the causes are known); is all strong
-/// enough; what it carries; does it wrinkle. Requires `plan.inflated`.
+/// Does an inflated plan come to rest, take the drawn shape to `deviation_limit` and bear what it must?
+bool flies_as_drawn(const CutPlan& plan);
+
+/// The verdicts of the inflated shape, one sentence each, in this order. Is it at rest? Is it within
+/// `deviation_limit` of the drawn shape? What is too weak? Can gas pressure hold the shape, are the patterns
+/// wrong, does the cloth stretch too far (each compared with that limit separately, as far as the causes are
+/// known)? Is everything strong enough? What does it carry? Does it wrinkle? Requires `plan.inflated`.
 std::vector<std::string> inflated_says(const CutPlan& plan);
 
 }  // namespace ripstop

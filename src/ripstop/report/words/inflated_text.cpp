@@ -14,7 +14,7 @@ std::string mm(double length, bool with_sign = false) {
     return shown(length / millimetre, 1, with_sign);
 }
 
-/// A table under an empty line.
+/// A table with a blank line before it.
 std::string block(const std::vector<TextRow>& rows, std::size_t words = 1) {
     return "\n" + aligned_table(rows, words);
 }
@@ -101,7 +101,7 @@ std::string inflated_text(const CutPlan& plan) {
     std::string text;
     for (const std::string& sentence : inflated_says(plan)) text += sentence + "\n";
     if (!inflated.summary.usable()) return text;
-    return text + sizes(inflated) + loads(inflated) + safety(inflated.safety) + rounds(inflated.rounds) +
+    return text + sizes(inflated) + loads(inflated) + safety(inflated.safety) + rounds(plan.rounds) +
            sensitivity(inflated.sensitivity);
 }
 
