@@ -49,9 +49,9 @@ struct Bounded {
     double triangles = 0;   ///< expected number
 };
 
-/// Sets `finer`, `most` and `border` of `sizes` so that these limits hold, if neither `chord_error` nor `edge_length` is
-/// asked for. Edges of faces keep their own curvature, unless they alone have too many pieces. Throws InputError if more
-/// than ten million triangles are asked for.
+/// Sets `finer`, `most` and `border` of `sizes` so that these limits hold, if neither `chord_error` nor
+/// `edge_length` is asked for. Edges of faces keep their own curvature, unless they alone have too many pieces.
+/// Throws InputError if more than ten million triangles are asked for.
 Bounded bound(const std::vector<TopoDS_Face>& faces, const MeshingOptions& asked, EdgeSizes& sizes);
 
 /// The meshed faces with a common numbering of vertices: neighbours share those of their common edges. Triangles

@@ -5,8 +5,9 @@
 #include "ripstop/io/json/plan_reader.h"
 #include "ripstop/model/plan/cut_plan.h"
 
-/// What became of a plan's tiles, for flat/sewing.json: all of `CutPlan` that meshes, flat positions and seams do not
-/// say. Lengths are in metres, angles in radians; numbers read back to the same doubles, also those that are not finite.
+/// What became of a plan's tiles, for flat/sewing.json: all of `CutPlan` that meshes, flat positions and seams do
+/// not say. Lengths are in metres, angles in radians; numbers read back to the same doubles, also those that are
+/// not finite.
 namespace ripstop {
 
 /// The outcome of one tile: method, summary, certificate, seam tensions, bounds, accuracy, verdict, and what it is

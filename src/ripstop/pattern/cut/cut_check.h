@@ -19,10 +19,10 @@ struct CutFault {
 ///
 /// - The cut line is one closed line, counter-clockwise, that neither crosses nor touches itself.
 /// - It winds once round every point of the sew line, and the sew line round none of it.
-/// - At each place of an edge, the cut line is at the distance of the allowance, perpendicular to the edge. It may be farther
-///   only where the allowance of a part that is not apart covers the place (`SewContour::is_apart`: a corner that turns
-///   inward). It may be nearer only where `PatternPiece::met` says so, by that amount, and at the ends of an edge, where hems
-///   are folded.
+/// - At each place of an edge, the cut line is at the distance of the allowance, perpendicular to the edge. It may be
+///   farther only where the allowance of a part that is not apart covers the place (`SewContour::is_apart`: a corner
+///   that turns inward). It may be nearer only where `PatternPiece::met` says so, by that amount, and at the ends of an
+///   edge, where hems are folded.
 ///
 /// The tolerance is 0.06 mm. Tests places half an allowance apart and the points of both lines. An opening that is
 /// not cut, a notch that is filled in, and a part of the sew line without cloth are faults, one for each edge. A
