@@ -1,4 +1,4 @@
-# CHOLMOD of SuiteSparse, which Debian ships without a package file: the target CHOLMOD::CHOLMOD.
+# Finds CHOLMOD of SuiteSparse, which Debian ships without a package file; defines the target CHOLMOD::CHOLMOD.
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)
 mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY)

@@ -1,4 +1,4 @@
-# Everything from Debian 12; docs/decisions/ has a line on why each is here. `make setup` installs the packages.
+# All packages are from Debian 12; docs/decisions/ says why each is used. `make setup` installs them.
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED)
@@ -16,7 +16,7 @@ if(RIPSTOP_TESTS)
 endif()
 if(RIPSTOP_BENCHMARKS)
     find_package(benchmark REQUIRED)
-    # LGPL-3, in a benchmark alone, and only where it is installed.
+    # LGPL-3; used in one benchmark, if it is installed.
     find_path(LIBNEST2D_INCLUDE_DIR libnest2d/libnest2d.hpp)
     find_library(NLOPT_LIBRARY nlopt)
     mark_as_advanced(LIBNEST2D_INCLUDE_DIR NLOPT_LIBRARY)
@@ -37,7 +37,8 @@ if(RIPSTOP_CHOLMOD)
     find_package(CHOLMOD REQUIRED)
 endif()
 if(RIPSTOP_CAD)
-    # In a program of its own: gmsh is GPL-2+ (docs/decisions/0005-cad-kernels.md). Where they are absent it is not built.
+    # Used in a separate program, because gmsh is GPL-2+ (docs/decisions/0005-cad-kernels.md). Without gmsh and
+    # Open CASCADE it is not built.
     find_path(OCCT_INCLUDE_DIR STEPCAFControl_Reader.hxx PATH_SUFFIXES opencascade)
     find_library(OCCT_LIBRARY TKXDESTEP)
     find_path(GMSH_INCLUDE_DIR gmsh.h)

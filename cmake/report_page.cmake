@@ -1,5 +1,6 @@
-# report.html as apps/report builds it, part of the library's bytes: `report_page_source` defines `page_template`. Empty, and
-# said so, where Node.js or what `make setup` installs from npm is absent: `flatten` then writes no report.html.
+# Embeds report.html, as apps/report builds it, into the library: `report_page_source` defines `page_template`.
+# Without Node.js or the npm packages of `make setup`, the template is empty, a message says so, and `flatten`
+# writes no report.html.
 set(report_page_source ${CMAKE_BINARY_DIR}/generated/report_page.cpp)
 set(report_page_app ${CMAKE_SOURCE_DIR}/apps/report)
 find_program(RIPSTOP_NODE node)

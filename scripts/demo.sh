@@ -1,5 +1,5 @@
 #!/bin/sh
-# The main job on a hot-air balloon: draw an envelope, flatten it, name the files to open.
+# Shows the main use on a hot-air balloon: designs an envelope, flattens it, and names the files to open.
 set -eu
 cd "$(dirname "$0")/.."
 ripstop=build/release/ripstop

@@ -1,10 +1,10 @@
 #!/bin/sh
-# Installs the Debian packages of packages.txt that are missing, and what apps/rhino, apps/report and tests/dxf have from npm. Needs root
-# or sudo only if a package is missing.
+# Installs the Debian packages of packages.txt that are missing, and the npm packages of apps/rhino, apps/report
+# and tests/dxf. Needs root or sudo only if a package is missing.
 set -eu
 cd "$(dirname "$0")"
 
-# What the package.json of a folder names.
+# The packages that the package.json of a folder names.
 install_npm() {
     (
         cd "../$1"
@@ -28,7 +28,7 @@ missing=""
 for package in $(sed 's/#.*//' packages.txt); do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing="$missing $package"
 done
-# Some distributions of Node.js bring npm along; Debian's does not.
+# Some distributions of Node.js include npm; Debian's does not.
 command -v npm > /dev/null || missing="$missing npm"
 if [ -z "$missing" ]; then
     install_all_npm

@@ -1,12 +1,13 @@
-// The guide is what the program does: runs every command of docs/guide.md in its order, in a fresh folder, takes the pictures, and
-// writes OUT/guide.html, one file with the pictures inside, and OUT/pictures/NAME.png.
+// Runs the guide: executes every command of docs/guide.md in order, in a new folder, takes the pictures, and
+// writes OUT/guide.html, a single file that contains the pictures, and OUT/pictures/NAME.png.
 //
 //   node make.mjs [--check] PROGRAM OUT
 //
-// A fence `sh` is run line by line by sh; a number behind the word is the exit code that every line ends with (else 0), `norun` leaves
-// it out, and `rhino` where openNURBS is not there to write a Rhino file. A fence `text` right behind it is what it prints, without
-// the progress. Without --check those are replaced in docs/guide.md; with it a block that differs fails. Ends with 77, which CTest counts
-// as skipped, where the browser, npm's packages or the page of the report are absent.
+// sh runs the lines of a fence `sh` one by one. After the word, a number is the exit code expected of every line
+// (default 0); `norun` skips the fence; `rhino` skips it if openNURBS cannot write a Rhino file. A fence `text`
+// right behind it is its output without progress. Without --check these fences are updated in docs/guide.md; with
+// it, a different fence is an error. Exits with 77, which CTest counts as skipped, if the browser, the npm
+// packages or the report page are missing.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -32,7 +33,7 @@ if (!existsSync(chromium))
 if (!existsSync(join(root, 'apps/report/node_modules/playwright-core')))
     end(77, 'skipped: no playwright-core; make setup installs it');
 
-// What a person at a terminal is shown, without what is wiped there.
+// The text as a terminal shows it, without what is erased there.
 const withoutProgress = (text) =>
     text
         .split('\n')
@@ -40,7 +41,7 @@ const withoutProgress = (text) =>
         .join('\n')
         .trimEnd();
 
-// Seconds, what is only rounding, and which of several equal tiles is the worst, differ from machine to machine.
+// Seconds, rounding noise, and the choice among equally bad tiles differ between machines.
 const comparable = (text) =>
     text
         .replace(/\b\d+(\.\d+)? s\b/g, 'N s')
@@ -56,7 +57,7 @@ function run(folder, line, path) {
     return { code: shell.status, text: shell.stdout };
 }
 
-// Every command block with what it printed; faults in `faults`.
+// Every command block with its output; adds faults to `faults`.
 function runAll(blocks, folder, faults) {
     const bin = join(folder, '.bin');
     mkdirSync(bin);
@@ -87,7 +88,7 @@ function runAll(blocks, folder, faults) {
     return printed;
 }
 
-// The first line that differs, with both.
+// The first line that differs, in both versions.
 function difference(block, text) {
     const now = comparable(text).split('\n'),
         told = comparable(block.lines.join('\n')).split('\n');
@@ -97,7 +98,7 @@ function difference(block, text) {
     return `docs/guide.md:${block.from + 1 + place}: the guide says\n    ${told[place] ?? '(nothing)'}\nthe program prints\n    ${now[place] ?? '(nothing)'}`;
 }
 
-// Cut from the last block to the first, so that the lines before stay where they are.
+// Replaces blocks from last to first, so that the numbers of earlier lines stay valid.
 function replaced(text, printed) {
     const lines = text.split('\n');
     for (const [block, now] of [...printed].sort(([a], [b]) => b.from - a.from))
@@ -116,7 +117,7 @@ function page(blocks, pictures) {
         .map((block) => block.lines[0].slice(3));
     const body = asHtml(blocks, {
         picture: (path) => `data:image/png;base64,${pictures.get(nameOf(path)).toString('base64')}`,
-        // The other pages are beside the sources only, wherever this one is read.
+        // Other pages exist only beside the sources, wherever this file is read.
         link: (path, words) =>
             /^(https?:|#)/.test(path)
                 ? `<a href="${path}">${words}</a>`

@@ -1,8 +1,9 @@
-// The Markdown that the guide is written in, as blocks, and those as HTML: headings, paragraphs, lists, tables, fenced code,
-// pictures, links, code and bold.
+// Parses the guide's Markdown into blocks and writes these as HTML: headings, paragraphs, lists, tables, fenced
+// code, pictures, links, code and bold.
 const fence = /^```(\S*) ?(.*)$/;
 
-// The blocks of a text in their order: { kind, lines } with the lines as they stand, fences also { language, words, from, to }.
+// The blocks of a text, in order: { kind, lines } with unchanged lines; fences also have { language, words, from,
+// to }.
 export function blocksOf(text) {
     const lines = text.split('\n'),
         blocks = [];
@@ -42,7 +43,7 @@ export const anchor = (heading) =>
         .replace(/[^\p{L}\p{N} -]/gu, '')
         .replace(/ /g, '-');
 
-// Code first, so that nothing in it is taken for a mark.
+// Code comes first, so that nothing in it is taken for markup.
 function inline(text, link) {
     return escaped(text)
         .split(/(`[^`]+`)/)
@@ -83,7 +84,8 @@ function table(lines, link) {
         .join('')}</tbody></table></div>`;
 }
 
-// `picture(path)` and `link(path, words)` say what becomes of paths. What may be wider than the page can be reached by keyboard.
+// `picture(path)` and `link(path, words)` convert paths. Blocks that may be wider than the page can be scrolled by
+// keyboard.
 export function asHtml(blocks, { picture, link }) {
     const one = (block) => {
         const text = block.lines.join(' ');

@@ -1,4 +1,4 @@
-// The pictures of the guide: the report, opened and used in one browser as a maker uses it.
+// Takes the guide's pictures: opens the report in one browser and uses it as a maker does.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
@@ -21,17 +21,18 @@ const choose = async (page, name) => {
 const whole = (page) => page.screenshot();
 const part = (selector) => (page) => page.locator(selector).first().screenshot();
 
-// The upper end of a part that goes on below.
+// The top of a part that continues below.
 const cropped = (selector, height) => async (page) => {
     const box = await page.locator(selector).first().boundingBox();
     return page.screenshot({ clip: { ...box, height: Math.min(height, box.height) }, fullPage: true });
 };
 
-// A cut file has lines as thin as a blade: here a pixel or two.
+// The lines of a cut file are as thin as a blade; here they are a pixel or two.
 const drawingStyle =
     '<style>body{margin:12px}svg{width:100%;height:596px}path{vector-effect:non-scaling-stroke;stroke-width:1.6}</style>';
 
-// name: the file, what is done on it, what is taken of it. Those of one file follow one another on one page of the browser.
+// name: the file, the actions on it, the part to capture. Recipes for the same file follow one another and share
+// one page.
 const recipes = {
     report: { file: 'cut-plan/report.html', take: whole },
     roll: { file: 'cut-plan/report.html', take: cropped('.roll-section', 620) },
@@ -70,7 +71,7 @@ async function showReport(page, file) {
     await page.waitForFunction(() => performance.getEntriesByName('first-picture').length > 0);
 }
 
-// A picture a name, as PNG. `names` are those of recipes whose files are in the folder.
+// One PNG picture for each name. `names` are those of recipes whose files are in the folder.
 export async function takePictures(folder, names, executablePath) {
     const require = createRequire(new URL('../../apps/report/package.json', import.meta.url));
     const browser = await require('playwright-core').chromium.launch({ executablePath, headless: true, args: flags });

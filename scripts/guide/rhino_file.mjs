@@ -1,5 +1,5 @@
-// A Rhino file for the guide: the designed envelope as somebody drew it, in millimetres, a layer a gore, with grain lines, and,
-// where asked for, four mistakes. Written by openNURBS itself.
+// Writes a Rhino file for the guide, with openNURBS: the designed envelope as if drawn by hand, in millimetres,
+// one layer per gore, with grain lines, and, if asked for, four mistakes.
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,7 +9,7 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 
 export const canWriteRhino = () => existsSync(join(root, 'apps/rhino/node_modules/rhino3dm'));
 
-// The objects of an OBJ: name, vertices in its own numbers, faces of indices that begin with 0.
+// The objects of an OBJ file: name, vertices in its own unit, faces with indices from 0.
 function readObjects(file) {
     const objects = [],
         vertices = [];
@@ -28,7 +28,7 @@ function readObjects(file) {
     return objects;
 }
 
-// From the vertex in the middle of a tile, one way along its gore: what a maker draws to show the warp.
+// From the vertex in the middle of a tile, some way along its gore: a maker draws this to show the warp.
 function grainLine(tile) {
     const mean = [0, 1, 2].map((k) => tile.vertices.reduce((sum, v) => sum + v[k], 0) / tile.vertices.length);
     const nearest = (point) =>
@@ -49,7 +49,7 @@ function withMistakes(objects) {
     return [...objects.filter((object) => object.name !== 'G10P07'), again];
 }
 
-// Throws where openNURBS does not write it.
+// Throws if openNURBS does not write it.
 export function writeRhinoFile(obj, file, { mistakes }) {
     const tiles = mistakes ? withMistakes(readObjects(obj)) : readObjects(obj);
     const gores = [...new Set(tiles.map(({ name }) => name.slice(0, 3)))];

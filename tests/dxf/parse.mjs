@@ -1,5 +1,6 @@
-// Prints the contours that dxf-parser finds, one a line: block, layer, x and y of its lower corner, area, perimeter, how many
-// polylines it is made of and whether they close. Polylines that begin where the one before ends are one contour.
+// Prints the contours that dxf-parser finds, one per line: block, layer, x and y of the lower corner, area,
+// perimeter, number of polylines, and whether they close. Polylines that begin where the one before ends form one
+// contour.
 import { readFileSync } from 'node:fs';
 import DxfParser from 'dxf-parser';
 

@@ -1,4 +1,4 @@
-// A page of Chromium with a report in it, and what it complained of.
+// A page of Chromium with a report in it, and the page's errors.
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
@@ -21,7 +21,7 @@ const quiet = [
 export const withWebGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 export const withoutWebGL = ['--disable-3d-apis'];
 
-// Opens a report, hands it to `use`, and holds that it said nothing on the console and asked for nothing.
+// Opens a report, passes it to `use`, and requires that it writes nothing to the console and requests nothing.
 export async function opened(file, use, { flags = withWebGL, viewport = { width: 1400, height: 900 } } = {}) {
     const browser = await chromium.launch({
         executablePath: process.env.RIPSTOP_CHROMIUM,
@@ -68,7 +68,7 @@ export async function withoutScripts(file, use) {
 
 export const rested = (page) => page.waitForTimeout(500);
 
-// Where the canvas lies on the page.
+// The place of the canvas on the page.
 export async function canvasBox(page) {
     const box = await page.locator('canvas.envelope').boundingBox();
     return { ...box, centre: [box.x + box.width / 2, box.y + box.height / 2] };
@@ -84,7 +84,7 @@ export async function thumbnail(page, columns = 24, rows = 18) {
             const context = canvas.getContext('2d', { willReadFrequently: true });
             context.fillStyle = '#fff';
             context.fillRect(0, 0, canvas.width, canvas.height);
-            // As high as the canvas and in the middle: its width depends on the fonts.
+            // The full height, centred, because the width depends on the fonts.
             const share = (canvas.width / canvas.height) * source.height;
             context.drawImage(
                 source,
@@ -116,7 +116,7 @@ export async function thumbnail(page, columns = 24, rows = 18) {
 export const meanDifference = (one, other) =>
     one.reduce((sum, value, i) => sum + Math.abs(value - other[i]), 0) / one.length;
 
-// How far two pictures are apart where they are most so: the mean of the twentieth of the cells that differ most, of 255.
+// The difference of two pictures: the mean of the 5 % of cells that differ most, of 255.
 export function farthestApart(one, other) {
     const cells = [];
     for (let i = 0; i < one.length; i += 3)
@@ -125,7 +125,7 @@ export function farthestApart(one, other) {
     return worst.reduce((sum, value) => sum + value, 0) / worst.length;
 }
 
-// Gives the picture one size whatever the fonts; to be called before anything turns it.
+// Gives the picture a fixed size, whatever the fonts. Call it before anything rotates the picture.
 export async function fixSize(page) {
     await page.addStyleTag({ content: '.holder { flex: none !important; width: 640px; height: 480px; }' });
     await rested(page);
@@ -134,8 +134,8 @@ export async function fixSize(page) {
 
 export const fixedPicture = (page) => thumbnail(page, 32, 24);
 
-// Is the picture the one kept? From run to run nothing differs (below 0.1); the nearest other map of a good envelope, whose colours are
-// all pale, is 1.6 apart. Between them: what a test holds.
+// Whether the picture matches the golden one. Runs differ by less than 0.1; the most similar other map of a good
+// envelope, whose colours are all pale, differs by 1.6. The tests' limit lies between.
 export const mostApart = 0.6;
 
 export async function assertLooksAs(page, name) {
@@ -147,7 +147,7 @@ export async function assertLooksAs(page, name) {
     assert.ok(apart < mostApart, `the picture ${name} is ${apart.toFixed(2)} of 255 apart where it is most so`);
 }
 
-// No violation of axe-core's rules in all of the page.
+// Requires that axe-core finds no violation on the whole page.
 export async function assertAccessible(page) {
     await page.evaluate(axe);
     const violations = await page.evaluate(async () =>

@@ -1,4 +1,4 @@
-// Reports of a dress that cannot be made: why, which tiles and seams, what to draw instead; and on paper.
+// Reports of a dress that cannot be made: the reasons, the tiles and seams, what to draw instead; and on paper.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
@@ -66,7 +66,7 @@ test('follows a seam that does not fit', options, () =>
         const [, first, second] = figures.match(
             /On panel_\d\d, edge \d+\s+([\d.]+)\smm[^]*On panel_\d\d, edge \d+\s+([\d.]+)\smm/,
         );
-        // Figures are rounded to 0.1 mm, each.
+        // Each figure is rounded to 0.1 mm.
         assert.ok(Math.abs(Number(mismatch.replace('−', '-')) - (second - first)) < 0.11, figures);
         await page.locator('.panel .link').first().click();
         assert.match(await heading(page), /^panel_\d\d/);
@@ -86,7 +86,7 @@ test('lists seams that fail alone', options, () =>
         const scales = await page
             .locator('.mates svg.piece')
             .evaluateAll((pieces) => pieces.map((piece) => piece.getScreenCTM().a));
-        // Browsers round widths to a 64th of a pixel.
+        // Browsers round widths to 1/64 of a pixel.
         assert.ok(Math.abs(scales[0] / scales[1] - 1) < 1e-3, 'both at one scale');
         await page.getByLabel('only those that fail').uncheck();
         assert.equal(await page.locator('[role=option]').count(), 66);

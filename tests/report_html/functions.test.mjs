@@ -1,4 +1,4 @@
-// The page's modules: no function of more than 80 lines.
+// The page's modules have no function of more than 80 lines.
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -11,7 +11,7 @@ const report = join(dirname(fileURLToPath(import.meta.url)), '../../apps/report'
 const vite = createRequire(join(report, 'package.json')).resolve('vite/package.json');
 const { parseAst } = await import(pathToFileURL(join(dirname(vite), 'dist/node/index.js')));
 
-// Every function of a module with its name, where it has one, and its lines; what lies within it counts too.
+// Every function of a module, with its name if it has one and its number of lines, nested functions included.
 function functionsOf(text) {
     const found = [];
     const walk = (node, name) => {

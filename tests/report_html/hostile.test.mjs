@@ -1,4 +1,4 @@
-// Names are text, whatever they say.
+// Names are treated as text, whatever they contain.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { assertAccessible, opened } from './browser.mjs';
@@ -48,7 +48,7 @@ test(
             );
             assert.equal(await page.locator('.roll .laid').count(), 2);
             const [one, other] = await Promise.all([0, 1].map((i) => page.locator('.roll .laid').nth(i).boundingBox()));
-            // The browser counts some pixels of the pen into the box.
+            // The browser adds some pixels of the pen to the box.
             assert.ok(Math.abs(one.x - other.x) > 0.95 * one.width, 'beside each other');
             assert.ok(Math.abs(one.width / one.height - 1) < 0.02, 'squares');
             await page.locator('.roll .laid').first().click();

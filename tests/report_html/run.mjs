@@ -1,5 +1,6 @@
-// Opens reports in Chromium and uses them as a maker does: node run.mjs PROGRAM SHARED_DATA. Exits with 77, which CTest counts as
-// skipped, where the browser, npm's packages or the page itself are absent. RENEW=1 writes the golden pictures anew.
+// Opens reports in Chromium and uses them as a maker does: node run.mjs PROGRAM SHARED_DATA. Exits with 77, which
+// CTest counts as skipped, if the browser, the npm packages or the page itself are missing. RENEW=1 rewrites the
+// golden pictures.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -1,6 +1,6 @@
-// What openNURBS itself (rhino3dm) says of a Rhino file, and files it writes: the independent side of the .3dm tests.
+// Describes Rhino files with openNURBS (rhino3dm), and writes them: the independent side of the .3dm tests.
 //
-//   node rhino.mjs write SCENE.json OUT.3dm VERSION [lean]   VERSION 2 to 8; lean: without what no geometry needs
+//   node rhino.mjs write SCENE.json OUT.3dm VERSION [lean]   VERSION 2 to 8; lean: geometry only
 //   node rhino.mjs describe FILE.3dm                         JSON on stdout
 import fs from 'node:fs';
 import { createRequire } from 'node:module';

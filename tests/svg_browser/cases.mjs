@@ -1,5 +1,5 @@
-// One drawing for each rule of SVG and CSS that says where a line is or whether it is seen: a name and the body of a
-// drawing of 100 mm by 100 mm in units of a millimetre, or a whole drawing.
+// One drawing for each rule of SVG and CSS that decides where a line is or whether it is visible: a name, and the
+// body of a drawing of 100 mm by 100 mm in units of a millimetre, or a whole drawing.
 const page = (body) =>
     '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="100mm" height="100mm" ' +
     `viewBox="0 0 100 100" font-size="10">\n${body}\n</svg>\n`;
@@ -196,7 +196,8 @@ const styles = {
         .replace('<path', '<rect width="1em" height="1em" visibility="visible"/><path'),
 };
 
-// What is named as not understood, and nothing else: what Chromium hides or moves by it may be drawn.
+// Features that are reported as not understood, and no others; what Chromium hides or moves because of them may be
+// drawn.
 const named = {
     'children by number': styled(
         'path:nth-child(2){display:none} path:nth-child(2n+3){visibility:hidden} :nth-last-child(1){visibility:hidden}',

@@ -1,5 +1,5 @@
-// SVG drawings made up by a generator of random numbers: every element that draws lines, every unit, every transform,
-// groups, uses, symbols, nested viewports and style sheets. The same seed gives the same drawings.
+// Generates random SVG drawings: every element that draws lines, every unit, every transform, groups, uses,
+// symbols, nested viewports and style sheets. The same seed gives the same drawings.
 
 function randomFrom(seed) {
     let state = seed >>> 0;
@@ -47,7 +47,7 @@ class Maker {
         return random.is(0.3) ? text.replace(/^(-?)0\./, '$1.') : text;
     }
 
-    // A length of about `value` user units in some unit.
+    // A length of about `value` user units, in a random unit.
     length(value, whole) {
         const { random } = this;
         if (whole && random.is(0.15)) return this.number((100 * value) / whole) + '%';
@@ -107,7 +107,7 @@ class Maker {
         for (let i = 0; i < count; ++i) data += random.one(['', ' ', '\n']) + random.one(commands)();
         if (random.is(0.4)) data += random.one(['z', 'Z']);
         if (random.is(0.2)) data += `m${step()} ${step()} ${step()} ${step()}` + random.one(commands)();
-        // Blanks before a minus are not needed.
+        // A minus needs no blank before it.
         return random.is(0.5) ? data.replace(/ -/g, '-') : data;
     }
 
@@ -170,7 +170,7 @@ class Maker {
         return `<${kind}${is} points="${points.join(' ')}"/>`;
     }
 
-    // What an element is called and how it is seen.
+    // The name and the visibility of an element.
     look() {
         const { random } = this;
         const id = `e${++this.ids}`;
@@ -261,7 +261,7 @@ class Maker {
         return ` preserveAspectRatio="${align}${random.one(['', ' meet', ' slice'])}"`;
     }
 
-    // What is inside stays in it, or is seen all the same: what is cut off is named and not drawn.
+    // The content stays inside, or overflow is visible: parts that are cut off would be reported and not drawn.
     nested(depth) {
         const { random } = this;
         const around = this.viewport;
@@ -296,7 +296,7 @@ class Maker {
         const { random } = this;
         this.defs.push(`<path id="p1" d="${this.pathData()}"/>`);
         this.defs.push(`<g id="g1"${this.transform()}>${this.shape()}${this.shape()}</g>`);
-        // Within a symbol per cent are of its own viewBox.
+        // Inside a symbol, per cent refer to its own viewBox.
         const around = this.viewport;
         this.viewport = [80, 60];
         const view = 'overflow="visible" viewBox="0 0 80 60"' + this.ratio();

@@ -1,6 +1,6 @@
-// What Chromium makes of the drawing on its page: runs in the page. Replaces every use by the group that SVG says it
-// stands for, and holds that Chromium gives both the same box; then measures every shape that is drawn, in the order of
-// the file.
+// Measures Chromium's geometry of the drawing on its page; runs in the page. Replaces every use by the group that
+// SVG says it stands for, requires that Chromium gives both the same box, and then measures every visible shape in
+// file order.
 export function measure(count) {
     const root = document.documentElement;
     const space = 'http://www.w3.org/2000/svg';
@@ -34,21 +34,21 @@ export function measure(count) {
         moved.append(copy);
         group.append(moved);
         use.replaceWith(group);
-        // The box of the group is in the space around x and y, that of the use within.
+        // The box of the group is in the space around x and y, that of the use inside it.
         const after = boxOf(group);
         const size = Math.max(...before.map(Math.abs), 1);
         if (before.some((value, i) => Math.abs(value - after[i]) > 1e-4 * size))
             wrong.push(`${use.id}: a use of ${href} has the box ${before}, its group ${after}`);
     }
 
-    // How many lines a path is: from M to M with anything between, and after Z without M.
+    // The number of lines of a path: from M to M with anything between, and after Z without M.
     const linesOf = (element) => {
         const style = getComputedStyle(element).d;
         const data = style?.startsWith('path') ? style : element.getAttribute('d');
         const runs = data?.match(/m[^mz]*z?|(?<=z[\s,]*)[a-ln-y][^mz]*z?/gi) ?? [''];
         return runs.filter((run) => !/^m[^a-df-z]*$/i.test(run) || run.match(/[\d.]+/g)?.length > 2).length;
     };
-    // An svg without width, height or area of its viewBox draws nothing.
+    // An svg draws nothing if its width, its height or the area of its viewBox is zero.
     const isFlat = (element) => {
         if (element.localName !== 'svg' || element === root) return false;
         const box = element.viewBox.baseVal;
@@ -59,7 +59,7 @@ export function measure(count) {
                 .split(/[\s,]+/).length === 4 && box?.width * box?.height === 0;
         return isWithoutArea || element.width.baseVal.value * element.height.baseVal.value === 0;
     };
-    // checkVisibility alone says yes of what stands in a group that is not displayed.
+    // checkVisibility alone accepts elements in a group that is not displayed.
     const isDrawn = (element) => {
         if (!element.checkVisibility({ visibilityProperty: true })) return false;
         if (getComputedStyle(element).display === 'contents') return false;
@@ -75,7 +75,7 @@ export function measure(count) {
         const at = new DOMPoint(point.x, point.y).matrixTransform(matrix);
         return [at.x - origin.x, at.y - origin.y];
     };
-    // From one place that is given to the next.
+    // From one given place to the next.
     const linesOfText = (element, matrix) => {
         const found = [];
         const walker = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
@@ -102,7 +102,7 @@ export function measure(count) {
         }
         const total = element.getTotalLength();
         if (total === 0 && box.width === 0 && box.height === 0) continue;
-        // Without a side or radius it is not drawn.
+        // With a side or radius of 0 it is not drawn.
         if (/rect|circle|ellipse/.test(element.localName) && box.width * box.height === 0) continue;
         const points = Array.from({ length: count + 1 }, (_, i) =>
             onPage(element.getPointAtLength((i / count) * total), matrix),
@@ -117,7 +117,7 @@ export function measure(count) {
             points,
             corners: [onPage(box, matrix), onPage({ x: box.x + box.width, y: box.y + box.height }, matrix)],
             isUpright: b === 0 && c === 0,
-            // The matrix as a scale where it is one, times a turn.
+            // The matrix as a scale, if it is one, times a rotation.
             scale:
                 Math.min(Math.hypot(a - d, b + c), Math.hypot(a + d, b - c)) < 1e-6 * Math.hypot(a, b)
                     ? Math.hypot(a, b)
