@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Finds constants and types of an unnamed namespace that are called as one of a public header.
+"""Finds constants and types in unnamed namespaces that have the name of one in a public header.
 
-Sources are compiled in groups (CMAKE_UNITY_BUILD): there such a name hides the header's in every source of the group,
-and nothing says so. Two that clash with each other the compiler refuses.
+Sources are compiled in groups (CMAKE_UNITY_BUILD). There such a name silently hides the header's name in every source of
+the group. The compiler itself refuses two such names that clash with each other.
 
 Usage: check_names.py SOURCE_FOLDER
 """

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Checks every link of the documentation; prints each that leads nowhere and ends with 1 if there is one.
+"""Checks every link of the documentation; prints the broken ones and exits with 1 if there are any.
 
-Usage: check_links.py --sources ROOT   the Markdown of the project: files, anchors, the sources that it names in `code`
-       check_links.py --site FOLDER    the built site: pages, anchors, pictures; nothing is loaded from a network
+Usage: check_links.py --sources ROOT   the Markdown of the project: files, anchors, sources named in `code`
+       check_links.py --site FOLDER    the built site: pages, anchors, pictures; nothing may be loaded from a network
 """
 import html.parser
 import pathlib
@@ -19,7 +19,7 @@ MADE = re.compile(r"(\.\./)*build/|docs/.*-plan/")  # by the build or by the pro
 
 
 def anchor(heading):
-    """As GitHub and the site make it of a heading."""
+    """The anchor that GitHub and the site give a heading."""
     return re.sub(r"[^\w -]", "", heading.lower()).strip().replace(" ", "-")
 
 
@@ -32,7 +32,7 @@ def line_of(text, place):
 
 
 def blank(found):
-    """Empty lines instead of a fence, so that numbers of lines stay."""
+    """Replaces fences by empty lines, so that line numbers stay valid."""
     return "\n" * found[0].count("\n")
 
 
@@ -55,7 +55,7 @@ def link_fault(page, target):
 
 
 def is_there(root, named):
-    """Whether a path of the sources, with * or without, names something."""
+    """True if a path of the sources, perhaps with *, matches a file."""
     below = [root] if re.match(rf"(?:{FOLDERS})/", named) else [root / "src/ripstop", root / "tests", root / "apps"]
     return any(next(folder.glob(named.rstrip("/")), None) for folder in below)
 
@@ -78,7 +78,7 @@ def check_sources(root):
 
 
 class Page(html.parser.HTMLParser):
-    """The ids, links and loaded files of a page of the site."""
+    """Collects the ids, links and loaded files of a page of the site."""
 
     def __init__(self, text):
         super().__init__()

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Builds the site in build/docs: guide, methods, formats, decisions, and the API of the public headers.
 
-Copies the Markdown to build/docs-work, with the pictures of the guide and with links from headers to the API; adds the
-pages of api.py; runs mkdocs; checks every link. Any warning of doxygen, of mkdocs or of the check ends it with 1.
+Copies the Markdown to build/docs-work, with the guide's pictures and with links from headers to the API; adds the pages
+of api.py; runs mkdocs; checks every link. Exits with 1 after any warning of doxygen, mkdocs or the check.
 
-Usage: make.py [PROGRAM]   PROGRAM takes the pictures of the guide where neither `make guide` nor the tests took them
+Usage: make.py [PROGRAM]   PROGRAM takes the guide's pictures if neither `make guide` nor the tests took them
 """
 import json
 import pathlib
@@ -33,7 +33,7 @@ PAGES = {"CONTRIBUTING.md": "contributing.md", "CHANGELOG.md": "changelog.md", "
 
 def pictures(program):
     """The folder with the newest pictures of the guide."""
-    folders = [ROOT / "build/guide/pictures", ROOT / "build/release/guide/pictures"]  # of `make guide`, of its test
+    folders = [ROOT / "build/guide/pictures", ROOT / "build/release/guide/pictures"]  # by `make guide`, by its test
     found = [folder for folder in folders if any(folder.glob("*.png"))]
     if found:
         return max(found, key=lambda folder: max(file.stat().st_mtime for file in folder.iterdir()))
@@ -46,13 +46,13 @@ def pictures(program):
 
 
 class Markdown:
-    """Turns a page of the project into one of the site. `place_of`: where files of the project are on the site."""
+    """Converts a page of the project for the site. `place_of` maps files of the project to their places on the site."""
 
     def __init__(self, place_of):
         self.place_of = place_of
 
     def page(self, text, source, target):
-        """`source` is its path in the project, `target` that on the site."""
+        """`source` is its path in the project, `target` its path on the site."""
         parts = re.split(r"(^```.*?^```$)", text, flags=re.M | re.S)
         for i, part in enumerate(parts):
             parts[i] = re.sub(r"^```(\w*).*", r"```\1", part, count=1) if i % 2 else self.prose(part, source, target)
@@ -73,7 +73,7 @@ class Markdown:
         return mark + self.to(title_of(file) if words.endswith(".md") else words, file, target, fragment)
 
     def to(self, words, file, target, fragment=""):
-        """A link to a file of the project; the words alone where the site does not have it."""
+        """A link to a file of the project; the words alone if the site does not have it."""
         if file not in self.place_of:
             return words
         place, _, anchor = self.place_of[file].partition("#")
@@ -83,7 +83,7 @@ class Markdown:
 
 
 def title_of(file):
-    """The heading of a page, for a link whose words are a file's name."""
+    """The heading of a page, for a link whose words are the name of a file."""
     found = TITLE.search((ROOT / file).read_text())
     return found[1] if found else file
 
@@ -95,7 +95,7 @@ def docs_of_project():
 
 
 def places(place_of_door, folder_of_pictures):
-    """Where files of the project are on the site."""
+    """The places on the site of files of the project."""
     shown = {f"build/guide/pictures/{file.name}": f"pictures/{file.name}" for file in folder_of_pictures.glob("*.png")}
     doors = {f"src/ripstop/{door}": place for door, place in place_of_door.items()}
     programs = {f"examples/{file.name}": f"examples.md#{file.stem}" for file in (ROOT / "examples").glob("*.cpp")}
@@ -106,7 +106,7 @@ def copy_docs(markdown, out):
     for source, name in docs_of_project().items():
         target = out / name
         target.parent.mkdir(parents=True, exist_ok=True)
-        if source == "README.md":  # docs/index.md stands for it
+        if source == "README.md":  # docs/index.md replaces it
             continue
         if target.suffix == ".md":
             target.write_text(markdown.page((ROOT / source).read_text(), source, name))
@@ -115,7 +115,7 @@ def copy_docs(markdown, out):
 
 
 def references():
-    """docs/references.bib as a page: an entry a line, its key as the headers cite it."""
+    """docs/references.bib as a page: one entry per line, with its key as cited in the headers."""
     entries = []
     for key, fields in re.findall(r"^@\w+\{([^,]+), (.*)\}$", (ROOT / "docs/references.bib").read_text(), re.M):
         field = dict(re.findall(r"(\w+) = \{?((?:[^{},]|\{[^}]*\}|,(?! \w+ = ))*)\}?", fields))
@@ -129,7 +129,7 @@ def references():
 
 
 def examples():
-    """examples/README.md, and behind it each program: what it shows, the headers that it includes, and its text."""
+    """examples/README.md, followed by each program: what it shows, the headers it includes, and its text."""
     parts = [(ROOT / "examples/README.md").read_text().strip()]
     for file in sorted((ROOT / "examples").glob("*.cpp")):
         lines = file.read_text().splitlines()
@@ -179,13 +179,13 @@ def run_mkdocs(config):
 
 
 def keep_search():
-    """The index as a script, since a page that is opened from a folder may not fetch a file."""
+    """The index as a script, because a page opened from a folder may not fetch files."""
     index = json.loads((SITE / "search/search_index.json").read_text())
     title_of = {doc["location"]: doc["title"] for doc in index["docs"] if "#" not in doc["location"]}
     docs = []
     for doc in index["docs"]:
         page, _, part = doc["location"].partition("#")
-        if part:  # an entry without repeats the text of its whole page
+        if part:  # an entry without it repeats the text of its whole page
             docs.append({"at": doc["location"], "page": title_of[page], "title": doc["title"], "text": doc["text"]})
     shutil.rmtree(SITE / "search")
     (SITE / "search_index.js").write_text("window.searchIndex = " + json.dumps(docs, ensure_ascii=False) + ";\n")

@@ -1,4 +1,4 @@
-"""Pages of the JSON schemas: a section an object, a row a key with its type and what the schema says of it."""
+"""Pages for the JSON schemas: a section for each object, a row for each key with its type and description."""
 import json
 import re
 
@@ -19,7 +19,7 @@ class Schema:
         self.sections = {}  # title: rows
 
     def resolved(self, schema):
-        """A schema with what it refers to; its own words go first."""
+        """A schema merged with what it refers to; its own entries win."""
         if not isinstance(schema, dict) or "$ref" not in schema:
             return schema if isinstance(schema, dict) else {}
         target = self.root
@@ -28,7 +28,7 @@ class Schema:
         return {**self.resolved(target), **{key: value for key, value in schema.items() if key != "$ref"}}
 
     def parts(self, schema, words=("allOf", "oneOf", "anyOf", "then")):
-        """A schema and those that it is joined of or chosen from."""
+        """A schema and its allOf, anyOf and oneOf alternatives."""
         schema = self.resolved(schema)
         yield schema
         for word in words:
@@ -53,7 +53,7 @@ class Schema:
         return ", ".join([" or ".join(dict.fromkeys(kind for kind in kinds if kind)), *limits]).strip(", ")
 
     def walk(self, schema, path):
-        """Adds the section of an object, and those of the objects in it."""
+        """Adds the section of an object and of the objects inside it."""
         rows, inner = {}, []
         parts = list(self.parts(schema))
         required = {key for part in self.parts(schema, ("allOf",)) for key in part.get("required", [])}
@@ -102,7 +102,7 @@ class Schema:
 
 
 def write_pages(docs, out):
-    """A page for each schema of the folder `docs`, beside it in `out`. Returns [{title: page}] for the navigation."""
+    """Writes a page for each schema in the folder `docs` to `out`. Returns [{title: page}] for the navigation."""
     entries = []
     for file in sorted(docs.glob("*.schema.json")):
         name = file.name.removesuffix(".json").replace(".", "-") + ".md"

@@ -1,4 +1,4 @@
-// A Rhino file with surfaces that have no mesh stored, or a wrong one: node nurbs.mjs KIND OUT.3dm VERSION
+// Writes a Rhino file with surfaces whose stored mesh is missing or wrong: node nurbs.mjs KIND OUT.3dm VERSION
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 
@@ -42,7 +42,7 @@ if (kind === 'all') {
 } else if (kind === 'stored') {
     file.objects().add(stored(rhino.Brep.createFromSurface(sheet(0)), 1), called('true', 0));
     file.objects().add(stored(rhino.Brep.createFromSurface(sheet(0)), 1.2), called('false', 0));
-} else {  // a block placed as it is, and mirrored
+} else {  // a block placed unchanged, and mirrored
     const part = file.instanceDefinitions().add('gore', '', '', '', [0, 0, 0], [rhino.Brep.createFromSurface(sheet(0))],
                                                 [called('', 0)]);
     const id = file.instanceDefinitions().get(part).id;

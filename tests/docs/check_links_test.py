@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The check of links finds each kind of fault, and nothing in pages without one. Usage: check_links_test.py ROOT"""
+"""Tests that check_links.py finds each kind of fault, and nothing in sound pages. Usage: check_links_test.py ROOT"""
 import pathlib
 import subprocess
 import sys

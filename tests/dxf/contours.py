@@ -1,4 +1,4 @@
-"""Prints the contours that ezdxf finds, as parse.mjs does, after a line of the audit: release, unit, errors."""
+"""Prints the contours that ezdxf finds, as parse.mjs does, after one line of its audit: release, unit, errors."""
 import sys
 from math import dist
 
@@ -38,9 +38,9 @@ space = doc.modelspace()
 lines = [("-", contour) for contour in contours(space)]
 for insert in space.query("INSERT"):
     assert insert.dxf.insert == (0, 0, 0), insert.dxf.name
-    list(insert.virtual_entities())  # what drawing it needs: every entity can be moved
+    list(insert.virtual_entities())  # as drawing needs it: every entity can be moved
     lines += [(insert.dxf.name, contour) for contour in contours(doc.blocks.get(insert.dxf.name))]
-# The audit of ezdxf 0.18 takes the SEQEND of polylines in blocks for orphans and deletes it, so it comes last.
+# The audit of ezdxf 0.18 takes the SEQEND of polylines in blocks for orphans and deletes them, so it comes last.
 audit = doc.audit()
 print(doc.dxfversion, doc.units, len(audit.errors))
 for name, contour in lines:

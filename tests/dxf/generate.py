@@ -1,8 +1,8 @@
-"""Writes drawings made at random, from a fixed seed, and what ezdxf finds of each.
+"""Writes random drawings, from a fixed seed, and what ezdxf finds in each.
 
-generate.py FOLDER COUNT: FOLDER/N.dxf, and on stdout what is seen of each in the order of the file:
+generate.py FOLDER COUNT: writes FOLDER/N.dxf, and on stdout what is visible in each, in file order:
 N unit METRES
-N line LAYER CLOSED LENGTH x0 y0 z0 x1 y1 z1 and three for each of 24 points, equally far from each other
+N line LAYER CLOSED LENGTH x0 y0 z0 x1 y1 z1 and three numbers for each of 24 evenly spaced points
 N text LAYER x y HEIGHT TURN
 """
 import random
@@ -16,7 +16,7 @@ from ezdxf.math import Matrix44, Vec3
 SAMPLES = 24
 LAYERS = ["CUT", "Sew", "marks", "Nähte", "OFF", "Ice"]
 UNITS = {0: 0, 1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1}
-# Letters of a code page that names are made of.
+# Letters of a code page, for names.
 PAGES = {"cp1252": "Ärmel", "cp1250": "Čapka", "cp1251": "Рукав", "cp1253": "Μανίκι"}
 
 
@@ -123,7 +123,7 @@ def insert(space, rng, name, layers):
     size = rng.uniform(0.3, 2)
     scales = rng.choice([(size, size, size), (size, rng.uniform(0.3, 2), rng.uniform(0.3, 2))])
     attribs = {
-        # What a block on a frozen layer has is not seen, which ezdxf leaves to others.
+        # Contents of a block on a frozen layer are invisible; ezdxf leaves this to its caller.
         "layer": rng.choice([layer for layer in layers if layer != "Ice"]),
         "rotation": rng.uniform(0, 360),
         "xscale": scales[0] * rng.choice([1, -1]),
@@ -136,7 +136,7 @@ def insert(space, rng, name, layers):
         attribs.update(row_spacing=rng.choice([300, -90, 0]), column_spacing=rng.choice([-200, 0]))
     if rng.random() < 0.1:
         attribs["invisible"] = 1
-    # Names of blocks have no case.
+    # Names of blocks ignore case.
     space.add_blockref(rng.choice([str.upper, str.lower])(name), (*point(rng), rng.choice([0, 9])), attribs)
 
 
@@ -167,7 +167,7 @@ def without(text, section):
 
 
 def save(document, file, rng):
-    """Some without sections that a drawing does without, and with comments between its groups."""
+    """Some files lack optional sections and have comments between groups."""
     document.saveas(file)
     if document.dxfversion != "AC1015" or rng.random() < 0.5:
         return
@@ -187,12 +187,12 @@ def is_seen(entity, layer, document):
     if entity.dxf.get("invisible", 0):
         return False
     known = document.layers.get(layer) if document.layers.has_entry(layer) else None
-    # A block on a layer that is off shows what it has on others.
+    # A block on a layer that is off still shows its entities on other layers.
     return known is None or entity.dxftype() == "INSERT" or not (known.is_off() or known.is_frozen())
 
 
 def entities(space, document, motion=Matrix44(), layer="0"):
-    """What is seen, with its layer and motion: what a block has on layer 0 is on the layer of its INSERT."""
+    """Visible entities with layer and motion; those of a block on layer 0 take the layer of their INSERT."""
     for entity in space:
         own = entity.dxf.layer if entity.dxf.layer != "0" else layer
         if not is_seen(entity, own, document):
@@ -216,7 +216,7 @@ def line(entity, error):
     if kind == "LINE":
         return [entity.dxf.start, entity.dxf.end]
     if kind == "SPLINE":
-        # It looks at the middle of a chord alone, and finds no bend beside it where the chords are few.
+        # It tests only the middle of a chord, and misses bends beside it if chords are few.
         return list(entity.flattening(error, segments=32))
     if kind in ("CIRCLE", "ARC", "ELLIPSE"):
         return list(entity.flattening(error))
@@ -226,7 +226,7 @@ def line(entity, error):
     points = []
     for part in entity.virtual_entities():
         arc = line(part, error)
-        # Arcs are turned so as to run to the left, whichever way the polyline goes.
+        # Arcs are reversed to run to the left, whatever the direction of the polyline.
         if points and arc[0].distance(points[-1]) > arc[-1].distance(points[-1]):
             arc.reverse()
         elif not points:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""schema_check.py ROOT KIND: docs/KIND.schema.json accepts the example and the sound cases of KIND_cases.json, and refuses the
-others. Exits with 77 where python3-jsonschema is absent."""
+"""schema_check.py ROOT KIND: tests that docs/KIND.schema.json accepts the example and the sound cases of KIND_cases.json,
+and refuses the others. Exits with 77 if python3-jsonschema is missing."""
 import json
 import pathlib
 import sys

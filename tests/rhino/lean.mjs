@@ -1,4 +1,4 @@
-// A Rhino file without the tables and settings that no geometry needs: a few kB instead of some tens.
+// Writes a Rhino file without the tables and settings that geometry does not need: a few kB instead of some tens.
 const tables = new Set([0x10000013, 0x10000011, 0x10000018, 0x10000021]);  // objects, layers, groups, block definitions
 const kept = new Map([[0x10000015, new Set([0x20008031])],                 // settings: units
                       [0x10000014, new Set([0xa0000026])]]);               // properties: the version of openNURBS
@@ -26,7 +26,7 @@ export function lean(bytes) {
     for (const { code, from, end } of chunks(header, bytes.length)) {
         if (code === comment) parts.push(chunk(code, Buffer.from('lean\0')));
         else if (tables.has(code)) parts.push(bytes.subarray(from, end));
-        else if (code > 0x10000000 && code !== userTable) {  // openNURBS expects every table, if empty
+        else if (code > 0x10000000 && code !== userTable) {  // openNURBS expects every table, even if it is empty
             const inner = [...chunks(from + size, end)].filter((c) => c.code === endOfTable || kept.get(code)?.has(c.code));
             parts.push(chunk(code, Buffer.concat(inner.map((c) => bytes.subarray(c.from, c.end)))));
         }

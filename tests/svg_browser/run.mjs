@@ -1,6 +1,6 @@
-// Compares what the library reads of SVG drawings with Chromium's own geometry, first the cases, then COUNT drawings
-// from SEED on: node run.mjs PRINT_PATHS [COUNT [SEED]].
-// Exits with 77, which CTest counts as skipped, where the browser or npm's packages are absent.
+// Compares the geometry that the library reads from SVG drawings with Chromium's: first the cases, then COUNT
+// random drawings from SEED on: node run.mjs PRINT_PATHS [COUNT [SEED]]. Exits with 77, which CTest counts as
+// skipped, if the browser or the npm packages are missing.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -27,13 +27,14 @@ const { chromium: browsers } = createRequire(new URL('../../apps/report/package.
 );
 
 const chordError = 0.05; // mm, or user units where the drawing has no unit
-const rounding = 2e-5; // of the coordinates: Chromium keeps those of paths in single precision, and scales in 1/64 px
-const pageRounding = 3e-5; // of those on a stretched page: it makes width and height whole 1/64 px
-// Of the size of a path with arcs. Chromium draws those as cubics, a quarter of an ellipse each, which are up to 2.7e-4
-// of the radius off; and takes the root of what is left of 1/4 in single precision, so that the centre of one that
-// barely reaches is up to 2^-11.5 off.
+const rounding = 2e-5; // of coordinates: Chromium stores those of paths in single precision, and scales in 1/64 px
+const pageRounding = 3e-5; // of coordinates on a stretched page: Chromium rounds width and height to 1/64 px
+// Relative to the size of a path with arcs. Chromium draws an arc as cubics, one per quarter of an ellipse, with
+// an error of up to 2.7e-4 of the radius. It also takes the square root of the remainder of 1/4 in single
+// precision, so the centre of an arc that barely reaches its ends is off by up to 2^-11.5.
 const arcs = 2.8e-4 + 2 ** -11.5;
-// User units: how far the chords by which Chromium measures a length may be from the curve, 0.5 along both axes.
+// User units: the largest distance of the chords with which Chromium measures a length from the curve, 0.5 along
+// both axes.
 const skia = 0.5 * Math.SQRT2;
 const samples = 48;
 
@@ -54,7 +55,7 @@ function distance(point, lines) {
 const lengthOf = (line) =>
     line.slice(1).reduce((sum, point, i) => sum + Math.hypot(point[0] - line[i][0], point[1] - line[i][1]), 0);
 
-// By how much a line turns in all [rad].
+// The total turn of a line [rad].
 function turnOf(line) {
     const angles = line
         .slice(1)
@@ -73,7 +74,7 @@ function boxOf(lines) {
 const worst = { point: 0, box: 0, total: 0 };
 const counts = { shapes: 0, totals: 0, boxes: 0, texts: 0, kinds: {} };
 
-// The faults of one shape: `lines` as read, `shape` as Chromium has it, a screen's px `scale` long.
+// The faults of one shape: `lines` as read, `shape` as in Chromium; a screen px is `scale` long.
 function faultsOf(lines, shape, scale, error) {
     const found = [];
     const points = shape.points.map(([x, y]) => [x * scale, y * scale]);
@@ -85,13 +86,13 @@ function faultsOf(lines, shape, scale, error) {
         worst.point = Math.max(worst.point, off / slack);
         if (!(off <= slack)) return [`the point ${point} is ${off} off`];
     }
-    // Its whole: no line more than Chromium has.
+    // The whole shape: no line more than Chromium has.
     if (shape.scale !== null) {
         const total = shape.total * shape.scale * scale;
         const ours = lines.map(lengthOf).reduce((sum, length) => sum + length, 0);
-        // Chords that are within e of a curve which turns by t are shorter than it by up to 0.341 e t: a third where
-        // they are many (8/3 s2/c for each, and s/c is an eighth of its turn), and (pi/2 - sqrt 2) / (1 - sqrt 1/2) / (pi/2)
-        // where they are one for a quarter of a circle, the least that Chromium takes.
+        // Chords within e of a curve that turns by t are shorter than it by up to 0.341 e t. The factor is a third
+        // if they are many (8/3 s²/c for each, and s/c is an eighth of its turn), and (pi/2 - sqrt 2) / (1 - sqrt
+        // 1/2) / (pi/2) for one chord per quarter circle, the fewest that Chromium uses.
         const turn = lines.map(turnOf).reduce((sum, angle) => sum + angle, 0);
         const allowed =
             0.341 * (chordError + skia * shape.scale * scale) * turn +
@@ -112,7 +113,7 @@ function faultsOf(lines, shape, scale, error) {
     return found;
 }
 
-// Chromium has one shape where a path has several lines.
+// Chromium has one shape for a path with several lines.
 function grouped(paths, shapes) {
     const groups = [];
     let next = 0;
