@@ -1,7 +1,7 @@
-/// Prints the accuracy table of docs/accuracy.md: the tiles of the test zoo, the designed envelope and the real input in
-/// ../shared/data where it is, by the methods named on the command line (all if none).
+/// Prints the accuracy table of docs/accuracy.md: the tiles of the test zoo, the designed envelope and, if
+/// present, the real input in ../shared/data, by the methods named on the command line (default: all).
 ///
-///     ripstop-accuracy --check FILE     the ratchet: ends with 1 if a figure is worse than in the table of FILE
+///     ripstop-accuracy --check FILE     the ratchet: exits with 1 if a figure is worse than in the table of FILE
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct Row {
     std::string name;
     Envelope envelope;
     std::string fabric = "isotropic";
-    bool real = false;  ///< not of our making: printed, not held to what is kept, as crumpled cloth hangs on rounding
+    bool real = false;  ///< input from others: printed but not compared, because crumpled cloth depends on rounding
 };
 
 Row single(const std::string& name, const TriangleMesh& mesh, const Vec3& warp,
@@ -34,7 +34,7 @@ Row single(const std::string& name, const TriangleMesh& mesh, const Vec3& warp,
     return {name + ", " + fabric, {{make_tile("tile", mesh, {.warp = warp})}}, fabric};
 }
 
-/// Between two circles of latitude near the poles, so that no vertex has more than its share of triangles.
+/// Between two circles of latitude near the poles, so that no vertex has too many triangles.
 TriangleMesh one_way_gore(double angle, int columns, int rows) {
     return testing::grid(columns, rows, [angle](double u, double v) {
         const double longitude = angle * (u - 0.5), latitude = std::numbers::pi * 0.49 * (2 * v - 1);
@@ -75,7 +75,7 @@ std::vector<Row> zoo() {
     return rows;
 }
 
-/// The worst of every figure over the tiles of a row, as a line of the table.
+/// A line of the table: the worst of every figure over the tiles of a row.
 std::string line_of(const Row& row, const std::string& method) {
     FlattenOptions options;
     options.method = method;
@@ -106,7 +106,7 @@ std::string line_of(const Row& row, const std::string& method) {
         worst([](const Accuracy& a) { return a.shear_max; }) / 100 / degree, flipped, passed, plan.tiles.size());
 }
 
-/// The cells of a line of the table; empty for any other line.
+/// The cells of a table line; empty for any other line.
 std::vector<std::string> cells(const std::string& line) {
     std::vector<std::string> result;
     for (std::size_t at = line.find("| "); at != std::string::npos && at + 2 < line.size();) {
@@ -118,12 +118,13 @@ std::vector<std::string> cells(const std::string& line) {
     return result;
 }
 
-/// Is a figure farther from 0 than it was, beyond what another processor's rounding does to it? What is no number is.
+/// True if a figure is farther from 0 than the kept one, beyond the rounding of another processor. NaN is always
+/// worse.
 bool is_worse(double now, double kept) {
     return !std::isfinite(now) || std::abs(now) > 1.02 * std::abs(kept) + 2e-4;
 }
 
-/// What became worse than in the kept line, or nothing.
+/// Which figures became worse than in the kept line; empty if none.
 std::string worsening(const std::vector<std::string>& now, const std::vector<std::string>& kept) {
     constexpr std::size_t first_figure = 3, flips = 10, made = 11;
     static const char* const names[] = {"area",      "sum of abs(dA)", "perimeter", "boundary edge",
@@ -139,8 +140,8 @@ std::string worsening(const std::vector<std::string>& now, const std::vector<std
     return text;
 }
 
-/// Holds a kept table to what comes out today: every method on every row of it, none missing, none worse. Real input
-/// is passed over.
+/// Compares today's figures with a kept table: every method must be in every row, none missing and none worse.
+/// Real input is skipped.
 bool check(const std::vector<Row>& rows, const std::string& file) {
     std::ifstream in(file);
     std::map<std::pair<std::string, std::string>, std::vector<std::string>> kept;

@@ -1,6 +1,6 @@
-/// Prints the seams of a real dress as Markdown: for each of its 94 stitch lines, what its makers' own flat pattern has (side b
-/// less side a), what a walk of the seams finds on that pattern, and what it finds after `seam-exact`; or which stitch lines
-/// are not found, and why. Reads ../shared/data/dress.
+/// Prints the seams of a real dress as Markdown. For each of its 94 stitch lines: the mismatch (side b minus side
+/// a) of its makers' own flat pattern, the mismatch that a walk of the seams finds on that pattern, and the one
+/// after `seam-exact`; or why the stitch line is not found. Reads ../shared/data/dress.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 using Vertex = std::array<int, 2>;          ///< panel, vertex in it
 using Side = std::pair<std::size_t, bool>;  ///< a seam, and whether its side a is meant
 
-/// Seams and boundary edges of an envelope, by the edge's ends.
+/// The seams and boundary edges of an envelope, by the edges' ends.
 class SeamsByEdge {
   public:
     explicit SeamsByEdge(const Envelope& envelope) {
@@ -52,7 +52,7 @@ class SeamsByEdge {
     std::map<std::pair<Vertex, Vertex>, std::set<Side>> seams_;
 };
 
-/// The other sides of some seams walked, less the sides given.
+/// The length of the other sides of some seams minus that of the given sides.
 double mismatch(const CutPlan& plan, const std::set<Side>& sides) {
     double sum = 0;
     for (const auto& [seam, is_a] : sides) sum += (is_a ? 1 : -1) * plan.walks[seam].mismatch();

@@ -1,4 +1,4 @@
-/// Prints how seam-exact flattening ends on hard tiles, from every start, with ever weaker shear: Markdown for
+/// Prints how seam-exact flattening ends on hard tiles, from every start, with ever weaker shear, as Markdown for
 /// docs/methods/seam-exact.md.
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace {
 
-/// `12 ok`: factorisations and how it ended; `saddle` where the end is no strict minimum.
+/// `12 ok`: the number of factorisations and how it ended; `saddle` if the end is no strict minimum.
 std::string ending(const Tile& tile, const Fabric& fabric, SeamStart start) {
     const Flattening flat = flatten_seam_exact(tile, fabric, {.start = start});
     const Accuracy found = measure_accuracy(tile, flat.positions, fabric);

@@ -1,10 +1,11 @@
-/// Prints, as Markdown, what one large tile costs: seam-exact flattening beside its floor, one symbolic and one numeric
-/// factorisation of the same elastic matrix, beside our conformal and as-rigid-as-possible maps and beside CGAL's.
+/// Prints the cost of one large tile as Markdown. Seam-exact flattening is compared with its lower bound, one
+/// symbolic and one numeric factorisation of the same elastic matrix, with our conformal and as-rigid-as-possible
+/// maps, and with CGAL's.
 ///
-///     ripstop-bench-solve [TRIANGLES | NAME]...     3000 10000 100000 and every row, if none are named
+///     ripstop-bench-solve [TRIANGLES | NAME]...     default: 3000 10000 100000 and every row
 ///
-/// Each row runs in a process of its own, so that its peak memory is its own. Seconds are of the processor, the best of
-/// several runs where one is short: they hold on a machine that is busy with other things.
+/// Each row runs in its own process, so that its peak memory is its own. Seconds are processor time, and the best
+/// of several runs if one is short, so they hold on a busy machine.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -31,7 +32,7 @@
 namespace ripstop {
 namespace {
 
-/// The panel on the equator of the 24 x 15 natural design.
+/// The panel at the equator of the 24 x 15 natural design.
 Tile panel(int triangles) {
     const EnvelopeDesign design;
     const NaturalShape shape = design_shape(design);
@@ -67,7 +68,7 @@ double processor_seconds() {
            1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-/// Runs `work` again and again for a second, at least once; the best time, and what the last run said.
+/// Repeats `work` for a second, at least once. Returns the best time and the result of the last run.
 template <class Work>
 Cost best(const Work& work) {
     Cost cost;
@@ -92,7 +93,7 @@ const Fabric& cloth() {
     return fabric;
 }
 
-/// Analysis and factorisation of the elastic matrix with which seam-exact flattening begins.
+/// Analyses and factorises the elastic matrix with which seam-exact flattening begins.
 Cost floor_of(const Tile& tile, SolverKind kind) {
     const SeamProblem problem(tile, cloth(), {.bending = SeamExactOptions{}.bending});
     const Flattening start = flatten_arap(tile, {.max_iterations = 3});
@@ -136,7 +137,7 @@ std::vector<Row> rows() {
     return result;
 }
 
-/// The row's cost on a tile, measured in a child process.
+/// The cost of a row on a tile, measured in a child process.
 Cost measured(const Row& row, const std::function<Tile()>& tile) {
     int channel[2];
     if (pipe(channel) != 0) return {};

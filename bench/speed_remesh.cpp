@@ -1,4 +1,4 @@
-/// How long remeshing takes: the figure is seconds for a tile, beside it the new triangles a second.
+/// Measures remeshing: seconds per tile, and new triangles per second.
 #include <benchmark/benchmark.h>
 
 #include "ripstop/assembly/seams/find_seams.h"
@@ -11,7 +11,7 @@ namespace {
 void remesh_octant(benchmark::State& state, int subdivisions) {
     Envelope input{{make_tile("octant", testing::octant(subdivisions), {.warp = Vec3(-1, 1, 0)})}};
     add_seams(input);
-    // Edges of about 1,500 triangles.
+    // The edge length for about 1,500 triangles.
     const RemeshOptions options{.mode = RemeshMode::by_length, .edge_length = 0.049, .threads = 1};
     int triangles = 0;
     for (auto step : state) {

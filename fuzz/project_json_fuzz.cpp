@@ -22,8 +22,8 @@ bool is_sound(const SeamType& type) {
 
 }  // namespace
 
-/// Any bytes are either a project that gives every tile finite options and a warp of unit length or a turn, and every
-/// seam a type with an allowance, or an InputError.
+/// Any bytes give a project or an InputError. A project gives every tile finite options and a warp of unit length
+/// or a turn, and every seam a type with an allowance.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
     Project project;

@@ -1,4 +1,4 @@
-/// Each way an envelope can be wrong, named once and at the tile that is wrong.
+/// Every fault of an envelope is reported once, at the tile that causes it.
 #include "ripstop/assembly/faults/check_envelope.h"
 
 #include <gmock/gmock.h>
@@ -28,7 +28,7 @@ EnvelopeDesign small_balloon() {
     return design;
 }
 
-/// The balloon with conforming meshes, and with each tile meshed by itself.
+/// The balloon with conforming meshes, and with each tile meshed independently.
 std::vector<std::vector<NamedMesh>> both_balloons() {
     return {design_natural(small_balloon()), testing::meshed_apart(small_balloon(), 4, 2)};
 }
@@ -39,7 +39,7 @@ EnvelopeCheck check(const std::vector<NamedMesh>& meshes) {
     return check_envelope(testing::tiles_of(meshes));
 }
 
-/// The codes of the issues, with the first tile each names.
+/// The codes of the issues, each with the first tile it names.
 std::vector<std::string> named(const EnvelopeCheck& check) {
     std::vector<std::string> codes;
     for (const EnvelopeIssue& issue : check.issues)
@@ -47,7 +47,7 @@ std::vector<std::string> named(const EnvelopeCheck& check) {
     return codes;
 }
 
-/// The same of what is no issue but may be meant.
+/// The codes of the notes, each with the first tile it names.
 std::vector<std::string> meant(const EnvelopeCheck& check) {
     EnvelopeCheck as_issues;
     as_issues.issues = check.meant;
@@ -98,7 +98,7 @@ TEST(ShiftedTile, IsNamedWithHowFar) {
             const EnvelopeCheck result = check(shifted);
             EXPECT_THAT(named(result), ::testing::ElementsAre("shifted " + balloon[middle].name)) << distance;
             if (result.issues.empty()) continue;
-            // to within the tolerance of a seam, which is what the neighbours say of its place
+            // within the tolerance of a seam, because the neighbours determine its place
             EXPECT_NEAR(result.issues[0].value, distance, 0.0005) << result.issues[0].message;
             EXPECT_THAT(result.issues[0].message, HasSubstr("away from its place"));
         }
@@ -139,7 +139,7 @@ TEST(ScaledTile, IsNamedWithTheRatio) {
         }
 }
 
-/// A strip from x0 to x1, 3 m wide, of a sine as high as `rise`.
+/// A strip from x0 to x1, 3 m wide, whose cross-section is a sine of height `rise`.
 NamedMesh strip(const std::string& name, double x0, double x1, double rise) {
     TriangleMesh mesh = testing::rectangle(x1 - x0, 3, 8, 1);
     for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v) {
@@ -150,7 +150,7 @@ NamedMesh strip(const std::string& name, double x0, double x1, double rise) {
 }
 
 TEST(ScaledTile, IsNoExplanationWhereItShrinksToASpeckOnAnEdge) {
-    // two pairs of neighbours 8 m apart, the second one on the same two edges
+    // two pairs of neighbours, 8 m apart; the second pair has the same two edges
     const EnvelopeCheck result =
         check({strip("A", 0, 2, 0.3), strip("B", 2, 4, 0.5), strip("C", 10, 12, 0.5), strip("D", 10, 12, 0.1)});
     EXPECT_GT(result.seams, 0);
@@ -175,7 +175,7 @@ TEST(ScaledTile, IsNamedWhereItsUnitWasMistaken) {
 }
 
 TEST(DoubledTiles, AreNotSaidToHaveNoSeamsBesideTheSeamsAsGiven) {
-    // the second strip lies on the first, the other way up: they are sewn along all their edges
+    // the second strip lies on the first, turned over: all their edges are sewn together
     NamedMesh under = strip("under", 0, 2, 0.3);
     under.mesh.triangles.col(1).swap(under.mesh.triangles.col(2));
     const EnvelopeCheck result = check({strip("over", 0, 2, 0.3), under, strip("far", 10, 12, 0.1)});
@@ -208,7 +208,7 @@ TEST(MissingTiles, AreNamedWhereverSeveralLieTogether) {
                                                            {middle, middle + 6},
                                                            {middle, middle + 7},
                                                            {middle, middle + 1, middle + 6},
-                                                           {18, 19, 20, 21, 22, 23}};  // the last: a gore
+                                                           {18, 19, 20, 21, 22, 23}};  // the last one is a gore
     for (const std::vector<NamedMesh>& balloon : both_balloons())
         for (const std::vector<std::size_t>& some : missing) {
             std::vector<NamedMesh> holed = balloon;
@@ -226,8 +226,8 @@ TEST(MissingTile, AtTheMouthIsSuspectedFromTheCornersOfTheOpenEdge) {
     EXPECT_THAT(named(check(balloon)), ::testing::ElementsAre(HasSubstr("missing_tile")));
 }
 
-/// `panels` of `rows` tiles each: flat, their lower edges on a polygon of radius 1, the upper ones 2 m above on one of
-/// `top`.
+/// `panels` columns of `rows` flat tiles each. Their lower edges form a polygon of radius 1, the upper ones, 2 m
+/// higher, a polygon of radius `top`.
 std::vector<NamedMesh> prism(int panels, int rows, double top) {
     std::vector<NamedMesh> tiles;
     const auto at = [&](int panel, double height) {
@@ -397,7 +397,7 @@ TEST(Unit, IsProposedWhereTheSizeIsNoBalloons) {
 }
 
 TEST(Unit, InDoubtHidesNoSeams) {
-    // as large as gores of mm read as inches
+    // as large as gores in mm that are read as inches
     std::vector<NamedMesh> balloon = design_natural(small_balloon());
     for (NamedMesh& tile : balloon) tile.mesh.positions *= 25.4;
     const EnvelopeCheck result = check_envelope(testing::tiles_of(balloon), {}, {{"in", 0.0254}});
@@ -480,8 +480,8 @@ TEST(CheckText, SaysOnceWhatManyTilesHaveInCommon) {
 }
 
 TEST(CheckText, GivesNumbersAsADesignerReadsThem) {
-    // a third of a metre here, a tenth of a nanometre there, a tile 304.8 times too large; a small factor has six
-    // decimals
+    // a gap of a third of a metre, one of a tenth of a nanometre, a tile 304.8 times too large; a small factor has
+    // six decimals
     std::vector<NamedMesh> balloon = design_natural(small_balloon());
     for (NamedMesh& tile : balloon) move(tile.mesh, Vec3(1.0 / 3, -1e-10, 2.0 / 3));
     scale_about(balloon[middle].mesh, Vec3::Zero(), 304.8);
@@ -495,7 +495,7 @@ TEST(CheckText, GivesNumbersAsADesignerReadsThem) {
 }
 
 TEST(OddCorner, IsCountedWhereOnlyOneSideHasIt) {
-    // the left sheet's edge has a corner given in its middle, the right one's has none
+    // the left sheet has a corner in the middle of its edge, the right one has none
     Envelope envelope;
     TileOptions options;
     options.corners = {{0, 0, 0}, {1, 0, 0}, {1, 0.5, 0}, {1, 1, 0}, {0, 1, 0}};

@@ -1,4 +1,4 @@
-/// Where three or more sheets meet on an edge the skin keeps its seam and the others are sewn into it.
+/// Where three or more sheets meet on an edge, the skin keeps its seam and the others are sewn into it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,8 @@ using ::testing::IsEmpty;
 
 using Meshes = std::vector<NamedMesh>;
 
-/// Each seam as the names of its sheets: the two of the skin by the alphabet, "+", the others by the alphabet.
+/// Each seam as the names of its sheets: the two of the skin in alphabetical order, "+", the others in
+/// alphabetical order.
 std::multiset<std::string> names_of(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
     std::multiset<std::string> names;
     for (const std::vector<SeamSheet>& sheets : sheets_of_seams(seams)) {
@@ -50,7 +51,7 @@ std::multiset<std::string> seams_of(const Meshes& meshes, const std::vector<std:
     return names_of(tiles, find_seams(tiles).seams);
 }
 
-/// The same seams in every order of the tiles and whichever side of the sheets called `further` is up.
+/// Expects the same seams for every order of the tiles, whichever side of the `further` sheets is up.
 void expect_seams(const Meshes& meshes, const std::multiset<std::string>& expected, const std::string& further,
                   int orders = 4) {
     EXPECT_EQ(seams_of(meshes), expected);
@@ -75,7 +76,7 @@ double length(const SeamSide& side) {
                            [](double sum, const SeamPart& part) { return sum + part.length; });
 }
 
-/// All sheets of a seam have its length where they lie on it, and each tile's edges are as long as its parts say.
+/// Expects all sheets of a seam to have its length, and each tile's edges to be as long as its parts state.
 void expect_one_length(const Meshes& meshes) {
     const Envelope envelope = testing::tiles_of(meshes);
     const FoundSeams found = find_seams(envelope.tiles);
@@ -122,7 +123,7 @@ TEST(RibUnderASeam, IsSaidToBeSewnIntoItInOneSentence) {
 
 TEST(RibUnderASeam, IsTheSkinWhereTheProjectNamesAnotherAsDiaphragm) {
     Meshes meshes = testing::rib_under_seam(0.2);
-    meshes[2] = testing::turned_over(meshes[2]);  // so that it runs against RIGHT
+    meshes[2] = testing::turned_over(meshes[2]);  // so that its direction is opposite to RIGHT's
     EXPECT_EQ(seams_of(meshes, {"LEFT"}), (std::multiset<std::string>{"RIB RIGHT + LEFT"}));
 }
 
@@ -138,8 +139,8 @@ TEST(RibUnderASeam, LeavesATileThatIsTurnedOverToBeNamed) {
     }
 }
 
-/// WAIST along the x axis from 0 to 0.4 m, and below it PANEL, 0.8 m wide: from 0.1 to 0.3 m its upper edge lies in
-/// three layers, which part further down.
+/// WAIST lies along the x axis from 0 to 0.4 m; PANEL, 0.8 m wide, is below it. From 0.1 to 0.3 m the upper edge
+/// of PANEL has three layers, which separate further down.
 Meshes pleat_under_waist() {
     const auto folded = [](double u, double v) {
         const double x = u < 0.3 ? u : u < 0.5 ? 0.6 - u : u - 0.4;
@@ -228,7 +229,7 @@ TEST(HullWithAFin, KeepsItsSeamWhetherTheFinIsOfOneSheetOrTwo) {
     }
 }
 
-/// The seams of a wing: across each rib, along each cell, round the ribs at its tips.
+/// The seams of a wing: across each rib, along each cell, and around the ribs at its tips.
 std::multiset<std::string> seams_of_wing(int cells) {
     std::multiset<std::string> seams;
     for (int c = 1; c <= cells; ++c) {
@@ -265,7 +266,7 @@ TEST(WingWithRibs, HasEverySeamOfItsSkinWhicheverRibsAreTurnedOver) {
 }
 
 TEST(WingWithRibs, HasEverySeamOfItsSkinWhereItsLobesAreSoDeepThatARibGoesOnStraighter) {
-    // The arch rises from the rib by 60 degrees: two panels meet at 60, a panel and a rib at 150.
+    // The arch rises from the rib at 60 degrees: two panels meet at 60, a panel and a rib at 150.
     EXPECT_EQ(seams_of(testing::wing_with_ribs(4, 0.3 * std::tan(pi / 3) / pi, false)), seams_of_wing(4));
 }
 

@@ -26,7 +26,7 @@ EnvelopeDesign coarse() {
     return design;
 }
 
-/// Designs that differ in kind: what holds must hold on each.
+/// Designs of different kinds; every property must hold for each.
 std::vector<EnvelopeDesign> kinds() {
     std::vector<EnvelopeDesign> all(8, coarse());
     all[1].crown_radius = 0;
@@ -141,7 +141,7 @@ TEST(DesignNatural, NeighboursShareTheirSeamsBitForBit) {
                 const NamedMesh& tile = tiles[gore * 15 + panel];
                 const NamedMesh& right = tiles[(gore + 1) % 24 * 15 + panel];
                 const Tile whole = make_tile(tile.name, tile.mesh);
-                // Chains of a four-cornered tile, from the lower left: mouth side, right, crown side, left.
+                // Chains of a four-cornered tile, from the lower left corner: mouth side, right, crown side, left.
                 EXPECT_EQ(shared(tile, right), whole.chains[1].vertices.size()) << tile.name;
                 if (panel == 14) continue;
                 EXPECT_EQ(shared(tile, tiles[gore * 15 + panel + 1]), whole.chains[2].vertices.size()) << tile.name;
@@ -172,7 +172,7 @@ TEST(DesignNatural, AreaAndVolumeConvergeWithTheSquareOfTheEdge) {
         area[i] = top.area - summary.area;
         volume[i] = top.volume - summary.volume;
     }
-    // A quarter each time, but for rows and columns that come in whole numbers.
+    // The error falls to a quarter each time, except that rows and columns are integers.
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_NEAR(area[i] / area[i + 1], 4, 0.8);
         EXPECT_NEAR(volume[i] / volume[i + 1], 4, 0.8);
@@ -220,7 +220,7 @@ TEST(DesignNatural, TrianglesAreWellShaped) {
     const DesignSummary summary = measure_design(design, tiles);
     EXPECT_GT(summary.angle_min, 30 * degree);
     EXPECT_LT(summary.edge_max, 1.4 * design.edge_length);
-    // The crown ring of 0.25 m radius leaves each gore 65 mm there: one edge, then two of 33 mm.
+    // At the crown ring of 0.25 m radius each gore is 65 mm wide: one edge, then two of 33 mm.
     EXPECT_GT(summary.edge_min, 0.19 * design.edge_length);
     EXPECT_LT(summary.chord_error, 1e-3);
     EXPECT_LT(summary.turn_max, 3 * degree);
@@ -231,7 +231,7 @@ TEST(DesignNatural, TrianglesAreWellShaped) {
 
 TEST(DesignNatural, AtAClosedPointAnglesAreHalfTheGores) {
     EnvelopeDesign design = coarse();
-    design.crown_radius = 0;  // each gore ends in 15 degrees, halved by an edge into the tile
+    design.crown_radius = 0;  // each gore ends in 15 degrees, which an inner edge halves
     EXPECT_GT(measure_design(design, design_natural(design)).angle_min, 7 * degree);
 }
 

@@ -59,7 +59,7 @@ TEST(SpringNetwork, ForcesAreMinusTheGradientOfTheEnergy) {
     const Tile tile = make_tile("t", testing::spherical_square(0.4, 4));
     const SpringNetwork network = make_spring_network(tile, woven());
     std::mt19937 random(5);
-    std::uniform_real_distribution<double> jitter(-0.15, 0.15);  // wide enough to wake the guards of some triangles
+    std::uniform_real_distribution<double> jitter(-0.15, 0.15);  // wide enough to trigger the guards in some triangles
     Points2 x = flat_of(tile.mesh);
     x = x.unaryExpr([&](double value) { return value + jitter(random) * 0.8; });
     const Points2 forces = forces_at(network, x);
@@ -77,7 +77,7 @@ TEST(SpringNetwork, PushesATurnedTriangleBack) {
     const Tile tile = make_tile("t", testing::rectangle(1, 1, 1, 1));
     const SpringNetwork network = make_spring_network(tile, woven());
     Points2 x = flat_of(tile.mesh);
-    x.row(1) << 0.4, 0.6;  // over the diagonal: the triangle 0 1 3 is turned
+    x.row(1) << 0.4, 0.6;  // beyond the diagonal: the triangle 0 1 3 is flipped
     const Points2 forces = forces_at(network, x);
     EXPECT_GT(forces(1, 0) - forces(1, 1), 0);
 }
@@ -96,7 +96,8 @@ TEST(SpringNetwork, DampersTakeEnergyAndKeepMomentum) {
 }
 
 TEST(SpringNetwork, EquilateralMeshImpliesItsStiffnessAndNuOneThird) {
-    // Van Gelder 1998: springs of k = sum E A / L^2 on equilateral triangles are the isotropic membrane E, nu = 1/3.
+    // Van Gelder 1998: springs with k = sum E A / L^2 on equilateral triangles are an isotropic membrane with E
+    // and nu = 1/3.
     const int n = 24;
     TriangleMesh mesh =
         testing::grid(n, n, [](double u, double v) { return Vec3(n * u - n * v / 2, n * v * std::sqrt(0.75), 0); });

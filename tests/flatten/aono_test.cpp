@@ -17,15 +17,15 @@ TEST(Aono, IsExactOnDevelopables) {
     for (const auto& shape : testing::developable_shapes()) {
         const Flattening flat = flatten_aono(make_tile(shape.name, shape.mesh));
         EXPECT_EQ(flat.summary.termination, Termination::converged) << shape.name << flat.summary.text();
-        // the tangent developable's cells between two rulings are not quite plane
+        // the cells of the tangent developable between two rulings are not quite flat
         EXPECT_LT(testing::worst_edge_error(shape.mesh, flat.positions), 1e-8) << shape.name;
     }
 }
 
 TEST(Aono, ThreadsKeepTheirLengthAndShearAsTheSphereDemands) {
-    // On a surface of curvature K the angle of a Chebyshev net changes by K u v at the place (u, v): K a^2 in the
-    // corner of a square. Vertices are read off from crossings within two spacings, so the last triangle has about a
-    // tenth less.
+    // On a surface of curvature K, the angle of a Chebyshev net changes by K u v at the place (u, v): by K a^2 in
+    // the corner of a square. Vertices are interpolated from crossings within two spacings, so the last triangle
+    // has about a tenth less.
     const double a = 0.3;
     const Tile tile = make_tile("square", testing::spherical_square(a, 24), {.warp = Vec3::UnitX()});
     const Accuracy found = measure_accuracy(tile, flatten_aono(tile).positions, Fabric{});
@@ -36,8 +36,8 @@ TEST(Aono, ThreadsKeepTheirLengthAndShearAsTheSphereDemands) {
 }
 
 TEST(Aono, QuarterSphereHasErrorsOfTheOrderThatThePaperPrints) {
-    // printed for it in the paper: area 1.93 %, shape 14.01 %, by a woven model that hardly resists shear; this one
-    // does not
+    // the paper prints, for it: area 1.93 %, shape 14.01 %, by a woven model with little shear resistance; this
+    // one has none
     const Tile tile = make_tile("quarter", testing::lune(std::numbers::pi / 2, 16, 32), {.warp = Vec3::UnitZ()});
     const Points2 flat = flatten_aono(tile).positions;
     EXPECT_NEAR(testing::perimeter_error(tile, flat), 0.1401, 0.01);
@@ -45,7 +45,8 @@ TEST(Aono, QuarterSphereHasErrorsOfTheOrderThatThePaperPrints) {
 }
 
 TEST(Aono, SaysWhereTheNetBreaksDown) {
-    // No net of inextensible threads covers much more than a hemisphere: Hazzidakis allows a curvature of 2 pi at most.
+    // No net of inextensible threads covers much more than a hemisphere: Hazzidakis' bound on the curvature is 2
+    // pi.
     const Tile tile = make_tile("sphere", testing::cap(2.6, 16));
     const Flattening flat = flatten_aono(tile);
     EXPECT_EQ(flat.summary.termination, Termination::stagnated) << flat.summary.text();

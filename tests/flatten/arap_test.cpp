@@ -23,8 +23,8 @@ TEST(Arap, IsExactOnDevelopables) {
 }
 
 TEST(Arap, ForgetsItsStart) {
-    // From the disk of Tutte back to the rectangle. What is left of the start falls by a factor each iteration, so the stop
-    // at steps of 1e-10 leaves about a hundred times that.
+    // From Tutte's disk back to the rectangle. The error falls by a constant factor per iteration, so stopping at
+    // steps of 1e-10 leaves about a hundred times that.
     const TriangleMesh mesh = testing::cylinder(1, 1.2, 2, 12, 16);
     const Tile tile = make_tile("cylinder", mesh);
     const Flattening flat = flatten_arap(tile, flatten_tutte(tile).positions, {.tolerance = 1e-10});
@@ -33,7 +33,7 @@ TEST(Arap, ForgetsItsStart) {
 }
 
 TEST(Arap, GivesAQuarterSphereItsKnownErrors) {
-    // Free boundary, isotropic: perimeter +10.5 %, area -0.4 % by an independent program.
+    // Free boundary, isotropic: an independent program gives perimeter +10.5 %, area -0.4 %.
     const Tile tile = make_tile("quarter sphere", testing::lune(std::numbers::pi / 2, 24, 48));
     const Flattening flat = flatten_arap(tile);
     ASSERT_TRUE(flat.summary.usable());
@@ -50,7 +50,7 @@ TEST(Arap, GivesAnOctantItsKnownErrors) {
 }
 
 TEST(Arap, GivesAGoreTheErrorOfTheTheory) {
-    // Free boundary: a gore of angle β is too long by β² / 24 around its edge, to the fourth order in β.
+    // Free boundary: the perimeter of a gore of angle β is too long by β² / 24, to fourth order in β.
     const double angle = 2 * std::numbers::pi / 24;
     const Tile tile = make_tile("gore", testing::lune(angle, 8, 96));
     const Flattening flat = flatten_arap(tile);
@@ -93,7 +93,7 @@ TEST(Arap, SaysThatItWasStoppedByTheLimit) {
 TEST(Arap, CountsTheTrianglesItLeavesFlipped) {
     const Tile tile = make_tile("square", testing::rectangle(1, 1, 4, 4));
     Points2 start = tile.mesh.positions.leftCols<2>();
-    start.row(12) << 5, 5;  // the middle vertex, thrown out of the square
+    start.row(12) << 5, 5;  // the middle vertex, moved out of the square
     const Flattening flat = flatten_arap(tile, start, {.max_iterations = 0});
     EXPECT_THAT(flat.summary.reason, ::testing::HasSubstr(" triangles flipped"));
 }

@@ -17,15 +17,15 @@ TEST(BoundaryFirst, IsExactOnDevelopables) {
         const Tile tile = make_tile(shape.name, shape.mesh);
         const Flattening flat = flatten_boundary_first(tile);
         ASSERT_EQ(flat.summary.termination, Termination::converged) << flat.summary.text();
-        // the turning of the outline is a sum over its edges, and so are the roundings
+        // the turning of the outline is a sum over its edges, so their rounding errors add up
         EXPECT_LT(testing::worst_edge_error(shape.mesh, flat.positions), 1e-9);
         EXPECT_EQ(count_flipped(shape.mesh.triangles, flat.positions), 0);
     }
 }
 
 TEST(BoundaryFirst, LaysASphericalCapAsTheDiscOfItsOwnRim) {
-    // The only conformal disc whose rim keeps its length has the radius sin(theta); its area error is that of seam-exact
-    // cloth, (1 - cos theta) / 2.
+    // The only conformal disk whose rim keeps its length has the radius sin(theta). Its area error is that of
+    // seam-exact cloth, (1 - cos theta) / 2.
     const double theta = 0.6;
     const Tile tile = make_tile("cap", testing::cap(theta, 24));
     const Flattening flat = flatten_boundary_first(tile);
@@ -43,7 +43,7 @@ TEST(BoundaryFirst, KeepsTheEdgesNearlyOnCurvedTiles) {
         const Flattening flat = flatten_boundary_first(tile);
         ASSERT_TRUE(flat.summary.usable());
         const Eigen::VectorXd lengths = edge_lengths(flat.positions, closed(tile.boundary));
-        // what is left is the gap that the discrete turnings leave, of the order of the mesh
+        // the remaining error is the closing gap of the discrete turnings, of the order of the mesh size
         EXPECT_LT((lengths.cwiseQuotient(target_lengths(tile)).array() - 1).abs().maxCoeff(), 0.02);
     }
 }

@@ -1,4 +1,4 @@
-/// Our conformal and as-rigid-as-possible maps beside those of CGAL, which shares no line with them.
+/// Our conformal and as-rigid-as-possible maps compared with those of CGAL, an independent implementation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,8 +16,8 @@ namespace cgal_oracle_test {
 
 #ifdef RIPSTOP_CGAL
 
-/// A patch of the sphere without symmetry, so that one pair of boundary vertices lies farthest apart, and with triangles of
-/// one area (longitude by height, sheared): CGAL leaves out the weights 1 / sqrt(A) of Levy's equations.
+/// An asymmetric patch of the sphere, so that one pair of boundary vertices is farthest apart. Its triangles have
+/// equal areas (longitude by height, sheared), because CGAL omits the weights 1 / sqrt(A) of Levy's equations.
 Tile uneven_patch() {
     return make_tile("patch", testing::grid(48, 40, [](double u, double v) {
                          const double z = 0.8 * v - 0.3, longitude = u + 0.3 * v, r = std::sqrt(1 - z * z);
@@ -37,7 +37,8 @@ std::array<int, 2> farthest_pair(const Tile& tile) {
     return best;
 }
 
-/// Largest distance of the points of two maps after the best turn, shift and scale of the second, over the first's size.
+/// The largest distance between the points of two maps after the best rotation, shift and scale of the second,
+/// over the size of the first.
 double difference(const Points2& first, const Points2& second) {
     const auto complex = [](const Points2& points) {
         const Points2 centred = points.rowwise() - points.colwise().mean();
@@ -58,7 +59,7 @@ TEST(CgalOracle, LscmIsTheSameUpToTurnShiftAndScale) {
 }
 
 TEST(CgalOracle, ArapIsTheSameAsFarAsCgalFollowsIt) {
-    // CGAL stops at a relative change of the energy of 1e-6 or after 50 steps, ours when no vertex moves any more
+    // CGAL stops at a relative energy change of 1e-6 or after 50 steps; ours stops when no vertex moves any more
     const Tile tile = uneven_patch();
     CgalParameterization cgal(tile.mesh);
     ASSERT_TRUE(cgal.arap());

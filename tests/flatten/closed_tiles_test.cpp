@@ -1,4 +1,4 @@
-/// Tiles that run all round and are sewn to themselves.
+/// Tiles that go all the way round and are sewn to themselves.
 #include <gtest/gtest.h>
 
 #include <Eigen/SVD>
@@ -35,19 +35,19 @@ Flattening flattened(const TriangleMesh& mesh, const Fabric& fabric, const TileO
     return flatten_seam_exact(make_tile("sleeve", mesh, options), fabric);
 }
 
-/// Flat as it was drawn: at rest, shown to be a minimum, each edge as long as in space.
+/// Expects the drawn shape back: converged, a proven minimum, each edge as long as in space.
 void expect_isometry(const TriangleMesh& mesh, const Fabric& fabric, const TileOptions& options = {}) {
     const Flattening flat = flattened(mesh, fabric, options);
     EXPECT_EQ(flat.summary.termination, Termination::converged) << flat.summary.text();
     ASSERT_TRUE(flat.certificate);
     EXPECT_TRUE(flat.certificate->strict_minimum);
     EXPECT_LE(flat.summary.factorizations, 4) << flat.summary.text();
-    // what rounding leaves of an edge beside the whole tile
+    // rounding error of an edge, relative to the whole tile
     const double least = edge_lengths(mesh.positions, {mesh.triangles(0, 0), mesh.triangles(0, 1)})[0];
     EXPECT_LT(testing::worst_edge_error(mesh, flat.positions), 1e-11 * bounding_diagonal(mesh) / least + 1e-10);
 }
 
-/// Along the warp and across it [m].
+/// The sizes along and across the warp [m].
 Vec2 size_of(const Points2& flat) {
     return (flat.colwise().maxCoeff() - flat.colwise().minCoeff()).transpose();
 }
@@ -99,7 +99,7 @@ TEST(ClosedTiles, LieWithTheWarpRoundWhereItIsHorizontalAndAlongWhereItStands) {
 }
 
 TEST(ClosedTiles, ComeToRestWhereTheyBulge) {
-    // what remeshing leaves of a tube: next to nothing of strain, and no warp of its own to hold it by
+    // what remeshing gives for a tube: nearly no strain, and no warp of its own to fix the rotation
     for (const int sides : {12, 24})
         for (const double share : {1e-9, 1e-6, 1e-3, 0.02})
             for (const Fabric& fabric : cloths()) {

@@ -38,7 +38,7 @@ TEST(CoarseStart, ComesWithinAPerCentOfTheLeastEnergyAndNearlyKeepsTheEdges) {
 TEST(CoarseStart, LeavesADevelopableTileIsometric) {
     const Tile tile = make_tile("cone", testing::cone(0.5, 1, 1, 2, 30, 30));
     const Points2 start = flatten_boundary_first(tile).positions;
-    // it may turn by some 1e-5, as the grain is taken on a sample, and a linear turn stretches by its square
+    // it may be rotated by about 1e-5, because the grain is sampled, and a linear rotation stretches by its square
     EXPECT_LT(worst_edge(tile, coarse_solution(tile, Fabric{}, start)), 1e-8);
 }
 

@@ -29,13 +29,13 @@ TEST(Dirichlet, IsExactOnDevelopables) {
     for (const auto& shape : testing::developable_shapes()) {
         const Flattening flat = flatten_dirichlet(make_tile(shape.name, shape.mesh));
         ASSERT_EQ(flat.summary.termination, Termination::converged) << shape.name << flat.summary.text();
-        // the tangent developable's cells between two rulings are not quite plane
+        // the cells of the tangent developable between two rulings are not quite flat
         EXPECT_LT(testing::worst_edge_error(shape.mesh, flat.positions), 1e-8) << shape.name;
     }
 }
 
 TEST(Dirichlet, TurnsNothingOverOnTilesThatOthersFold) {
-    // nearly closed sphere, crumpled sheet, slivers: Tutte's start has no flip and no step makes one
+    // a nearly closed sphere, a crumpled sheet, slivers: Tutte's start has no flip, and no step causes one
     std::vector<TriangleMesh> meshes = {testing::lune(std::numbers::pi / 2, 12, 24), testing::octant(12),
                                         testing::cap(2.5, 12), testing::rectangle(20, 1, 10, 20)};
     TriangleMesh crumpled = testing::rectangle(1, 1, 12, 12);
@@ -61,7 +61,7 @@ TEST(Dirichlet, LiesBelowArapInItsOwnEnergyAndInNoOther) {
 }
 
 TEST(Dirichlet, FreeGoreIsAsMuchTooLongAsGeometryDemands) {
-    // any good free flattening of a gore of angle b: perimeter + b^2 / 24, area right to a higher order
+    // any good free flattening of a gore of angle b: perimeter + b^2 / 24, area exact to a higher order
     const double beta = 2 * std::numbers::pi / 24;
     const Tile tile = make_tile("gore", testing::lune(beta, 8, 96));
     const Points2 flat = flatten_dirichlet(tile).positions;

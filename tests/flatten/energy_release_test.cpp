@@ -17,13 +17,13 @@ TEST(EnergyRelease, LaysDevelopablesExactlyWithoutReleasing) {
     for (const auto& shape : testing::developable_shapes()) {
         const Flattening flat = flatten_energy_release(make_tile(shape.name, shape.mesh));
         EXPECT_EQ(flat.summary.iterations, 0) << shape.name;
-        // the tangent developable's cells between two rulings are not quite plane
+        // the cells of the tangent developable between two rulings are not quite flat
         EXPECT_LT(testing::worst_edge_error(shape.mesh, flat.positions), 1e-8) << shape.name;
     }
 }
 
 TEST(EnergyRelease, OctantIsNearThePublishedErrors) {
-    // printed for it by Wang, Tang, Yeung 2005, table of results: boundary 4.84 %, area 0.91 %, both net
+    // Wang, Tang, Yeung 2005, table of results, print for it: boundary 4.84 %, area 0.91 %, both net
     const Tile tile = make_tile("octant", testing::octant(24));
     const Flattening flat = flatten_energy_release(tile);
     EXPECT_EQ(flat.summary.termination, Termination::converged) << flat.summary.text();
@@ -36,7 +36,8 @@ TEST(EnergyRelease, OctantIsNearThePublishedErrors) {
 }
 
 TEST(EnergyRelease, ConeIsOfTheOrderOfThePublishedErrors) {
-    // printed: a conical surface of 149 triangles, area 0.092 %, edges 0.174 %; the mesh here has 144 and is not ruled
+    // printed for a conical surface of 149 triangles: area 0.092 %, edges 0.174 %; this mesh has 144 and is not
+    // ruled
     const Tile tile = make_tile("cone", testing::staggered_cone(0.4, 2.4, 0.5, 2, 12, 6));
     const Accuracy found = measure_accuracy(tile, flatten_energy_release(tile).positions, Fabric{});
     EXPECT_LT(found.area_error_abs, 0.0015);
@@ -54,7 +55,7 @@ TEST(EnergyRelease, ReleasesOnlyWhatIsWorseThanTheAccuracy) {
 }
 
 TEST(EnergyRelease, PushesATriangleOpenThatWasTurnedOver) {
-    // a strip round half a sphere comes back on itself while it is laid
+    // a strip around half a sphere meets itself while it is laid out
     const Tile tile = make_tile("hemisphere", testing::cap(1.5, 10));
     const Flattening flat = flatten_energy_release(tile);
     EXPECT_EQ(measure_accuracy(tile, flat.positions, Fabric{}).flipped, 0) << flat.summary.text();

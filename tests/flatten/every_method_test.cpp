@@ -18,7 +18,7 @@ void PrintTo(const Method& method, std::ostream* out) {
 
 namespace every_method_test {
 
-/// What any way to flatten must do, whatever it minimises. Runs over the whole table of methods.
+/// Properties of every method, whatever it minimises. Runs over the whole table of methods.
 class EveryMethod : public ::testing::TestWithParam<Method> {
   protected:
     Fabric fabric;
@@ -26,15 +26,17 @@ class EveryMethod : public ::testing::TestWithParam<Method> {
     Tile tile(const TriangleMesh& mesh) const { return make_tile("tile", mesh, {.warp = Vec3(0.2, 1, 0.5)}); }
     Flattening flatten(const Tile& of) const { return GetParam().flatten(of, fabric); }
     Accuracy accuracy(const Tile& of) const { return measure_accuracy(of, flatten(of).positions, fabric); }
-    /// A weave that begins on a planar projection is stretched there and not at rest at the limit of its sweeps.
+    /// A weave that starts from a planar projection is stretched there, and has not converged at its limit of
+    /// sweeps.
     double developable_error() const { return std::string(GetParam().name) == "kub10" ? 1e-2 : 1e-7; }
-    /// WireWarping lays the outline alone; its weights inside know no angles.
+    /// WireWarping lays out the outline only; its inner weights do not know angles.
     bool shapes_the_inside() const { return std::string(GetParam().name) != "wirewarping"; }
-    /// Iterations that stop at rest differ by what their stop leaves; how far another rounding takes them.
+    /// How far different rounding may move a result; iterations that stop at rest differ by their stopping
+    /// tolerance.
     double pose_tolerance() const { return 1e-3; }
 };
 
-/// Lengths of all edges: what two flattenings share however they lie on the cloth.
+/// The lengths of all edges, which do not depend on the placement on the cloth.
 Eigen::VectorXd edge_lengths_of(const Triangles& triangles, const Points2& x) {
     Eigen::VectorXd lengths(3 * triangles.rows());
     for (Eigen::Index t = 0; t < triangles.rows(); ++t)
@@ -99,7 +101,7 @@ TEST_P(EveryMethod, GivesTheSameBytesTwice) {
     EXPECT_EQ(flatten(of).positions, flatten(of).positions);
 }
 
-/// Tiles that no cloth is cut for: nearly closed, crumpled, of slivers, without a vertex inside.
+/// Tiles that no cloth is cut for: nearly closed, crumpled, made of slivers, without an inner vertex.
 std::vector<testing::Shape> wild_shapes() {
     std::vector<testing::Shape> shapes = {{"nearly closed sphere", testing::cap(2.8, 8)},
                                           {"quarter sphere", testing::lune(std::numbers::pi / 2, 8, 16)},
@@ -109,7 +111,7 @@ std::vector<testing::Shape> wild_shapes() {
     for (int v = 0; v < crumpled.vertex_count(); ++v) crumpled.positions(v, 2) = 0.3 * std::sin(7.0 * v * v);
     shapes.push_back({"crumpled", crumpled});
     TriangleMesh slivers = testing::rectangle(1, 1, 8, 8);
-    for (int v = 0; v < slivers.vertex_count(); ++v)  // every second row of points almost on the one before
+    for (int v = 0; v < slivers.vertex_count(); ++v)  // every second row of points almost coincides with the one before
         if (const int row = v / 9; row % 2 == 1) slivers.positions(v, 1) -= 0.125 * (1 - 1e-4);
     shapes.push_back({"slivers", slivers});
     return shapes;

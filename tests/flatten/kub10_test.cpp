@@ -35,7 +35,7 @@ TEST(Kub10, ComesNearerToADevelopableTheLongerItMaySettle) {
 }
 
 TEST(Kub10, DependsOnTheProjection) {
-    // A gore from pole to pole runs into the line of sight at its ends; a spherical square nowhere does.
+    // A gore from pole to pole is parallel to the line of sight at its ends; a spherical square nowhere is.
     const Tile square = make_tile("square", testing::spherical_square(0.3, 12));
     const Tile gore = make_tile("gore", testing::lune(2 * std::numbers::pi / 24, 6, 48));
     const auto away = [](const Tile& tile) {
@@ -47,7 +47,7 @@ TEST(Kub10, DependsOnTheProjection) {
 }
 
 TEST(Kub10, LaysAFoldedTileTriangleByTriangleAndSaysSo) {
-    // two planes, each 63 degrees steep: no crossing has a place
+    // two planes, each at 63 degrees: no crossing has a place
     const TriangleMesh mesh =
         testing::grid(12, 6, [](double u, double v) { return Vec3(2 * std::abs(u - 0.5), v, u - 0.5); });
     const Flattening flat = flatten_kub10(make_tile("folded", mesh));

@@ -36,7 +36,7 @@ TEST(Lscm, KeepsTheAreaOfACurvedTile) {
 }
 
 TEST(Lscm, KeepsTheAnglesOfAFineCap) {
-    // A conformal map of a cap; the discrete one comes near it with the mesh size.
+    // A conformal map of a cap; the discrete one converges to it with the mesh size.
     const Tile tile = make_tile("cap", testing::cap(0.4, 16));
     const Flattening flat = flatten_lscm(tile);
     double worst = 0;

@@ -17,13 +17,14 @@ TEST(McCartney, LaysDevelopablesExactly) {
         for (const bool woven : {false, true}) {
             const Flattening flat = flatten_mccartney(make_tile(shape.name, shape.mesh), Fabric{}, {.woven = woven});
             EXPECT_EQ(flat.summary.termination, Termination::converged) << shape.name;
-            // the tangent developable's cells between two rulings are not quite plane
+            // the cells of the tangent developable between two rulings are not quite flat
             EXPECT_LT(testing::worst_edge_error(shape.mesh, flat.positions), 1e-8) << shape.name;
         }
 }
 
 TEST(McCartney, OctantComesToTheMinimumOfItsSprings) {
-    // The minimum of edge springs on an octant, found by others with Newton's method: perimeter + 4.1 %, area - 1 %.
+    // The minimum of edge springs on an octant, computed by others with Newton's method: perimeter +4.1 %, area -1
+    // %.
     const Tile tile = make_tile("octant", testing::octant(16));
     const Flattening flat = flatten_mccartney(tile, Fabric{});
     EXPECT_EQ(flat.summary.termination, Termination::converged) << flat.summary.text();
@@ -40,10 +41,10 @@ TEST(McCartney, WovenEnergyFollowsTheFabric) {
     const auto flattened = [&](const Fabric& fabric, bool woven) {
         return measure_accuracy(tile, flatten_mccartney(tile, fabric, {.woven = woven}).positions, fabric);
     };
-    // threads that may turn keep their length
+    // threads that may rotate keep their length
     EXPECT_LT(flattened(soft, true).warp_strain_max, 0.5 * flattened(stiff, true).warp_strain_max);
     EXPECT_GT(flattened(soft, true).shear_max, 1.5 * flattened(stiff, true).shear_max);
-    // and the energy of the woven membrane is less than the plain method leaves, which knows no fabric
+    // the energy of the woven membrane is also lower than that of the plain method, which ignores the fabric
     EXPECT_LT(flattened(soft, true).energy, flattened(soft, false).energy);
     EXPECT_EQ(flattened(soft, false).area_error, flattened(stiff, false).area_error);
 }

@@ -60,7 +60,7 @@ TEST(SeamExact, HoldsEveryEdgeOfEveryShapeAndTurnsNothingOver) {
             }
 }
 
-/// Sum over the inner vertices of |2 pi - angles|: how far a mesh is from developable [rad].
+/// The sum of |2 pi - angles| over the inner vertices: how far a mesh is from developable [rad].
 double angle_defects(const TriangleMesh& mesh) {
     const Tile tile = make_tile("t", mesh, {.warp = Vec3(0.2, 1, 0.5)});
     Eigen::VectorXd defect = Eigen::VectorXd::Constant(mesh.vertex_count(), 2 * pi);
@@ -76,7 +76,7 @@ TEST(SeamExact, IsExactInAllMetricsOnRuledDevelopables) {
     for (const auto& shape : testing::developable_shapes()) {
         SCOPED_TRACE(shape.name);
         const Accuracy found = flatten(shape.mesh, Vec3(0.2, 1, 0.5), isotropic).accuracy;
-        // 1e-8 %, and what the mesh itself is off: rulings of the helix' tangents are not quite parallel to their neighbours
+        // 1e-8 %, plus the error of the mesh: neighbouring rulings of the helix' tangents are not quite parallel
         const double limit = 1e-10 + angle_defects(shape.mesh);
         EXPECT_LT(std::abs(found.area_error), limit);
         EXPECT_LT(std::abs(found.perimeter_error), 1e-10);
@@ -112,13 +112,14 @@ TEST(SeamExact, GoresGiveTheTableOfSeamExactAreas) {
         int gores;
         double iso, iso_third, g05, g01, g002;
     };
-    // per cent of area, warp from pole to pole: nu 0; nu 0.3; G/E .05, .01, .002 at nu 0
+    // area in per cent, warp from pole to pole: nu 0; nu 0.3; G/E .05, .01, .002 at nu 0
     const Cell table[] = {{4, -14.98, -12.88, -15.04, -14.76, -14.66}, {6, -6.49, -4.80, -6.60, -6.60, -6.59},
                           {8, -3.58, -2.58, -3.57, -3.55, -3.53},      {12, -1.54, -1.09, -1.52, -1.50, -1.48},
                           {16, -.841, -.593, -.836, -.822, -.807},     {24, -.355, -.249, -.354, -.348, -.339}};
     for (const Cell& cell : table) {
         SCOPED_TRACE(cell.gores);
-        // as coarse as the table's own meshes (some hundred triangles): with weak shear wide gores have softer states on finer ones
+        // as coarse as the table's own meshes (some hundred triangles); with weak shear, wide gores have softer
+        // states on finer ones
         const TriangleMesh mesh = testing::lune(2 * pi / cell.gores, std::max(4, 48 / cell.gores), 30);
         const auto check = [&](const Fabric& fabric, double expected) {
             EXPECT_NEAR(area_percent(mesh, Vec3::UnitZ(), fabric), expected, 0.05 * std::abs(expected));
@@ -166,14 +167,14 @@ TEST(SeamExact, KeepsTheAreaToo) {
         const Result free = flatten(shape.mesh, Vec3(0.2, 1, 0.5), isotropic);
         const Result kept = flatten(shape.mesh, Vec3(0.2, 1, 0.5), isotropic, {.keep_area = true});
         if (measure_bounds(make_tile("t", shape.mesh, {.warp = Vec3(0.2, 1, 0.5)})).isoperimetric < 1) {
-            // the cap: no outline of its length encloses its area, and the method says so
+            // the cap: no outline of that length encloses its area, and the method reports that
             EXPECT_NE(kept.flat.summary.termination, Termination::converged);
             continue;
         }
         EXPECT_LT(std::abs(kept.accuracy.area_error), 1e-10);
         EXPECT_LT(kept.accuracy.boundary_error_max, 1e-8);
         EXPECT_NE(kept.flat.note.find("largest thread strain from "), std::string::npos);
-        EXPECT_GE(kept.accuracy.energy, free.accuracy.energy * (1 - 1e-6));  // its price
+        EXPECT_GE(kept.accuracy.energy, free.accuracy.energy * (1 - 1e-6));  // the price of keeping the area
     }
 }
 
@@ -193,7 +194,8 @@ TEST(SeamExact, DoesNotCareHowVerticesAreNumberedOrWhereTheTileStands) {
     }
 }
 
-/// Root mean square over the boundary of a vertex's turning less the mean of its neighbours', corners and next to them left out.
+/// The root mean square, over the boundary, of a vertex's turn minus the mean of its neighbours'. Excludes corners
+/// and the vertices next to them.
 double zigzag(const Tile& tile, const Points2& flat) {
     const int count = static_cast<int>(tile.boundary.size());
     const Eigen::VectorXd surface = surface_turning(tile.mesh, tile.boundary);
@@ -269,7 +271,8 @@ TEST(SeamExact, RefusesOptionsOutOfRange) {
     EXPECT_THROW(flatten_seam_exact(tile, isotropic, {.max_iterations = 0}), InputError);
 }
 
-/// Hard tiles x starts x fabrics: each ends in a rest with exact seams and no flip, or says that it did not.
+/// Hard tiles x starts x fabrics: each run converges to a minimum with exact seams and no flip, or reports that it
+/// did not.
 TEST(SeamExactRobustness, AllButOneHardCaseConvergeAndThatOneSaysSo) {
     int converged = 0;
     const std::pair<const char*, TriangleMesh> tiles[] = {

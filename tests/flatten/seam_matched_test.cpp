@@ -29,7 +29,7 @@ using testing::cloth;
 const Fabric isotropic = cloth(0.3, 1 / 2.6);
 const Fabric weak = cloth(0, 0.01);
 
-/// Gores of 40 and 20 degrees in turn, all round.
+/// Gores of 40 and 20 degrees in turn, all around.
 Envelope alternating(int columns = 8, int rows = 36) {
     return testing::gores({40 * degree, 20 * degree}, 12, columns, rows);
 }
@@ -38,7 +38,7 @@ struct Result {
     std::vector<Flattening> flats;
     std::vector<Points2> positions;
     std::vector<double> area_errors;
-    double energy = 0;  ///< of the cloth, all tiles [J]
+    double energy = 0;  ///< of the cloth of all tiles [J]
 };
 
 Result measured(const Envelope& envelope, const Fabric& fabric, std::vector<Flattening> flats) {
@@ -65,14 +65,14 @@ Result matched(const Envelope& envelope, const Fabric& fabric, const SeamMatched
     return result;
 }
 
-/// Every tile on its own, seams as drawn.
+/// Every tile separately, with seams as drawn.
 Result drawn(const Envelope& envelope, const Fabric& fabric) {
     std::vector<Flattening> flats;
     for (const Tile& tile : envelope.tiles) flats.push_back(flatten_seam_exact(tile, fabric));
     return measured(envelope, fabric, std::move(flats));
 }
 
-/// Every tile on its own with free edges: no set of tiles has less energy.
+/// Every tile separately with free edges; no set of tiles has less energy.
 Result loose(const Envelope& envelope, const Fabric& fabric) {
     std::vector<Flattening> flats;
     for (const Tile& tile : envelope.tiles) {
@@ -93,7 +93,7 @@ Eigen::VectorXd turnings(const Tile& tile, const Points2& flat) {
     return turns;
 }
 
-/// Root mean square over a gore's seams of a vertex's turning less the mean of its neighbours', tips left out.
+/// The root mean square, over a gore's seams, of a vertex's turn minus the mean of its neighbours', tips excluded.
 double zigzag(const Tile& tile, const Points2& flat) {
     const Eigen::VectorXd turns = turnings(tile, flat);
     const Eigen::Index count = turns.size();
@@ -111,7 +111,8 @@ double zigzag(const Tile& tile, const Points2& flat) {
 
 TEST(SeamMatched, AlternatingGoresGiveTheKnownFigures) {
     const Envelope envelope = alternating(16, 72);
-    // per cent: mismatch of the free tiles, area errors of the wide and the narrow gore; E drawn / E matched: 3.2
+    // in per cent: mismatch of the free tiles, area errors of the wide and the narrow gore; E drawn / E matched:
+    // 3.2
     const Result free = loose(envelope, isotropic), exact = drawn(envelope, isotropic);
     const Result both = matched(envelope, isotropic);
     EXPECT_NEAR(testing::worst_mismatch(envelope, free.positions) / percent, 1.58, 0.05 * 1.58);
@@ -149,7 +150,7 @@ TEST(SeamMatched, TheWeakestShearOfTheTablesConvergesToo) {
 
 TEST(SeamMatched, BendingOfTheCutLineCostsUnderATenthOfAPerCentOfTheEnergy) {
     const Envelope envelope = alternating();
-    // hardly any bending leaves saddles of the energy, not minima, but no wave here worth a joule
+    // too little bending leads to saddles of the energy instead of minima, but no wave here is worth a joule
     const Result least = measured(envelope, weak, flatten_seam_matched(envelope, weak, {.bending = 1e-4}));
     EXPECT_LT(matched(envelope, weak).energy / least.energy - 1, 0.001);
 }
@@ -159,9 +160,10 @@ TEST(SeamMatched, BetweenIdenticalNeighboursItIsFreeOfCharge) {
         const Envelope envelope = testing::gores({30 * degree}, 12, 8, 36);
         const Result both = matched(envelope, fabric), free = loose(envelope, fabric);
         EXPECT_LT(testing::worst_drift(envelope, both.positions), 1e-12);
-        // bending of the cut line moves both by a part in a hundred thousand
+        // bending of the cut line changes both by a part in a hundred thousand
         EXPECT_NEAR(both.energy, free.energy, 1e-4 * free.energy);
-        // neighbours pull at one another with nothing: forces of strains a thousand times smaller than the tile's
+        // neighbours hardly pull at each other: the forces correspond to strains a thousand times smaller than the
+        // tile's
         for (const Flattening& flat : both.flats)
             EXPECT_LT(flat.seam_tension.cwiseAbs().maxCoeff(),
                       1e-3 * drawn(envelope, fabric).flats[0].seam_tension.maxCoeff());
@@ -178,8 +180,8 @@ TEST(SeamMatched, TightSeamsKeepTheirBoundsAndCostMoreThanFreeOnesAndLessThanDra
                 const Eigen::ArrayXd flat = edge_lengths(tight.positions[t], closed(envelope.tiles[t].boundary));
                 longest = std::max(longest, (flat / drawn_lengths(envelope.tiles[t]).array() - 1).abs().maxCoeff());
             }
-            EXPECT_LT(longest, 0.001 + 1e-10);  // edges are held to 1e-11
-            EXPECT_GT(longest, 0.001 - 1e-10);  // and the seams of gores would like to be longer
+            EXPECT_LT(longest, 0.001 + 1e-10);  // edges are kept to 1e-11
+            EXPECT_GT(longest, 0.001 - 1e-10);  // and the seams of gores tend to be longer
             EXPECT_LT(tight.energy, drawn(envelope, fabric).energy);
             EXPECT_GT(tight.energy, matched(envelope, fabric).energy);
         }
@@ -191,7 +193,7 @@ TEST(SeamMatched, WhatTheBoundsDoNotReachIsAsIfThereWereNone) {
     for (std::size_t t = 0; t < 12; ++t) EXPECT_EQ(wide.positions[t], none.positions[t]);
 }
 
-/// Three tiles that share no vertices: one in the west, two in the east that meet within one of its edges.
+/// Three tiles without shared vertices: one in the west, two in the east that meet within one of its edges.
 Envelope junction() {
     return testing::sewn_patches({{"west", -0.5, 0, -0.4, 0.4, 8, 15},
                                   {"south", 0, 0.3, -0.4, 0.03, 9, 19},
@@ -204,7 +206,8 @@ TEST(SeamMatched, SeamsMatchWhereVerticesDifferAndAcrossAJunction) {
     for (const Fabric& fabric : {isotropic, weak}) {
         const Result both = matched(envelope, fabric);
         EXPECT_LT(testing::worst_mismatch(envelope, both.positions), 1e-10);
-        // a quarter of an edge's share of its seam, 1/7 and less, times the stretch's change from edge to edge, up to 0.6 %
+        // a quarter of an edge's share of its seam, at most 1/7, times the change of stretch between edges, up to
+        // 0.6 %
         EXPECT_LT(testing::worst_drift(envelope, both.positions), 2e-4);
         EXPECT_GT(testing::worst_mismatch(envelope, loose(envelope, fabric).positions), 1e-4);
         EXPECT_LT(both.energy, drawn(envelope, fabric).energy);
@@ -241,7 +244,7 @@ TEST(SeamMatched, ATileWithoutSeamsIsFlattenedSeamExactly) {
 }
 
 TEST(SeamMatched, ATileSewnToItselfMatchesItself) {
-    // the whole of a cone cut open along a ruling, and a bulged one, whose two sides would not be equally long
+    // a cone that is cut open along a ruling, and a bulged one, whose two sides would have different lengths
     const auto closed_tile = [](double bulge) {
         return testing::grid(24, 6, [&](double u, double v) {
             const double turn = 2 * pi * u,
@@ -275,7 +278,7 @@ TEST(SeamMatched, CompensatedSidesMatchBesideTheirCompensation) {
     }
 }
 
-/// Axes that turn with the mesh: those of its first triangle.
+/// Axes that rotate with the mesh: those of its first triangle.
 Eigen::Matrix3d frame(const TriangleMesh& mesh) {
     const Vec3 along = (mesh.corner(0, 1) - mesh.corner(0, 0)).normalized();
     const Vec3 up = along.cross(mesh.corner(0, 2) - mesh.corner(0, 0)).normalized();
@@ -322,7 +325,7 @@ TEST(SeamMatched, GivesTheSameBytesOnAnyNumberOfThreads) {
 
 TEST(SeamMatched, ATileThatCannotBeHeldSaysSoAndItsSeamsStayAsDrawn) {
     Envelope envelope = testing::gores({0.5, 0.3}, 4, 4, 16);
-    // drawn three metres long, an edge in no seam leaves no closed outline
+    // an edge in no seam, drawn three metres long, leaves no closed outline
     Tile& broken = envelope.tiles.front();
     broken.curve_lengths = drawn_lengths(broken);
     std::vector<bool> sewn(broken.boundary.size());

@@ -49,7 +49,8 @@ TEST(SeamProblem, AssembledHessianIsThatOfTheLagrangianWithItsWeight) {
     const Case c;
     const double rho = 300;
     const auto gradient = [&](const Vector& u) {
-        // gradient of energy + lambda · length + mu · dense + rho/2 |length - length at c.u|^2, which has the Gauss-Newton term alone
+        // the gradient of energy + lambda · length + mu · dense + rho/2 |length - length at c.u|^2; that last term
+        // is Gauss-Newton only
         const Vector apart = c.problem.edge_residual(u) - c.problem.edge_residual(c.u);
         return Vector(c.problem.gradient(u) + c.problem.edge_transposed(u, c.lambda + rho * apart) +
                       c.problem.dense_rows(u) * c.mu);
@@ -74,7 +75,7 @@ TEST(SeamProblem, ConstraintDerivativesByFiniteDifferences) {
 TEST(SeamProblem, LongestStepStopsBeforeTheFirstTriangleWithoutArea) {
     const Case c;
     Vector d = Vector::Zero(c.problem.unknowns());
-    const int inner = 5;  // an inner vertex of the 4 x 4 grid, sent far to the right
+    const int inner = 5;  // an inner vertex of the 4 x 4 grid, moved far to the right
     d[2 * inner] = 10;
     const double step = c.problem.longest_step(c.u, d);
     EXPECT_LT(step, 1);
@@ -99,7 +100,7 @@ TEST(SeamNewton, SatisfiesTheFirstOrderConditionsAfterAFewFactorizations) {
 }
 
 TEST(SeamNewton, MultipliersArePricesOfTheLengths) {
-    // dE/dl = -lambda [method: sensitivity of a constrained minimum]
+    // dE/dl = -lambda, the sensitivity of a constrained minimum
     const Tile tile = make_tile("t", testing::spherical_square(0.4, 4), {.warp = Vec3::UnitX()});
     SeamProblem problem(tile, Fabric{}, {});
     Points2 flat = tile.mesh.positions.leftCols(2);

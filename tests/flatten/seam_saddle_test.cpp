@@ -14,8 +14,8 @@ namespace seam_saddle_test {
 
 using Vector = Eigen::VectorXd;
 
-/// A flat square of 2 n x 2 n cells, alike on both sides of both its middle lines, whose edges are to be longer than drawn: its
-/// cloth is pulled both ways and had rather be a rhombus, but which of the two?
+/// A flat square of 2 n x 2 n cells, symmetric about both midlines, whose edges must become longer than drawn. The
+/// cloth is pulled in both directions and prefers to become a rhombus, of which there are two.
 Tile square_with_long_edges(int n, double longer) {
     TriangleMesh mesh = testing::grid(2 * n, 2 * n, [](double u, double v) { return Vec3(u, v, 0); });
     const int row = 2 * n + 1;
@@ -33,13 +33,14 @@ Tile square_with_long_edges(int n, double longer) {
     return make_tile("square", mesh, options);
 }
 
-/// Where Newton's method comes to rest from the symmetric start.
+/// The point where Newton's method stops when it starts from the symmetric shape.
 SeamSolution symmetric_rest(const Tile& tile, SeamNewton& newton) {
     const Points2 start = flatten_boundary_first(tile).positions;
     return newton.minimize(Eigen::Map<const Vector>(start.data(), start.size()));
 }
 
-/// The least curvature of the energy along what edges and grain leave free, in E: by dense algebra and nothing of the solver's.
+/// The smallest curvature of the energy in the directions that edges and grain leave free, in E. Computed with
+/// dense algebra, independently of the solver.
 double least_curvature(const SeamProblem& problem, const SeamSolution& at) {
     Vector gradient, values;
     problem.assemble(at.u, at.lambda, at.mu, 0, Curvature::exact, gradient, values);
@@ -87,7 +88,7 @@ TEST(SeamSaddle, IsNeverCertifiedAndMinimaAre) {
                 ++(least > 0 ? minima : saddles);
                 certified += rest.strict_minimum;
             }
-    EXPECT_GT(certified, minima / 2);  // pivots need not say it of cloth that would turn and shear at once
+    EXPECT_GT(certified, minima / 2);  // pivots need not certify cloth that would rotate and shear at once
     EXPECT_GT(minima, 10);
     EXPECT_GT(saddles, 3);
 }

@@ -11,7 +11,8 @@
 namespace ripstop {
 namespace seam_stretch_test {
 
-/// A long tile in the west, two in the east that meet in the middle of one of its edges; their vertices lie elsewhere.
+/// A long tile in the west and two in the east, which meet in the middle of one of its edges; their vertices do
+/// not match.
 Envelope junction() {
     return testing::sewn_patches(
         {{"west", -0.4, 0, -0.4, 0.4, 5, 9}, {"south", 0, 0.3, -0.4, 0.03, 6, 13}, {"north", 0, 0.3, 0.03, 0.4, 4, 8}});
@@ -20,7 +21,7 @@ Envelope junction() {
 TEST(SeamStretch, OfTilesThatShareVerticesIsAnIntervalAnEdge) {
     const Envelope envelope = testing::gores({0.5, 0.3}, 4, 4, 12);
     const SeamStretch stretch = find_seam_stretch(envelope);
-    // the tiles do not go round the whole sphere: 3 seams of 12 edges
+    // the tiles do not cover the whole sphere: 3 seams of 12 edges
     ASSERT_EQ(envelope.seams.size(), 3u);
     EXPECT_EQ(stretch.count, 36);
     for (std::size_t t = 0; t < 4; ++t) {
@@ -55,7 +56,8 @@ TEST(SeamStretch, AnEdgeThatTwoSeamsShareHasOneStretch) {
     const Envelope envelope = junction();
     const SeamStretch stretch = find_seam_stretch(envelope);
     ASSERT_EQ(envelope.seams.size(), 3u);
-    // an interval for each of the 9 edges of the west, the one in both seams too, and for the 4 between south and north
+    // an interval for each of the 9 edges of the west, including the one in both seams, and for the 4 between
+    // south and north
     EXPECT_EQ(stretch.count, 9 + 4);
     const TileStretch& west = stretch.tiles[0];
     for (Eigen::Index e = 0; e < west.reach.rows(); ++e) EXPECT_LE((west.reach.row(e).array() > 1e-12).count(), 1);
@@ -72,7 +74,8 @@ TEST(SeamStretch, DoesNotCareWhichSideIsNamedFirst) {
     ASSERT_EQ(one.count, other.count);
     for (std::size_t t = 0; t < one.tiles.size(); ++t) {
         const Eigen::MatrixXd a = one.tiles[t].reach, b = other.tiles[t].reach;
-        EXPECT_LT((a * a.transpose() - b * b.transpose()).norm(), 1e-13);  // the same but for the intervals' numbers
+        EXPECT_LT((a * a.transpose() - b * b.transpose()).norm(), 1e-13);  // equal except for the numbering of the
+                                                                           // intervals
     }
 }
 

@@ -1,4 +1,4 @@
-/// Edges far shorter than the rest of a tile's: blunt tips of gores, steps in an outline.
+/// Tiles with edges far shorter than the others: blunt tips of gores, steps in an outline.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace short_edges_test {
 constexpr double pi = std::numbers::pi;
 constexpr double radius = 5;  // [m]
 
-/// One of 24 gores of a sphere whose tips are edges this wide at the south and the north pole; 0: a point.
+/// One of 24 gores of a sphere, whose tips are edges of these widths at the south and the north pole; 0: a point.
 TriangleMesh blunt_gore(double south, double north, int columns, int rows) {
     TriangleMesh mesh = testing::scaled(testing::lune(2 * pi / 24, columns, rows), radius);
     if (south == 0 && north == 0) return mesh;
@@ -33,7 +33,7 @@ TriangleMesh blunt_gore(double south, double north, int columns, int rows) {
         return Vec3(r * std::cos(longitude), r * std::sin(longitude), radius * std::sin(latitude));
     });
     if (south > 0 && north > 0) return open;
-    // all vertices of the tip that is a point are one
+    // all vertices of a pointed tip are one
     const int first = south == 0 ? 0 : rows * (columns + 1);
     std::vector<Eigen::RowVector3i> triangles;
     for (int t = 0; t < open.triangle_count(); ++t) {
@@ -87,28 +87,28 @@ TEST(ShortEdges, BluntTipsAreCutAsPoints) {
                     const double width = tip * millimetre;
                     const Result blunt = flattened(blunt_gore(both ? width : 0, width, columns, rows), Vec3::UnitZ());
                     if (tip == 0.013 && columns == 3 && rows == 8 &&
-                        !blunt.verdict.manufacturable()) {  // needles of 1 in 10000 hold it back: it says so
+                        !blunt.verdict.manufacturable()) {  // needles of 1 in 10000 prevent it, and it says so
                         EXPECT_THAT(blunt.flat.summary.reason, ::testing::HasSubstr("of the way to their lengths"));
                         continue;
                     }
                     expect_sound(blunt);
-                    // the tip's own width beside the gore's 1.3 m
+                    // the tip's width relative to the gore's 1.3 m
                     EXPECT_NEAR(blunt.accuracy.area_error, pointed.accuracy.area_error, 1e-5 + width * 1e-3);
                 }
             }
         }
 }
 
-/// A patch of a sphere whose outline steps aside by this much in the middle of a side.
+/// A patch of a sphere whose outline has a step of this size in the middle of a side.
 TriangleMesh with_step(TriangleMesh mesh, double step) {
-    // the vertex in the middle of the side y = low, its two boundary neighbours, and the vertex inside above it
+    // the vertex in the middle of the side y = low, its two boundary neighbours, and the inner vertex above it
     const int side = static_cast<int>(std::lround(std::sqrt(mesh.vertex_count()))), v = side / 2, inside = v + side;
     const int extra = mesh.vertex_count();
     const Vec3 along = (mesh.positions.row(v + 1) - mesh.positions.row(v)).normalized();
     const Vec3 inward = (mesh.positions.row(inside) - mesh.positions.row(v)).normalized();
     Points3 positions(extra + 1, 3);
     positions << mesh.positions, mesh.positions.row(v) + step / std::sqrt(2.0) * (along + inward).transpose();
-    // right of the edge up to `inside` the triangles take the new vertex; one needle more between the two
+    // the triangles right of the edge to `inside` get the new vertex; one needle lies between the two
     Triangles triangles(mesh.triangle_count() + 1, 3);
     triangles.topRows(mesh.triangle_count()) = mesh.triangles;
     for (int t = 0; t < mesh.triangle_count(); ++t) {

@@ -58,7 +58,7 @@ TEST(SpringMass, AdaptiveStepReachesTheSameRestInFewerSteps) {
 }
 
 TEST(SpringMass, InstabilityIsCaughtAndTheStepHalved) {
-    // masses far too light for the frequency bound that was used: the first steps would explode
+    // these masses are far too light for the frequency bound: without it, the first steps would diverge
     Rolled setup = rolled();
     const SpringMassRun run =
         relax_spring_mass(setup.network, squeezed(setup.exact) * 2.5, {.damping = 1, .step = 1.999});

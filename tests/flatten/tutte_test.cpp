@@ -21,7 +21,7 @@ void expect_no_flip(const std::string& name, const TriangleMesh& mesh) {
     EXPECT_NEAR(testing::area_error(tile, flat.positions), 0, 1e-12);
 }
 
-/// A disk of which nothing is known but its triangles: inner points moved far out of the surface.
+/// A disk of which only the triangles are kept: its inner points are moved far out of the surface.
 TriangleMesh crumpled(TriangleMesh mesh, double size) {
     std::mt19937 random(3);
     std::normal_distribution<double> normal(0, size);
@@ -43,7 +43,7 @@ TEST(Tutte, FlipsNothingAmongNeedlesAndStretchedTriangles) {
     expect_no_flip("10:1", testing::rectangle(1, 10, 20, 20));
     expect_no_flip("1:1000", testing::rectangle(1000, 1, 20, 20));
     TriangleMesh slivers = testing::rectangle(1, 1, 20, 20);
-    for (int v = 0; v < slivers.vertex_count(); ++v)  // every second row of points almost on the one before
+    for (int v = 0; v < slivers.vertex_count(); ++v)  // every second row of points almost coincides with the one before
         if (const int row = v / 21; row % 2 == 1) slivers.positions(v, 1) -= 0.05 * (1 - 1e-4);
     expect_no_flip("slivers 1e-4", slivers);
 }

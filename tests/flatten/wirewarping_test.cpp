@@ -23,7 +23,7 @@ TEST(WireWarping, KeepsEveryEdgeOfTheOutline) {
             const Tile tile = make_tile(shape.name, shape.mesh);
             const Flattening flat = flatten_wirewarping(tile);
             ASSERT_EQ(flat.summary.termination, Termination::converged) << shape.name << flat.summary.text();
-            // by construction, but for the last edge, which takes what closing leaves
+            // by construction, except for the last edge, which takes the closing error
             EXPECT_LT(worst_outline_error(tile, flat.positions), 1e-9) << shape.name;
         }
 }
@@ -31,31 +31,31 @@ TEST(WireWarping, KeepsEveryEdgeOfTheOutline) {
 TEST(WireWarping, OutlineIsExactOnDevelopables) {
     for (const auto& shape : testing::developable_shapes()) {
         const Tile tile = make_tile(shape.name, shape.mesh);
-        // the tangent developable's cells between two rulings are not quite plane
+        // the cells of the tangent developable between two rulings are not quite flat
         EXPECT_LT(std::abs(testing::area_error(tile, flatten_wirewarping(tile).positions)), 1e-8) << shape.name;
     }
 }
 
 TEST(WireWarping, MakesALensOfAnyGore) {
-    // Equal edges share the change of turning, the integral of the curvature, evenly: geodesic seams become arcs that
-    // turn by b each. Half width b s (pi - s) / (2 pi), area b pi^2 / 6 against the sphere's 2 b: pi^2 / 12 - 1,
-    // whatever b is.
+    // Equal edges share the change of turning, the integral of the curvature, evenly: geodesic seams become arcs
+    // that turn by b each. The half width is b s (pi - s) / (2 pi) and the area b pi^2 / 6, compared with the
+    // sphere's 2 b: pi^2 / 12 - 1 for any b.
     const double lens = std::numbers::pi * std::numbers::pi / 12 - 1;
     for (const int gores : {12, 24, 48})
         for (const int columns : {4, 16}) {
-            // The outermost vertices of a mesh carry half a column of the curvature each, which turns with the
-            // latitude as it should: the lens is made of the rest.
+            // The outermost vertices of a mesh carry half a column of the curvature each, which correctly turns
+            // with the latitude; the lens consists of the rest.
             const double expected = lens * (1 - 1.0 / columns);
             const Tile tile = make_tile("gore", testing::lune(2 * std::numbers::pi / gores, columns, 200));
             const Points2 flat = flatten_wirewarping(tile).positions;
-            // of the mesh 0.1 %; the closed form is that of a narrow gore
+            // 0.1 % from the mesh; the closed form is for a narrow gore
             EXPECT_NEAR(testing::area_error(tile, flat), expected, 0.001 + 2.0 / gores / gores) << gores;
         }
 }
 
 TEST(WireWarping, FindsTheNearestTurningsOfAWireThatIsOpen) {
-    // A square asked to turn by 1 rad and 2.2 rad in turn: by symmetry the turnings stay 1 and 2.2 less the same
-    // share, a rhombus.
+    // A square that should turn by 1 and 2.2 rad alternately: by symmetry the turns become 1 and 2.2 minus the
+    // same amount, a rhombus.
     Eigen::VectorXd wanted(4);
     wanted << 1, 2.2, 1, 2.2;
     const ClosedWire wire = warp_wire(Eigen::VectorXd::Ones(4), wanted);

@@ -21,7 +21,7 @@ Points2 positions_of(const Tile& tile, const WovenOptions& options = {}) {
     return flat.positions;
 }
 
-/// The worst edge's relative change of length.
+/// The largest relative length change of an edge.
 double worst_edge(const Tile& tile, const Points2& flat) {
     const Adjacency adjacency(tile.mesh.triangles, tile.mesh.vertex_count());
     double worst = 0;
@@ -48,7 +48,8 @@ double boundary_error(const Tile& tile, const Points2& flat) {
     return edge_lengths(flat, loop).sum() / edge_lengths(tile.mesh.positions, loop).sum() - 1;
 }
 
-/// The plane square cut in from one side to its middle, the cut's two sides not welded; then bent by `height`.
+/// The plane square with a slit from one side to its middle, whose two sides are not welded; then bent by
+/// `height`.
 template <class Height>
 TriangleMesh slit_square(int n, Height&& height) {
     TriangleMesh mesh = testing::rectangle(2, 2, n, n);
@@ -88,9 +89,9 @@ TEST(FlattenWoven, LaysAPlaneWithItsWarpAlongXAndItsWeftAlongY) {
     }
 }
 
-// Yarns are straight lines on the surface, so on a developable the weave closes without strain: rounding is all there is.
-// The mesh of the tangent surface has itself angle defects of up to 2e-10 rad, which add up over its length. (The published
-// fit of a cone left 0.25 % of area and 0.05 % of boundary.)
+// Yarns are straight lines on the surface, so on a developable the weave closes without strain, up to rounding.
+// The mesh of the tangent surface itself has angle defects of up to 2e-10 rad, which add up over its length. (The
+// published fit of a cone left 0.25 % of area and 0.05 % of boundary.)
 TEST(FlattenWoven, IsExactOnDevelopables) {
     for (const double turn : {0.0, 0.5})
         for (const auto& shape : testing::developable_shapes()) {
@@ -129,9 +130,10 @@ TEST(FlattenWoven, IsExactOverSharpFolds) {
     EXPECT_LT(worst_edge(tile, positions_of(tile)), 1e-9);
 }
 
-// Published: boundary 6.37 %, area 2.38 % with springs 1:1:1 and 5.70 %, 2.39 % with 500:500:1, one mesh, one centre, by a
-// descent stopped at 1 %. The free optimum of an isotropic sheet is at 5.09 %, 0.16 %. The ranges hold both.
-// [WTY05] print 6.37 % and 2.38 % for springs 1:1:1 on an octant; their mesh and grain are not known: ours has 5.2 to 7.0 % and 1.4 to 2.4 % over meshes.
+// Published for one mesh and one centre, by a descent stopped at 1 %: boundary 6.37 %, area 2.38 % with springs
+// 1:1:1, and 5.70 %, 2.39 % with 500:500:1. The free optimum of an isotropic sheet is 5.09 %, 0.16 %. The ranges
+// include both. [WTY05] print 6.37 % and 2.38 % for springs 1:1:1 on an octant, with an unknown mesh and grain;
+// ours gives 5.2 to 7.0 % and 1.4 to 2.4 % over various meshes.
 TEST(FlattenWoven, GivesAnOctantThePublishedErrorsWithSpringsAllAlike) {
     const Tile tile = make_tile("octant", testing::octant(24));
     const Points2 flat = positions_of(tile, {.warp_stiffness = 1, .weft_stiffness = 1});
@@ -152,7 +154,7 @@ TEST(FlattenWoven, GivesAnOctantErrorsOfThePublishedOrder) {
         }
 }
 
-// Kubicek and Zemcik report 14.01 % and 1.93 % for a quarter of a sphere, which they start from this fit.
+// Kubicek and Zemcik report 14.01 % and 1.93 % for a quarter of a sphere; they start from this fit.
 TEST(FlattenWoven, GivesAQuarterSphereThePapersErrors) {
     const Tile tile = make_tile("quarter", testing::lune(std::numbers::pi / 2, 16, 32));
     const Points2 flat = positions_of(tile);
@@ -200,7 +202,8 @@ TEST(FlattenWoven, ScalesWithTheTile) {
     }
 }
 
-// The crossings settle in an order that is not mirrored, and stop when a sweep changes the energy by less than 1 %.
+// The crossings settle in an order that is not mirrored, and stop when a sweep changes the energy by less than 1
+// %.
 TEST(FlattenWoven, MirrorsAMirroredTileWithinTheFit) {
     for (const auto& shape : testing::curved_shapes()) {
         TileOptions here;
@@ -261,7 +264,7 @@ TEST(FlattenWoven, KeepsToStretchedMeshes) {
     const Tile tile = make_tile("10:1", stretched);
     const Points2 flat = positions_of(tile);
     EXPECT_EQ(count_flipped(stretched.triangles, flat), 0);
-    // The same patch on square cells: boundary 0.23 %, area 0.04 %.
+    // The same patch with square cells: boundary 0.23 %, area 0.04 %.
     EXPECT_NEAR(boundary_error(tile, flat), 0.0023, 0.001);
     EXPECT_NEAR(area_error(tile, flat), 0.0004, 0.001);
 }

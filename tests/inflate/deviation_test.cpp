@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace deviation_test {
 
-/// The unit sphere of twelve gores, as drawn, and every vertex elsewhere by `move`.
+/// Compares the drawn unit sphere of twelve gores with the same vertices moved by `move`.
 template <class Move>
 Inflated compared(CutPlan& plan, Move&& move) {
     Inflated inflated;
@@ -46,11 +46,11 @@ TEST(Deviation, ClothThatOnlyMovesAlongTheSurfaceIsNotOffIt) {
     CutPlan plan;
     const Eigen::AngleAxisd turn(0.02, Vec3::UnitZ());
     const Inflated turned = compared(plan, [&](const Vec3& x) { return Vec3(turn * x); });
-    EXPECT_NEAR(turned.off.moved_rms, 0.02 * std::sqrt(2.0 / 3), 2e-4);  // mean of sin^2 over the sphere
-    EXPECT_LT(turned.off.rms, 0.0025);                                   // facets of 0.09 wide: 1 mm deep
+    EXPECT_NEAR(turned.off.moved_rms, 0.02 * std::sqrt(2.0 / 3), 2e-4);  // mean of sin² over the sphere
+    EXPECT_LT(turned.off.rms, 0.0025);                                   // facets 0.09 wide are 1 mm deep
 }
 
-/// A strip of 4,000 equal triangles, each 0.025 % of it, under one tension.
+/// A strip of 4,000 equal triangles, each 0.025 % of it, under a uniform tension.
 Inflated strip(double tension, CutPlan& plan) {
     FlatTile flat;
     flat.tile = make_tile("strip", testing::rectangle(4, 1, 40, 50), {.warp = Vec3(1, 0, 0)});

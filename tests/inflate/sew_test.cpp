@@ -50,7 +50,8 @@ std::vector<int> vertices_of(const CutPlan& plan, const SeamSide& side) {
     return vertices;
 }
 
-/// How far the vertices within one side of a seam move otherwise than the same place of the other side.
+/// The largest difference between the motion of vertices inside one side of a seam and that of the same places on
+/// the other.
 double tear(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& nodes, const Seam& seam, bool second) {
     const auto moved = [&](int tile, int vertex) -> Vec3 {
         return at(sewn, nodes, tile, vertex) - at(sewn, sewn.nodes, tile, vertex);
@@ -70,7 +71,7 @@ double tear(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& nodes,
     return most;
 }
 
-/// Every node somewhere else: what is sewn must stay so.
+/// Moves every node; seams must stay closed.
 Points3 thrown(const SewnEnvelope& sewn) {
     Points3 nodes = sewn.nodes;
     for (Eigen::Index n = 0; n < nodes.rows(); ++n)
@@ -109,7 +110,7 @@ TEST(Sew, VerticesThatMeetOnASeamAreOne) {
 }
 
 TEST(Sew, UnequalSidesBecomeEase) {
-    // Every second gore is cut 2 % larger: the sides differ at rest and are one line in space.
+    // Every second gore is cut 2 % larger: its sides differ at rest but coincide in space.
     CutPlan plan = small_plan();
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
         if (i / 2 % 2 == 1) plan.tiles[i].flattening.positions *= 1.02;
@@ -134,7 +135,7 @@ TEST(Sew, UnequalSidesBecomeEase) {
         ++eased;
     }
     EXPECT_EQ(eased, 16);
-    // Up the gores the larger ones are stretched by less.
+    // Along the gores, the larger ones are stretched less.
     double larger = 0, smaller = 0;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
         (i / 2 % 2 == 1 ? larger : smaller) += inflated.tiles[i].strain.col(0).mean() / 8;
@@ -157,12 +158,12 @@ TEST(Sew, TJunctionsAndNeighboursMeshedDifferentlyLeaveNoGap) {
             hanging += place.size() > 1;
         }
         EXPECT_GT(hanging, 50) << name;
-        // Nothing is pulled off its drawn place but where the ends of seams are apart as drawn.
+        // Nothing leaves its drawn place, except where the ends of seams are drawn apart.
         EXPECT_LT(sewn.seam_gap, 1e-3) << name;
         for (const Seam& seam : plan.seams) {
-            // The finer side hangs on the edges of the coarser.
+            // The finer side hangs on the edges of the coarser one.
             const double a = tear(plan, sewn, nodes, seam, false), b = tear(plan, sewn, nodes, seam, true);
-            EXPECT_LT(std::min(a, b), 1e-5) << name << " " << seam.id;  // places are the same to 1e-5 of an edge
+            EXPECT_LT(std::min(a, b), 1e-5) << name << " " << seam.id;  // places are equal to 1e-5 of an edge
         }
     }
 }
@@ -173,7 +174,7 @@ TEST(Sew, TilesMeshedApartInflateLikeTheSameShapeMeshedAsOne) {
     const Inflated apart = inflate(flatten_envelope(make_envelope(meshed_apart(design, 3, 1.5), reading), nylon()), {});
     const Inflated one = inflate(cut_balloon(design, false), {});
     ASSERT_EQ(apart.summary.termination, Termination::converged);
-    // Edges of a tenth of the radius: either mesh is some per mille off.
+    // Edges of a tenth of the radius: each mesh has an error of some tenths of a per cent.
     EXPECT_NEAR(apart.volume, one.volume, 0.005 * one.volume);
     EXPECT_NEAR(apart.height, one.height, 0.005 * one.height);
     EXPECT_NEAR(apart.imbalance, 0, 1e-6);
@@ -264,10 +265,10 @@ TEST(Sew, WiresHoldTheMouthAndBearTheLift) {
     EXPECT_EQ(wires, 8);
     EXPECT_EQ(sewn.held.size(), 8u);
     EXPECT_NEAR(pull - 0.5 * weight, balance.lift(found.nodes),
-                1e-6 * pull);  // half the wires' weight hangs on the frame
+                1e-6 * pull);  // half of the wires' weight hangs on the frame
 }
 
-/// A flat lid across the envelope at the seams between the first two panels, its edge on their vertices.
+/// A flat lid across the envelope at the seams between the first two panels, with its edge on their vertices.
 NamedMesh lid(const Envelope& envelope) {
     std::map<long, Vec3> rim;  // by angle
     double z = 0;
@@ -283,7 +284,7 @@ NamedMesh lid(const Envelope& envelope) {
                 z = x.z();
             }
         }
-    // One vertex twice where two seams meet is one to a micrometre; two rings inside the rim.
+    // Duplicate vertices where two seams meet are merged to a micrometre; two rings inside the rim.
     std::vector<Vec3> points;
     for (const auto& [angle, x] : rim)
         if (points.empty() || (points.back() - x).norm() > 1e-4) points.push_back(x);
@@ -333,7 +334,7 @@ TEST(Sew, ADiaphragmHoldsTheSkinIn) {
     ASSERT_EQ(held.summary.termination, Termination::converged);
     EXPECT_NEAR(rim_radius(small_lid, held) / rim_radius(large, free), 0.9, 0.03);
     EXPECT_GT(held.tiles.back().tension_max, 20);
-    // Its edge is on the skin in flight too: on the same vertices.
+    // In flight its edge stays on the skin, on the same vertices.
     EXPECT_LT(held.seam_gap, 1e-9);
     EXPECT_NEAR(held.imbalance, 0, 1e-6);
 }
@@ -355,7 +356,7 @@ TEST(Sew, ASlackDiaphragmHasGasOnBothSidesAndChangesNothing) {
         EXPECT_LT((found.tiles[i].positions - bare.tiles[i].positions).rowwise().norm().maxCoeff(), 0.02);
 }
 
-/// Two opposite vertices of the skin between the panels.
+/// A tie between two opposite vertices of the skin, between the panels.
 InnerTie tie_across(const CutPlan& plan, double share) {
     const Tile& tile = plan.tiles[0].tile;
     Vec3 from = tile.mesh.positions.row(0);
@@ -386,7 +387,7 @@ TEST(Sew, ATieHoldsItsEndsAtItsLengthAndDoesNothingWhereItIsSlack) {
         EXPECT_GT(tie.force_max, 50);
         EXPECT_LT(tie.worst.head<2>().norm(), 0.05);  // its middle, on the axis
         EXPECT_LT(found.volume, bare.volume);
-        double nearest = 1e300;  // to where one end must be, half the length from the axis
+        double nearest = 1e300;  // distance to where one end must be, half the length from the axis
         for (const InflatedTile& tile : found.tiles)
             for (Eigen::Index v = 0; v < tile.positions.rows(); ++v)
                 nearest = std::min(nearest, std::abs(tile.positions.row(v).head<2>().norm() - 0.5 * tie.cut_length) +

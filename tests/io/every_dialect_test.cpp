@@ -33,7 +33,7 @@ using testing::sample_piece;
 using testing::sample_pieces;
 using testing::value_of;
 
-/// A contour as some reader finds it, in millimetres.
+/// A contour as found by a reader, in millimetres.
 struct ReadContour {
     std::string block, layer;
     Vec2 lower;
@@ -41,7 +41,7 @@ struct ReadContour {
     int parts = 0, closed = 0;
 };
 
-/// What any dialect of the table must do, whoever reads it.
+/// Properties of every dialect of the table, whatever the reader.
 class EveryDialect : public ::testing::TestWithParam<DxfDialect> {
   protected:
     static std::string written(const std::vector<PatternPiece>& pieces) { return dxf_of(pieces, GetParam().name); }
@@ -58,7 +58,7 @@ class EveryDialect : public ::testing::TestWithParam<DxfDialect> {
     static std::string cut_layer() { return GetParam().blocks ? "1" : "CUT"; }
     static std::string sew_layer() { return GetParam().blocks ? "14" : "SEW"; }
 
-    /// The pieces as the dialect turns them, their lower left corner kept.
+    /// The pieces as the dialect rotates them, with the same lower left corner.
     static std::vector<PatternPiece> turned(const std::vector<PatternPiece>& pieces) {
         std::vector<PatternPiece> result;
         Vec2 was = pieces.front().lower(), is = Vec2::Constant(1e9);
@@ -71,8 +71,8 @@ class EveryDialect : public ::testing::TestWithParam<DxfDialect> {
         return result;
     }
 
-    /// Coordinates are rounded by up to 0.05 um, so a perimeter of some hundred points by a hundredth of a millimetre at
-    /// the very most and an area by 0.05 um times the perimeter.
+    /// Coordinates are rounded by up to 0.05 um. So the perimeter of some hundred points changes by at most a
+    /// hundredth of a millimetre, and the area by at most 0.05 um times the perimeter.
     static void expect_contours(const std::vector<ReadContour>& found, const std::vector<PatternPiece>& pieces) {
         std::vector<std::pair<std::string, const Points2*>> expected;
         const std::vector<PatternPiece> drawn = turned(pieces);
@@ -166,11 +166,11 @@ TEST_P(EveryDialect, IsDrawnByLibreCad) {
     const auto run = testing::run_command("cd " + scratch.path() + " && HOME=" + scratch.path() +
                                           " QT_QPA_PLATFORM=offscreen timeout 60 librecad dxf2pdf -a -k p.dxf");
     ASSERT_EQ(run.code, 0) << run.output;
-    // An empty sheet has less than 2 kB.
+    // An empty sheet is smaller than 2 kB.
     EXPECT_GT(testing::content(scratch.path("p.pdf")).size(), 4000U);
 }
 
-/// As in Germany, without the locale being installed.
+/// The German number format, without the locale being installed.
 struct CommaAndThousands : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }
     char do_thousands_sep() const override { return '.'; }

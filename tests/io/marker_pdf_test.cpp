@@ -13,7 +13,7 @@ namespace marker_pdf_test {
 
 using ::testing::HasSubstr;
 
-/// 120 rectangles of 1 m side by side on a roll of 1.5 m, with a join.
+/// 120 rectangles of about 1 m side by side on a roll of 1.5 m with joins.
 std::string long_marker() {
     PatternPiece piece = testing::rectangle_piece("G03P07", 0.99, 1.4);
     piece.quantity = 120;
@@ -30,7 +30,7 @@ TEST(MarkerPdf, ShowsTheRollInSmallOnSheets) {
     if (testing::run_command("pdftotext -v").code != 0) GTEST_SKIP() << "no pdftotext here";
     const testing::ScratchDirectory scratch;
     testing::write_text(scratch.path("marker.pdf"), long_marker());
-    // 1:40: 10.92 m a strip, eleven strips, four a page
+    // 1:40: 10.92 m per strip, eleven strips, four per page
     EXPECT_THAT(testing::run_command("pdfinfo " + scratch.path("marker.pdf")).output,
                 AllOf(HasSubstr("Pages:           3\n"), HasSubstr("(A4)")));
     const std::string text = testing::run_command("pdftotext -layout " + scratch.path("marker.pdf") + " -").output;

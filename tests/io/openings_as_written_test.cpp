@@ -1,4 +1,5 @@
-/// Openings of pieces in the files that are cut: what each format's own reader finds in it is held to the piece's sew line.
+/// Openings of pieces in the files for cutters: what the reader of each format finds must match the piece's sew
+/// line.
 #include <gmock/gmock.h>
 
 #include <regex>
@@ -26,7 +27,7 @@ namespace openings_as_written_test {
 struct Opened {
     std::string what;
     PatternPiece piece;
-    Vec2 inside;  ///< of the opening
+    Vec2 inside;  ///< a point in the opening
 };
 
 /// Small enough for a page of a roll.
@@ -59,7 +60,7 @@ bool touches_itself(const PatternPiece& piece) {
     return false;
 }
 
-/// The contours of a drawing of one piece, in metres, as a cutter reads them.
+/// Expects the contours of a drawing of one piece, as a cutter reads them, to match the piece.
 void expect_drawn_as_cut(const Opened& opened, const PatternDrawing& drawing) {
     const LayerConvention convention = convention_of(drawing);
     ASSERT_NE(convention, LayerConvention::unknown) << opened.what;
@@ -73,7 +74,7 @@ void expect_drawn_as_cut(const Opened& opened, const PatternDrawing& drawing) {
             if (use == LayerUse::sew && line.is_closed) sew.push_back(line.points);
         }
     ASSERT_EQ(cut.size(), 1U) << opened.what;
-    if (touches_itself(opened.piece)) {  // edges that are drawn one by one join there either way
+    if (touches_itself(opened.piece)) {  // edges that are drawn separately may join in either way there
         double length = 0;
         for (const Points2& line : sew) length += perimeter(line);
         EXPECT_NEAR(length, perimeter(opened.piece.sew_line), 1e-4) << opened.what;
@@ -92,7 +93,7 @@ void expect_drawn_as_cut(const Opened& opened, const PatternDrawing& drawing) {
 TEST(OpeningsAsWritten, AreCutInEveryDialectOfDxf) {
     for (const Opened& opened : opened_pieces())
         for (const DxfDialect& dialect : dxf_dialects()) {
-            // Lines that are not closed cannot tell the two ends of a seam that lie in one place.
+            // Separate open lines do not tell which of two coinciding ends of a seam is meant.
             if (!dialect.closed_contours && touches_itself(opened.piece)) continue;
             std::istringstream in(testing::dxf_of({opened.piece}, dialect.name));
             Opened turned = opened;
@@ -123,13 +124,13 @@ TEST(OpeningsAsWritten, AreCutInHpgl) {
         ASSERT_EQ(stroke.row(0), stroke.bottomRows(1)) << opened.what;
         PatternPiece written = opened.piece;
         written.cut_line = stroke.topRows(stroke.rows() - 1) * 0.025e-3;
-        // The plotter's steps of 0.025 mm: its corner is off by half of one at most, as all else.
+        // The plotter has steps of 0.025 mm, so its corner is off by at most half a step, as everything else.
         written.cut_line.rowwise() += opened.piece.lower().transpose() - Vec2(written.lower()).transpose();
         expect_as_cut(opened, written);
     }
 }
 
-/// The red line of a page, as poppler draws it, in metres.
+/// The red lines of a page, as poppler draws it, in metres.
 std::vector<Points2> red_lines(const std::string& svg) {
     const std::regex path("<path style=\"[^\"]*stroke:rgb\\(79.9[0-9]*%,0%,0%\\)[^\"]*\" d=\"([^\"]*)\"");
     const std::regex step("[ML] ?(-?[0-9.]+) (-?[0-9.]+)");

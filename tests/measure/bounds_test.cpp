@@ -52,7 +52,7 @@ TEST(Bounds, QuarterSphereSitsOnTheIsoperimetricLimitAndDemandsElevenPerCent) {
 
 TEST(Bounds, AllowedRatioOfThreadsThatStrainAndShear) {
     EXPECT_NEAR(allowed_stretch_ratio({.strain = 0.02, .shear = 0}), 1.02 / 0.98, 1e-15);
-    // a square sheared by 30 degrees without thread strain: stretches sqrt(1 +- sin 30)
+    // a square sheared by 30 degrees without thread strain has the stretches sqrt(1 +- sin 30)
     EXPECT_NEAR(allowed_stretch_ratio({.strain = 0, .shear = 30 * degree}), std::sqrt(1.5 / 0.5), 1e-12);
 }
 

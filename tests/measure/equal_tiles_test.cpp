@@ -13,7 +13,7 @@
 namespace ripstop {
 namespace equal_tiles_test {
 
-/// Nothing about it is symmetric.
+/// A patch without any symmetry.
 TriangleMesh odd_patch(int nu = 6, int nv = 8) {
     return testing::grid(nu, nv, [](double u, double v) {
         const double x = u * (1 + 0.3 * v), y = 1.5 * v;
@@ -40,7 +40,7 @@ Vec3 moved_warp(const Vec3& warp) {
 
 const Vec3 warp = Vec3(1, 0.3, 0).normalized();
 
-/// How far the vertices of `other` lie from where the likeness says they are.
+/// The largest distance of the vertices of `other` from where the likeness maps them.
 double largest_distance(const Tile& one, const Tile& other, const Likeness& likeness) {
     double largest = 0;
     for (std::size_t v = 0; v < likeness.vertex.size(); ++v) {
@@ -53,7 +53,7 @@ double largest_distance(const Tile& one, const Tile& other, const Likeness& like
 }
 
 TEST(EqualTiles, AreMatchedVertexByVertexWhereATileIsItsOwnImageByHalfATurn) {
-    // A gore whose diagonals all run one way lies on itself turned end for end too, with other triangles.
+    // A gore whose diagonals all point one way also matches itself turned end for end, with different triangles.
     TriangleMesh gore = testing::lune(22.5 * degree, 4, 24);
     for (const double rounding : {0.0, 1e-9})
         for (unsigned order = 1; order <= 8; ++order) {
@@ -114,7 +114,7 @@ TEST(EqualTiles, CompensationOfEdgesIsMirroredWithThem) {
     const Vec3 other_warp(-warp.x(), warp.y(), warp.z());
     const TriangleMesh mirrored = testing::mirrored(odd_patch());
     const Tile plain = tile(mirrored, other_warp);
-    // The right edge of the one is the left edge of the other: wherever they stand in the chains.
+    // The right edge of one tile is the left edge of the other, whatever their numbers as chains.
     const auto chain_at = [](const Tile& of, double x) {
         for (std::size_t c = 0; c < of.chains.size(); ++c) {
             const std::vector<int>& v = of.chains[c].vertices;
@@ -145,7 +145,7 @@ TEST(EqualTiles, MeansWithinATenthOfAMillimetre) {
 }
 
 TEST(EqualTiles, OneSurfaceMeshedInTwoWaysIsOneTile) {
-    // A bent sheet whose prism is the same in both; the other has more rows.
+    // Two bent sheets that are the same prism; one has more rows.
     const TriangleMesh coarse = testing::cylinder(1, 0.8, 1.3, 8, 3),
                        fine = moved(testing::cylinder(1, 0.8, 1.3, 8, 7));
     const auto found = find_equal_tiles({tile(coarse, Vec3::UnitZ()), tile(fine, moved_warp(Vec3::UnitZ()))});

@@ -23,7 +23,7 @@ std::vector<std::string> codes(const std::vector<Finding>& findings) {
     return result;
 }
 
-/// Two unit squares side by side, cut with these heights, judged with their seam.
+/// Two unit squares side by side, cut with these heights and judged with their seam.
 CutPlan squares(double left_height, double right_height, int sewn_edges = 4) {
     TriangleMesh right = testing::rectangle(1, 1, 4, 4);
     right.positions.col(0).array() += 1;
@@ -56,7 +56,7 @@ TEST(JudgeSeams, ASeamWhoseSidesAgreeIsNoFinding) {
 }
 
 TEST(JudgeSeams, ASeamBeyondToleranceMakesThePlanUnmanufacturableThoughEachTileIsFine) {
-    // 0.07 % off each, in opposite directions: every edge is within 0.1 %, the seam is not.
+    // Each is off by 0.07 % in opposite directions: every edge is within 0.1 %, the seam is not.
     const CutPlan plan = squares(0.9993, 1.0007);
     EXPECT_TRUE(plan.tiles[0].verdict.manufacturable());
     EXPECT_TRUE(plan.tiles[1].verdict.manufacturable());
@@ -74,7 +74,7 @@ TEST(JudgeSeams, AnEdgeOffItsLengthPassesWhereItsMateIsOffAlike) {
     const CutPlan plan = squares(1.004, 1.0044);
     EXPECT_THAT(plan.findings, IsEmpty());
     for (const FlatTile& tile : plan.tiles) {
-        // The sewn edge passes; the one across the square has no mate and stays, and with it the outline.
+        // The sewn edge passes. The opposite edge has no mate and keeps its finding, and so does the outline.
         EXPECT_EQ(codes(tile.verdict.waived), std::vector<std::string>{"chain"});
         EXPECT_THAT(codes(tile.verdict.findings), Contains("chain"));
         EXPECT_THAT(codes(tile.verdict.findings), Contains("perimeter"));

@@ -51,7 +51,7 @@ TEST(Accuracy, OfAStretchedSquareByHand) {
     EXPECT_EQ(accuracy.overlaps, 0);
 }
 
-/// What is said of the chains of a triangle with a blunt tip whose edge is twice as long on the cloth.
+/// The number of findings on chains of a triangle with a blunt tip, whose edge is twice as long on the cloth.
 std::size_t chain_findings(double tip) {
     TriangleMesh mesh = testing::rectangle(1, 1, 1, 1);
     mesh.positions.row(2) << 0.5 - tip / 2, 1, 0;

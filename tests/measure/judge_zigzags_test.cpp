@@ -28,9 +28,9 @@ Judged judged(const TriangleMesh& mesh) {
     return result;
 }
 
-// A small circle of a sphere with curvature K in all encloses K / (4 pi) more than a flat circle as long. Teeth that fold keep
-// the area, so the curve is longer by half of that; the fold is damped where the teeth are coarse, by up to a sixth at seven edges to
-// the middle.
+// A circle on a sphere that encloses the curvature K contains K / (4 pi) more area than a flat circle of the same
+// length. Teeth that fold keep the area, so the curve becomes longer by half of that. The fold is damped where
+// teeth are coarse, by up to a sixth at seven edges to the middle.
 TEST(JudgeZigzags, FindsTheCurveOfADiscTooLongByHalfOfWhatASmoothCutLosesOfItsArea) {
     for (const double curvature : {0.05, 0.1, 0.2, 0.3})
         for (const double jumble : {0.0, 0.25}) {
@@ -55,7 +55,7 @@ TEST(JudgeZigzags, FindsNothingWhereTheSurfaceCanBeUnrolled) {
                        return Vec3(radius * std::cos(p.x() / radius), p.y(), radius * std::sin(p.x() / radius));
                    }).front());
         ASSERT_EQ(found.walks.size(), 1u) << radius;
-        EXPECT_LT(std::abs(found.walks[0].error()), 2e-4) << radius;  // what the mesh of random triangles is bent
+        EXPECT_LT(std::abs(found.walks[0].error()), 2e-4) << radius;  // the bending of the mesh of random triangles
         EXPECT_TRUE(found.verdict.findings.empty());
     }
     const Judged flat =

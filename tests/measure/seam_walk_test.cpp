@@ -14,7 +14,7 @@ namespace seam_walk_test {
 
 const Tolerances tolerances;
 
-/// A patch of the unit sphere between longitudes and latitudes.
+/// A patch of the unit sphere between given longitudes and latitudes.
 Tile patch(const std::string& name, double west, double east, double south, double north, int columns, int rows) {
     const auto map = [&](double u, double v) {
         const double longitude = west + u * (east - west), latitude = south + v * (north - south);
@@ -32,7 +32,7 @@ double longitude(const Tile& tile, int vertex) {
     return std::atan2(tile.mesh.positions(vertex, 1), tile.mesh.positions(vertex, 0));
 }
 
-/// Measures the edges on the equator along it: a radian is a metre there.
+/// Measures the edges on the equator along it: one radian is one metre.
 void measure_on_equator(Tile& tile) {
     tile.curve_lengths = edge_lengths(tile.mesh.positions, closed(tile.boundary));
     for (std::size_t i = 0; i < tile.boundary.size(); ++i) {
@@ -67,7 +67,8 @@ Seam seam_on_equator(const std::vector<Tile>& tiles, int north, int south, doubl
     return seam;
 }
 
-/// One wide tile south of the equator against two north of it, which meet within one of its edges; each meshed by itself.
+/// One wide tile south of the equator and two north of it, which meet within one of its edges; each is meshed
+/// independently.
 std::vector<Tile> t_junction() {
     std::vector<Tile> tiles{patch("south", 0, 0.6, -0.3, 0, 7, 5), patch("north-west", 0, 0.23, 0, 0.3, 3, 6),
                             patch("north-east", 0.23, 0.6, 0, 0.3, 5, 4)};
@@ -97,7 +98,7 @@ TEST(SeamWalk, SidesOfExactEdgesAgreeAcrossATJunctionHoweverTheyAreMeshed) {
 }
 
 TEST(SeamWalk, ChordsOfOneCurveAreNoMismatchHoweverManyTheyAre) {
-    // Both sides unrolled by a method that knew only its own mesh and did nothing wrong.
+    // Both sides flattened exactly, by a method that knows only each tile's own mesh.
     std::vector<Tile> tiles{patch("south", 0, 0.6, -0.3, 0, 3, 5), patch("north", 0, 0.6, 0, 0.3, 11, 4)};
     for (Tile& tile : tiles) measure_on_equator(tile);
     const std::vector<Seam> seams{seam_on_equator(tiles, 1, 0, 0, 0.6)};
@@ -117,13 +118,13 @@ TEST(SeamWalk, ChordsOfOneCurveAreNoMismatchHoweverManyTheyAre) {
     EXPECT_LT(std::abs(unrolled(false).mismatch()), 1e-12);
     EXPECT_NEAR(unrolled(false).flat_a, 0.6, 1e-12);
     EXPECT_TRUE(unrolled(false).ok);
-    // As polylines they differ by the theta^2 / 24 of the coarse side, less that of the fine one.
+    // As polylines they differ by the theta^2 / 24 of the coarse side minus that of the fine one.
     const double expected = 0.6 * (std::pow(0.6 / 11, 2) - std::pow(0.6 / 3, 2)) / 24;
     EXPECT_NEAR(unrolled(true).mismatch(), expected, 0.01 * std::abs(expected));
     EXPECT_FALSE(unrolled(true).ok);
 }
 
-/// Two unit squares, the right one beside the left one; flat positions as drawn.
+/// Two unit squares side by side; flat positions as drawn.
 struct Squares {
     Envelope envelope;
     std::vector<FlatTile> flat;
@@ -143,7 +144,7 @@ struct Squares {
     SeamWalk walk(const WalkOptions& options = {}) const {
         return walk_seams(flat, envelope.seams, tolerances, options).front();
     }
-    /// Moves the right square's heights.
+    /// Maps the heights of the right square.
     template <class Map>
     void bend(Map map) {
         for (Eigen::Index v = 0; v < flat[1].flattening.positions.rows(); ++v)
@@ -167,7 +168,7 @@ TEST(SeamWalk, MismatchIsSideBLessSideA) {
 
 TEST(SeamWalk, NotchesTellWhereADifferenceAccumulates) {
     Squares squares(4, 8);
-    // Only the upper half is too long; the seam starts at the bottom, where side a begins.
+    // Only the upper half is too long; the seam starts at the bottom, where side a starts.
     squares.bend([](double y) { return y + 0.004 * std::max(0.0, y - 0.5); });
     const SeamWalk walk = squares.walk();
     ASSERT_EQ(walk.notches.size(), 3u);
@@ -200,7 +201,7 @@ TEST(SeamWalk, CompensationAlikeOnBothSidesIsNoMismatch) {
 }
 
 TEST(SeamWalk, ATileIsSewnToItself) {
-    // A cone of cloth closed along one ruling: its two straight edges are one seam.
+    // A cone of cloth closed along a ruling: its two straight edges are one seam.
     const double half = 0.4, angle = 6.283185307179586;
     const Tile cone = make_tile("cone", testing::cone(half, angle, 0.5, 2, 24, 6));
     ASSERT_EQ(cone.chains.size(), 4u);

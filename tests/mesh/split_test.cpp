@@ -40,7 +40,7 @@ TEST(SplitMesh, CutsEveryShapeInTwoDisksThatAddUp) {
                 const Eigen::VectorXd heights = plane(shape.mesh, normal, 0);
                 const double middle = (heights.minCoeff() + heights.maxCoeff()) / 2;
                 const auto split = split_mesh(shape.mesh, heights.array() - middle);
-                if (!split) continue;  // a plane may meet a bent surface twice
+                if (!split) continue;  // a plane may meet a curved surface twice
                 expect_sound(shape.mesh, *split);
             }
 }
@@ -53,7 +53,8 @@ TEST(SplitMesh, OnAStraightLineTheHalvesAreExact) {
     EXPECT_NEAR(surface_area(split->left.mesh), 1.3, 1e-14) << "left is where the field is positive";
     EXPECT_NEAR(surface_area(split->right.mesh), 0.7, 1e-14);
     for (const int v : split->left.cut) EXPECT_NEAR(split->left.mesh.positions(v, 0), 0.7, 1e-15);
-    // Along the cut, from outside (+z), the left half lies to the left: x grows to the left, so the cut runs down.
+    // Along the cut, seen from outside (+z), the left half is on the left. x grows to the left, so the cut runs
+    // down.
     EXPECT_NEAR(split->left.mesh.positions(split->left.cut.front(), 1), 1, 1e-15);
     EXPECT_NEAR(split->left.mesh.positions(split->left.cut.back(), 1), 0, 1e-15);
 }

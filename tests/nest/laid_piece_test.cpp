@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace marker_test {
 
-/// Edges of 3, 2, sqrt(2), 2 and 1 m from the second corner on, a notch on the edge of 2 m at the right, two lines of text.
+/// Edges of 3, 2, sqrt(2), 2 and 1 m from the second corner, a notch on the right edge of 2 m, two lines of text.
 PatternPiece marked_piece() {
     Points2 outline(5, 2);
     outline << 0, 0, 3, 0, 3, 2, 1, 2, 0, 1;

@@ -1,4 +1,4 @@
-/// What the paper prints, and what its method gives on the kinds of tiles it names.
+/// Figures printed in the paper, and those of its method on the kinds of tiles it names.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -101,7 +101,7 @@ TEST(PaperOnRealInput, DressPanelsComeOutWithoutAFlip) {
     for (std::size_t i = 0; i < ours.tiles.size(); ++i) {
         SCOPED_TRACE(ours.tiles[i].tile.name);
         EXPECT_EQ(ours.tiles[i].accuracy.flipped, 0) << ours.tiles[i].flattening.summary.text();
-        // the drape is cloth under load: flattening it must distort less than going back to the true pattern does
+        // the drape is cloth under load: flattening it must distort less than returning to the true pattern
         EXPECT_LT(ours.tiles[i].accuracy.edge_error_abs, drawn.tiles[i].accuracy.edge_error_abs);
     }
 }

@@ -13,7 +13,7 @@ namespace compare_pieces_test {
 using ::testing::IsEmpty;
 using testing::loose_set;
 
-/// A trapezoid with an edge a side and a notch in the middle of the first.
+/// A trapezoid with one edge per side and a notch in the middle of the first.
 PatternPiece trapezoid(double width = 2) {
     Points2 outline(4, 2);
     outline << 0, 0, width, 0, width - 0.3, 1, 0.2, 1;
@@ -47,7 +47,7 @@ TEST(ComparePieces, TellsByHowMuchTheGrainTurned) {
     for (const double turn : {5 * degree, -30 * degree, 90 * degree, 170 * degree}) {
         const auto found = changes(trapezoid(), turned(trapezoid(), turn, Vec2(1, 1)));
         ASSERT_EQ(found.size(), 1u);
-        EXPECT_NEAR(found[0].grain_turn, -turn, 1e-6);  // where the iteration stops
+        EXPECT_NEAR(found[0].grain_turn, -turn, 1e-6);  // the tolerance of the iteration
         EXPECT_NEAR(found[0].distance_fitted, 0, 1e-6);
         EXPECT_GT(found[0].distance, 0.05);
         EXPECT_THAT(found[0].edges, IsEmpty());
@@ -59,7 +59,7 @@ TEST(ComparePieces, MeasuresAnEdgeThatGrew) {
     ASSERT_EQ(found.size(), 1u);
     EXPECT_NEAR(found[0].area_after - found[0].area_before, 0.003, 1e-12);
     EXPECT_NEAR(found[0].perimeter_after - found[0].perimeter_before, 0.006, 1e-12);
-    EXPECT_NEAR(found[0].distance, 0.003, 1e-4);  // the side that moved by 3 mm leans
+    EXPECT_NEAR(found[0].distance, 0.003, 1e-4);  // the side that moved by 3 mm is slanted
     EXPECT_GT(found[0].distance_fitted, 0.001);
     EXPECT_LT(found[0].distance_fitted, 0.0025) << "half at either end";
     ASSERT_EQ(found[0].edges.size(), 2u);
@@ -87,7 +87,7 @@ TEST(ComparePieces, NamesNotchesTypesAllowancesAndFields) {
     EXPECT_EQ(found[0].fields[1].after, "24");
 }
 
-/// The same piece, its edges numbered from another corner.
+/// The same piece with its edges numbered from another corner.
 PatternPiece renumbered(const PatternPiece& piece, int on) {
     PatternPiece other = piece;
     for (int i = 0; i < 4; ++i) {
@@ -108,7 +108,7 @@ TEST(ComparePieces, MatchesEdgesByWhereTheyLieNotByTheirNumbers) {
             for (Mate& mate : edge.mates) mate.seam = "S0099";
         EXPECT_THAT(changes(before, after), IsEmpty()) << on;
         EXPECT_THAT(changes(before, turned(after, 0, Vec2(2, 1))), IsEmpty()) << on;
-        after.edges[static_cast<std::size_t>(4 - on)].seam_type = "taped";  // the first
+        after.edges[static_cast<std::size_t>(4 - on)].seam_type = "taped";  // the first one
         const auto found = changes(before, after);
         ASSERT_EQ(found.size(), 1u);
         ASSERT_EQ(found[0].edges.size(), 1u);

@@ -5,7 +5,7 @@
 namespace ripstop {
 namespace pattern_piece_test {
 
-/// A is the pattern of B, mirrored of C and D; E is its own.
+/// A is the pattern of B, and mirrored of C and D; E is its own.
 std::vector<PatternPiece> five_pieces() {
     const std::string names("ABCDE"), first("A"), count("cut 2 + 2 mirrored");
     std::vector<PatternPiece> pieces(names.size());

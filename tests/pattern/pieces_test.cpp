@@ -20,7 +20,7 @@ Points2 polygon(std::initializer_list<std::array<double, 2>> corners) {
 
 const Points2 l_shape = polygon({{0, 0}, {0.3, 0}, {0.3, 0.1}, {0.1, 0.1}, {0.1, 0.3}, {0, 0.3}});
 
-/// A banana: two arcs around (0, -1), `width` apart, `half` radians to both sides of upright.
+/// A banana: two arcs about (0, -1), `width` apart, `half` radians to each side of upright.
 Points2 banana(double width, double half) {
     constexpr int n = 40;
     Points2 result(2 * n, 2);
@@ -36,7 +36,7 @@ PatternPiece piece_of(const std::string& name, const Points2& outline) {
     return testing::piece_of(testing::flat_polygon(name, outline));
 }
 
-/// The rectangle a label's letters cover at one height of width each.
+/// The rectangle of a label's letters, each as wide as high.
 Box box_of(const Label& label) {
     return {label.middle, label.height * Vec2(static_cast<double>(label.text.size()) / 2, 0.5), label.turn};
 }

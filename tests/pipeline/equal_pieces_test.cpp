@@ -14,7 +14,7 @@
 namespace ripstop {
 namespace equal_pieces_test {
 
-/// A patch like nothing else, turned, renumbered, mirrored, and with the warp the other way.
+/// Copies of an asymmetric patch: rotated, renumbered, mirrored, and with another warp.
 std::vector<Tile> four_alike() {
     const TriangleMesh patch = testing::grid(8, 10, [](double u, double v) {
         const double x = u * (1 + 0.3 * v), y = 1.5 * v;
@@ -87,7 +87,7 @@ TEST(EqualPieces, CutDifferentlyAreNotListed) {
     std::vector<Tile> tiles = four_alike();
     tiles.resize(2);
     for (Tile& tile : tiles) tile.drawn = tile.mesh.positions.leftCols(2);
-    // judged as they came: the second lies turned in space, so its x and y are another piece
+    // judged as given: the second is rotated in space, so its x and y are another piece
     const CutPlan plan = flatten_envelope({tiles}, {.method = "given"});
     EXPECT_EQ(plan.tiles[1].equal_to, -1);
 }

@@ -29,8 +29,9 @@ Envelope envelope_of(const std::vector<TriangleMesh>& meshes) {
     return envelope;
 }
 
-// A smooth cut that keeps its edge loses K / (4 pi) of its area: 1.59 % at 0.2, 2.39 % at 0.3. What the fair curve is off the
-// circle by, and polygons of 60 edges for circles, is a quarter of a per cent.
+// A smooth cut that keeps the length of its edge loses K / (4 pi) of its area: 1.59 % at 0.2, 2.39 % at 0.3. The
+// fair curve's distance from the circle, and polygons of 60 edges for circles, change that by a quarter of a per
+// cent.
 TEST(FairSeams, LetADiscBeJudgedAsItsSmoothCutIs) {
     for (const double curvature : {0.2, 0.3})
         for (const unsigned seed : {1u, 2u}) {

@@ -1,4 +1,5 @@
-/// A seam of three through the whole: one length on the cloth, notches and names on all, one line in flight.
+/// A seam of three sheets through the whole program: one length on the cloth, notches and names on all sheets, one
+/// line in flight.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,7 +39,7 @@ CutPlan plan_of(const std::vector<NamedMesh>& meshes) {
     return flatten_envelope(make_envelope(meshes, {}), options);
 }
 
-/// The ball cut, its disc divided as the skin is, or otherwise.
+/// The cut ball, with its disk divided like the skin, or, if `apart`, differently.
 const CutPlan& ball(bool apart) {
     static const CutPlan conforming = plan_of(testing::ball_with_disc(sectors, 4, 4));
     static const CutPlan other = plan_of(testing::ball_with_disc(sectors, 4, 6));
@@ -49,7 +50,7 @@ const PatternPiece& named(const std::vector<PatternPiece>& pieces, const std::st
     return *std::find_if(pieces.begin(), pieces.end(), [&](const PatternPiece& piece) { return piece.name == name; });
 }
 
-/// On the cloth, where the seam's curve is drawn `from` to `to`.
+/// The length on the cloth of the part of a sheet between `from` and `to` of the seam's drawn curve.
 double cloth(const CutPlan& plan, const SeamSheet& sheet) {
     const FlatTile& flat = plan.tiles[static_cast<std::size_t>(sheet.side->tile)];
     const Eigen::VectorXd drawn = drawn_lengths(flat.tile);
@@ -97,7 +98,8 @@ TEST(SeamOfThree, HasItsNotchesAtTheSamePlacesOnAllThree) {
         const std::vector<PatternPiece> pieces = make_pieces(plan);
         for (const std::vector<SeamSheet>& sheets : sheets_of_seams(plan.seams)) {
             if (sheets.size() < 3) continue;
-            std::map<int, std::set<std::pair<double, int>>> marks;  // of each tile: where, and how many strokes
+            std::map<int, std::set<std::pair<double, int>>> marks;  // for each tile: the places, and the number of
+                                                                    // strokes
             for (const SeamSheet& sheet : sheets)
                 for (const PieceNotch& notch : pieces[static_cast<std::size_t>(sheet.side->tile)].notches)
                     if (notch.seam == plan.seams[0].id || notch.seam == sheets[0].record->id)
@@ -152,7 +154,8 @@ TEST(SeamOfThree, IsOneLineInFlightAndItsDiscHasGasOnBothSides) {
             ASSERT_EQ(inflated.summary.termination, Termination::converged);
             EXPECT_NEAR(inflated.drawn_volume, volume_of_skin(plan), 1e-9);
             const std::size_t disc = plan.tiles.size() - 1;
-            // Apart, a vertex of the disc hangs on an edge of the skin: as far from its vertices as a sagitta.
+            // In the second case a vertex of the disk hangs on an edge of the skin, off its vertices by up to a
+            // sagitta.
             for (const int v : plan.tiles[disc].tile.boundary) {
                 double nearest = 1;
                 for (std::size_t t = 0; t < disc; ++t)

@@ -57,7 +57,7 @@ TEST(GrainLine, GivesItsWayToTheTileItLiesOn) {
 TEST(GrainLine, MayBeStraightOverABulgingTile) {
     CadModel model;
     model.surfaces.push_back({"octant", testing::octant(16)});
-    // A chord of 0.2 rad of the unit sphere stands 5 mm off it in the middle: a fortieth of its length.
+    // A chord of 0.2 rad of the unit sphere is 5 mm off it in the middle, a fortieth of its length.
     const auto at = [](double angle) { return Vec3(std::cos(angle) * 0.8, std::cos(angle) * 0.6, std::sin(angle)); };
     model.curves.push_back(on_layer("WARP", at(0.4), at(0.6)));
     EXPECT_TRUE(lay_grain_lines(model).empty());

@@ -22,7 +22,7 @@ CutPlan flattened(std::vector<NamedMesh> tiles) {
     return flatten_envelope(make_envelope(std::move(tiles), {}), {});
 }
 
-/// A balloon whose panels are meshed each on its own, and a wall whose seams end within the edges of their neighbours.
+/// A balloon whose panels are meshed independently, and a wall whose seams end within their neighbours' edges.
 const CutPlan& balloon() {
     static const CutPlan plan =
         flattened(testing::meshed_apart({.gores = 8, .panels = 4, .volume = 500, .edge_length = 0.35}, 3));
@@ -37,7 +37,7 @@ const CutPlan& wall() {
     return plan;
 }
 
-/// Rights and lefts: slanted pieces round a cylinder, each the mirror image of its neighbours, in three rows.
+/// Right and left pieces: slanted pieces around a cylinder in three rows, each the mirror image of its neighbours.
 const CutPlan& rights_and_lefts() {
     static const CutPlan plan = [] {
         constexpr int columns = 12, rows = 3, cells = 8;
@@ -55,7 +55,7 @@ const CutPlan& rights_and_lefts() {
     return plan;
 }
 
-/// How far along the sew line of an edge a point of it lies [m].
+/// The distance of a point along the sew line of an edge [m].
 double along_edge(const PatternPiece& piece, int edge, const Vec2& point) {
     const Points2 line = piece.edge_line(static_cast<std::size_t>(edge));
     double walked = 0, best = 0, least = 1e9;
@@ -80,7 +80,7 @@ class EveryEnvelope : public ::testing::TestWithParam<const CutPlan& (*)()> {
         std::vector<const PieceNotch*> notches;
         std::vector<double> at;  ///< along the sew line from the seam's start [m]
     };
-    /// The notches of a seam on one of its sides, from its start on.
+    /// The notches of a seam on one of its sides, from its start.
     Side side(const Seam& seam, bool second) const {
         const SeamSide& of = second ? seam.b : seam.a;
         const PatternPiece& piece = pieces[static_cast<std::size_t>(of.tile)];
@@ -213,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(, EveryEnvelope, ::testing::Values(&balloon, &gores, &w
                                                            : "rights_and_lefts";
                          });
 
-/// The gores with one changed: what its panels are cut by.
+/// The gores with one changed: the patterns that cut their panels.
 std::vector<Quantity> quantities_of(const std::function<void(Envelope&)>& change) {
     Envelope envelope = make_envelope(design_natural({.gores = 8, .panels = 2, .volume = 500, .edge_length = 0.8}), {});
     change(envelope);
@@ -221,7 +221,7 @@ std::vector<Quantity> quantities_of(const std::function<void(Envelope&)>& change
 }
 
 TEST(Pieces, WithoutCornersAreNotchedWhereverTwoMatesMeet) {
-    // A disc in a ring of six.
+    // A disk in a ring of six.
     constexpr int mates = 6, edges = 10;
     const auto on_circle = [](double radius, double angle) {
         return Vec3(radius * std::cos(angle), radius * std::sin(angle), 0);

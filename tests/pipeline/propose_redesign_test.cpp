@@ -50,8 +50,8 @@ TEST(ProposeSplit, HalvesTheQuarterSphereFromPoleToPoleAsPredicted) {
     EXPECT_EQ(proposal->direction, "along the warp");
     EXPECT_NEAR(std::abs(proposal->line.front().z()), 1, 1e-12);
     EXPECT_NEAR((proposal->line.front() + proposal->line.back()).norm(), 0, 1e-12) << "from pole to pole";
-    // A gore of 360/n degrees with exact seams loses (1 - nu) beta^2 / 18 of its area: 13.7 % for n = 4, 3.43 % for 8; the
-    // series is of second order in beta, so 10 % of it here.
+    // A gore of 360/n degrees with exact seams loses (1 - nu) beta^2 / 18 of its area: 13.7 % for n = 4, 3.43 %
+    // for 8. The series is of second order in beta, so its error here is 10 %.
     const double before = plan.tiles[0].accuracy.area_error;
     EXPECT_NEAR(before, -quarter_turn * quarter_turn / 18, 0.015);
     for (const Trial& half : proposal->halves) {
@@ -59,7 +59,7 @@ TEST(ProposeSplit, HalvesTheQuarterSphereFromPoleToPoleAsPredicted) {
         EXPECT_LE(half.verdict.findings.size(), plan.tiles[0].verdict.findings.size());
         EXPECT_LT(half.accuracy.energy, 0.1 * plan.tiles[0].accuracy.energy);
     }
-    // The meridian goes through vertices, so each half has those of an eighth, with diagonals that all lean one way.
+    // The meridian passes through vertices, so each half has those of an eighth, with parallel diagonals.
     const CutPlan eighth = flat({gore("eighth", quarter_turn / 2, 6)});
     for (const Trial& half : proposal->halves) {
         EXPECT_EQ(half.triangles, eighth.tiles[0].tile.mesh.triangle_count());
@@ -99,7 +99,7 @@ TEST(AddProposals, ProposesNothingWhereAHalfIsWorseAndNoneCanBeMade) {
         << "every half fails in strain too, which the whole is said not to";
 }
 
-/// Where the middle of the line lies between the corners of a gore: its distance from both meridians.
+/// The place of the line's middle between the corners of a gore: its distances from both meridians.
 std::array<double, 2> from_meridians(const FlatTile& tile) {
     const std::vector<Vec3>& line = tile.proposal->line;
     const Vec3& middle = line[line.size() / 2];
@@ -128,7 +128,7 @@ TEST(AddProposals, GoToTilesThatAreCutAlikeWhereverTheyLie) {
     for (std::size_t i = 1; i < 3; ++i) {
         ASSERT_TRUE(plan.tiles[i].proposal) << i;
         EXPECT_EQ(plan.tiles[i].proposal->direction, plan.tiles[0].proposal->direction);
-        // a gore is its own mirror image, so the sides may have changed places
+        // a gore is its own mirror image, so the sides may be exchanged
         const std::array<double, 2> here = from_meridians(plan.tiles[i]);
         EXPECT_NEAR(std::min(here[0], here[1]), std::min(there[0], there[1]), 1e-6) << i;
         EXPECT_NEAR(std::max(here[0], here[1]), std::max(there[0], there[1]), 1e-6) << i;
@@ -172,7 +172,7 @@ TEST(HalfTile, KeepsWarpCornersCurveLengthsAndCompensation) {
         EXPECT_EQ(half->compensation.warp, 0.01);
         ASSERT_EQ(half->compensation.chains.size(), 4u);
     }
-    // what was drawn is drawn still, and the cut is as long on both sides
+    // drawn edges stay drawn, and the cut has the same length on both sides
     EXPECT_NEAR(drawn_lengths(left).sum() + drawn_lengths(right).sum(), drawn_lengths(whole).sum() + 2, 1e-12);
     const auto extra_at = [](const Tile& half, const Vec3& middle) {
         for (std::size_t c = 0; c < half.chains.size(); ++c) {
@@ -190,7 +190,7 @@ TEST(HalfTile, KeepsWarpCornersCurveLengthsAndCompensation) {
     EXPECT_EQ(extra_at(left, {2, 0.5, 0}), whole_extra({2, 0.5, 0}));
 }
 
-/// Two gores beside each other, sewn along the meridian between them.
+/// Two adjacent gores, sewn along the meridian between them.
 Envelope two_gores(double angle, int columns) {
     TriangleMesh second = testing::lune(angle, columns, 24);
     const double c = std::cos(angle), s = std::sin(angle);
@@ -199,7 +199,7 @@ Envelope two_gores(double angle, int columns) {
         second.positions.row(v) << c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z();
     }
     Envelope envelope{{gore("west", angle, columns), make_tile("east", second, {.warp = Vec3::UnitZ()})}};
-    // Turned, its vertices lie beside the first one's by rounding only: the seam is written down by hand.
+    // After rotation, its vertices match the first one's up to rounding only, so the seam is made by hand.
     const auto meridian = [&](int t, double longitude) {
         const Tile& tile = envelope.tiles[static_cast<std::size_t>(t)];
         for (std::size_t chain = 0; chain < tile.chains.size(); ++chain) {

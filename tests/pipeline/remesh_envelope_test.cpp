@@ -58,7 +58,7 @@ Tile remeshed(const TriangleMesh& mesh, const RemeshOptions& options, const Vec3
     return envelope.tiles[0];
 }
 
-/// Where the first vertices of the chains lie.
+/// The first vertices of the chains.
 Points3 corners_of(const Tile& tile) {
     Points3 corners(static_cast<Eigen::Index>(tile.chains.size()), 3);
     for (std::size_t c = 0; c < tile.chains.size(); ++c)
@@ -66,7 +66,7 @@ Points3 corners_of(const Tile& tile) {
     return corners;
 }
 
-/// How far the flat outline of a tile lies from that of another, laid on it by its corners; over the tile's size.
+/// The distance of a tile's flat outline from another's after aligning their corners, relative to the tile's size.
 double outline_difference(const Tile& tile, const Tile& good) {
     const auto flat = [](const Tile& t) { return method_named("seam-exact").flatten(t, Fabric{}).positions; };
     const Points2 mine = flat(tile), theirs = flat(good);
@@ -87,7 +87,7 @@ double outline_difference(const Tile& tile, const Tile& good) {
     return worst / bounding_diagonal(good.mesh);
 }
 
-/// What holds of every remeshed tile.
+/// Properties of every remeshed tile.
 void expect_sound(const Tile& before, const Tile& after, double least_degrees) {
     EXPECT_NO_THROW(require_disk(after.mesh, Adjacency(after.mesh.triangles, after.mesh.vertex_count()), "tile"));
     EXPECT_EQ(locked_edges(after.mesh), 0);
@@ -96,7 +96,7 @@ void expect_sound(const Tile& before, const Tile& after, double least_degrees) {
     EXPECT_EQ(corners_of(after), corners_of(before));
     EXPECT_EQ(after.grain.direction, before.grain.direction);
     EXPECT_EQ(after.grain.source, before.grain.source);
-    // Two triangles on one smooth surface, the old one beneath the new one's middle: no fold.
+    // Both triangles lie on one smooth surface, the old one below the middle of the new one, so there is no fold.
     for (int t = 0; t < after.mesh.triangle_count(); ++t) {
         const Vec3 middle = (after.mesh.corner(t, 0) + after.mesh.corner(t, 1) + after.mesh.corner(t, 2)) / 3;
         const Vec3 normal = (after.mesh.corner(t, 1) - after.mesh.corner(t, 0))
@@ -105,7 +105,7 @@ void expect_sound(const Tile& before, const Tile& after, double least_degrees) {
     }
 }
 
-// An inscribed mesh of 40 x 40 cells lacks 1e-4 of the sphere's area, so its shape is known to about that.
+// An inscribed mesh of 40 x 40 cells lacks 1e-4 of the sphere's area, which is about the accuracy of its shape.
 Tile good_tile() {
     return one_tile(sphere_grid(half, 40, 40)).tiles[0];
 }
@@ -156,7 +156,7 @@ TEST_F(Remeshing, OfTooFineAMeshKeepsItsShape) {
 }
 
 TEST_F(Remeshing, OfACoarseOctantComesNearerToTheSphere) {
-    const TriangleMesh coarse = octant(10);  // 100 triangles, 9 degrees an edge
+    const TriangleMesh coarse = octant(10);  // 100 triangles, 9 degrees per edge
     const Tile before = one_tile(coarse).tiles[0], tile = remeshed(coarse, automatic);
     const Tile fine = one_tile(octant(64)).tiles[0];
     expect_sound(before, tile, 15);
@@ -164,10 +164,11 @@ TEST_F(Remeshing, OfACoarseOctantComesNearerToTheSphere) {
     const double area_before = surface_area(before.mesh) / area - 1, area_after = surface_area(tile.mesh) / area - 1;
     EXPECT_LT(std::abs(area_after), 0.1 * std::abs(area_before));
     EXPECT_LT(std::abs(area_after), 1e-3);
-    // The chains are known to sixth order of their turn: 9 degrees to the sixth is 1.5e-5, over some thousand.
+    // The error of the chains is of sixth order in their turn: (9 degrees)^6 is 1.5e-5, divided by some thousand.
     EXPECT_NEAR(drawn_lengths(tile).sum(), 3 * edge, 3 * edge * 1e-6);
     EXPECT_LT(outline_difference(tile, fine), 0.1 * outline_difference(before, fine));
-    // The old triangles' middles lie 6e-3 within the sphere; a tenth of it near the corners, where normals are known least.
+    // The middles of the old triangles lie 6e-3 inside the sphere; a tenth of it remains near the corners, where
+    // normals are least accurate.
     const Eigen::VectorXd off = tile.mesh.positions.rowwise().norm().array() - 1;
     EXPECT_LT(off.cwiseAbs().maxCoeff(), 6e-4);
     EXPECT_LT(off.cwiseAbs().mean(), 1e-4);
@@ -182,7 +183,7 @@ TEST_F(Remeshing, OfACoarseTorusComesNearerToTheFineOne) {
     EXPECT_LT(outline_difference(tile, fine), 0.3 * outline_difference(before, fine));
 }
 
-/// The largest strain of the cloth of a tile laid flat, and by how much its flat area differs from the true one.
+/// The largest strain of a flattened tile, and the error of its flat area.
 struct Laid {
     double strain = 0, area_error = 0;
 };
@@ -202,7 +203,7 @@ TriangleMesh strap(int along, int across, double width, double slant) {
     });
 }
 
-// A strap round half a cylinder of 100 mm radius. Its facets are short by t^2 / 24 of its area: 0.6 % with 8 quads.
+// A strap around half a cylinder of 100 mm radius. Its facets lack t^2 / 24 of its area: 0.6 % with 8 quads.
 TEST_F(Remeshing, OfAStrapStaysOnTheCylinderAndDevelopable) {
     for (const int quads : {7, 10, 16, 20})
         for (const double width : {0.02, 0.05, 0.1})
@@ -258,7 +259,7 @@ TEST_F(Remeshing, KeepsACreaseSharp) {
 }
 
 TEST_F(Remeshing, KeepsTheVertexWhereAnEdgeGoesOverACrease) {
-    // The ridge of a roof meets its eaves at 0.37 of their length: no even division has a vertex there.
+    // The ridge of a roof meets its eaves at 0.37 of their length, where no even division has a vertex.
     const TriangleMesh roof = grid(10, 6, [](double u, double v) {
         const double x = u <= 0.5 ? 0.74 * u : 0.37 + 1.26 * (u - 0.5);
         return Vec3(x, v, 0.37 - std::abs(x - 0.37));
@@ -285,7 +286,7 @@ TEST_F(Remeshing, CarriesTheWarpOfEachTriangle) {
     ASSERT_EQ(tile.grain.field.rows(), tile.mesh.triangle_count());
     for (int t = 0; t < tile.mesh.triangle_count(); ++t) {
         const Vec3 middle = (tile.mesh.corner(t, 0) + tile.mesh.corner(t, 1) + tile.mesh.corner(t, 2)) / 3;
-        // The field changes by as much as its argument, over the 0.06 m of an old triangle.
+        // The field changes as much as its argument, over the 0.06 m of an old triangle.
         EXPECT_LT((Vec3(tile.grain.field.row(t)) - Vec3(0, middle.y(), 1).normalized()).norm(), 0.06);
     }
 }
@@ -366,12 +367,13 @@ TEST_F(Remeshing, FindsTheCornersInABrickWall) {
     for (std::size_t t = 0; t < before.tiles.size(); ++t) {
         const std::vector<double> was = chain_lengths(before.tiles[t]), is = chain_lengths(envelope.tiles[t]);
         for (std::size_t c = 0; c < was.size(); ++c)
-            EXPECT_NEAR(is[c], was[c], 2 * millimetre) << before.tiles[t].name;  // open edges: smooth for polyline
+            EXPECT_NEAR(is[c], was[c], 2 * millimetre) << before.tiles[t].name;  // open edges: smooth curve
+                                                                                 // instead of a polyline
     }
 }
 
 TEST_F(Remeshing, OfATileSewnToItselfKeepsItsSeam) {
-    // A cone cut open along a ruling: both its straight edges are one seam.
+    // A cone cut open along a ruling: both of its straight edges are one seam.
     const TriangleMesh mesh = grid(16, 4, [](double u, double v) {
         const double slant = 0.5 + 1.5 * v, turn = 2 * std::numbers::pi * u;
         return Vec3(slant * std::sin(0.4) * std::cos(turn), slant * std::sin(0.4) * std::sin(turn),
@@ -445,7 +447,7 @@ int kinds_of(const std::vector<Tile>& tiles) {
         std::count_if(likeness.begin(), likeness.end(), [](const Likeness& like) { return like.to < 0; }));
 }
 
-/// As a file has it that keeps so many decimals.
+/// The coordinates as a file with so many decimals stores them.
 std::vector<NamedMesh> rounded(std::vector<NamedMesh> meshes, int decimals) {
     const double step = std::pow(10, -decimals);
     for (NamedMesh& named : meshes) named.mesh.positions = (named.mesh.positions / step).array().round() * step;
@@ -520,7 +522,7 @@ TEST_F(Remeshing, LeavesTilesCutAlongTheEdgesOfAMeshBeforeAnyWork) {
     EXPECT_THAT(input.remarks, ::testing::Contains(HasSubstr("cut along the edges of a mesh")));
 }
 
-/// Every tile is either remeshed or as it was, and a remark counts the latter.
+/// Expects every tile to be remeshed or unchanged, and a remark to count the unchanged ones.
 void expect_failures_as_they_were(const Envelope& before, const Envelope& after,
                                   const std::vector<std::string>& remarks, const std::string& why) {
     int kept = 0;
@@ -536,7 +538,7 @@ void expect_failures_as_they_were(const Envelope& before, const Envelope& after,
 }
 
 TEST_F(Remeshing, LeavesTilesWhoseSeamsWouldBeOthers) {
-    // So coarse that the sides of some seams lie beside each other for a part of their length only.
+    // So coarse that the sides of some seams are close for part of their length only.
     Envelope envelope = make_envelope(meshed_apart(small_design(), 3), {});
     const Envelope before = envelope;
     const std::vector<std::string> remarks = remesh_envelope(envelope, at(0.6));
@@ -545,7 +547,7 @@ TEST_F(Remeshing, LeavesTilesWhoseSeamsWouldBeOthers) {
 }
 
 TEST_F(Remeshing, KeepsTheCreasesOfACrumpledTile) {
-    // Crumpled at the size of its triangles: nearly every edge is a crease, however long the edges are to be.
+    // Crumpled at the size of its triangles, so nearly every edge is a crease at any edge length.
     std::mt19937 random(3);
     Envelope envelope = one_tile(grid(
         30, 30, [&](double u, double v) { return Vec3(0.06 * static_cast<double>(random() % 1000) / 1000, u, v); }));
@@ -555,7 +557,7 @@ TEST_F(Remeshing, KeepsTheCreasesOfACrumpledTile) {
     EXPECT_NEAR(surface_area(envelope.tiles[0].mesh) / area, 1, 5e-4);
 }
 
-/// A square metre of waves both ways, smooth for its triangles.
+/// A square metre with waves in both directions, smooth for its triangles.
 TriangleMesh egg_box(int waves, int cells, double steepest) {
     const double turns = 2 * std::numbers::pi * waves, height = std::tan(steepest) / turns;
     return grid(cells, cells,
@@ -563,7 +565,7 @@ TriangleMesh egg_box(int waves, int cells, double steepest) {
 }
 
 TEST_F(Remeshing, LeavesATileThatWouldFold) {
-    // Flanks of 68 degrees, on edges about as long as half a wave even where smaller ones are tried.
+    // Flanks of 68 degrees, on edges about as long as half a wave even if smaller ones are tried.
     Envelope envelope = one_tile(egg_box(2, 80, 68 * degree));
     const Envelope before = envelope;
     const std::vector<std::string> remarks = remesh_envelope(envelope, at(2));
@@ -571,7 +573,7 @@ TEST_F(Remeshing, LeavesATileThatWouldFold) {
 }
 
 TEST_F(Remeshing, LeavesATileThatWouldLoseItsArea) {
-    // No triangle is turned by 60 degrees where none stands steeper than 28; the waves have 6 % of the area.
+    // No triangle is turned by 60 degrees if none is steeper than 28; the waves have 6 % of the area.
     Envelope envelope = one_tile(egg_box(3, 60, 28 * degree));
     const Envelope before = envelope;
     const std::vector<std::string> remarks = remesh_envelope(envelope, at(2));
@@ -586,7 +588,7 @@ TEST_F(Remeshing, RefusesALengthThatMeansNothing) {
 }
 
 TEST_F(Remeshing, AtALengthBeyondTheTileLeavesItSomeTrianglesAndItsArea) {
-    // As few triangles as a tile may have would lack 1 % of its area, so smaller ones are taken: not many, but enough.
+    // The minimum number of triangles would lose 1 % of the area, so smaller ones are used: not many, but enough.
     const TriangleMesh mesh = sphere_grid(half, 12, 12);
     const Tile tile = remeshed(mesh, at(50));
     EXPECT_GT(tile.mesh.triangle_count(), 8);

@@ -1,4 +1,5 @@
-/// A floor with a round outline and a wall round it: what is a polygon to one is a polygon to the other.
+/// A floor with a round outline and a wall around it: both must take their common line as a polygon, or both as a
+/// curve.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,7 +52,7 @@ Envelope pool(int sides, bool floor_first) {
     return envelope;
 }
 
-/// How wide the wall is cut below and above [m].
+/// The widths of the cut wall at the bottom and at the top [m].
 std::pair<double, double> widths(const CutPlan& plan) {
     const FlatTile& wall = plan.tiles[plan.tiles[0].tile.name == "WALL" ? 0 : 1];
     const FlatTile& bottom = plan.tiles[plan.tiles[0].tile.name == "WALL" ? 1 : 0];
@@ -81,8 +82,8 @@ Outcome outcome(const Envelope& given, const RemeshOptions& remesh) {
     return result;
 }
 
-/// What a regular polygon leaves open of the length of the curve through its corners, as a share (`find_seams`): what
-/// is unknown of the curve, and where it stays a polygon what that is short by. One with corners leaves nothing open.
+/// The uncertainty of the length of the curve through a regular polygon's corners, as a share (`find_seams`): the
+/// unknown part of the curve, and, if it stays a polygon, what the polygon lacks. A polygon with corners has none.
 double open_share(int sides, bool is_round) {
     if (sides < 12) return 0;
     const double turn = 2 * std::numbers::pi / sides, short_by = turn * turn / 24;
@@ -104,7 +105,7 @@ TEST(RoundPool, IsCutAsWideAboveAsBelowWhateverItsSides) {
                 const double polygon = 2 * radius * sides * std::sin(std::numbers::pi / sides);
                 const bool is_round = sides >= 12 && mode == RemeshMode::automatic && std::abs(above - circle) < 2e-3;
                 EXPECT_TRUE(is_round || std::abs(above - polygon) < 1e-3) << what << " " << above;
-                const bool doubted = open_share(sides, is_round) > 0.001;  // round: below 14 sides; else up to 40
+                const bool doubted = open_share(sides, is_round) > 0.001;  // round: below 14 sides; otherwise up to 40
                 EXPECT_EQ(has(made.plan.findings, "uncertain"), doubted) << what;
                 EXPECT_EQ(has(made.check.issues, "uncertain"), doubted) << what;
                 EXPECT_EQ(made.plan.manufacturable(), !doubted) << what;

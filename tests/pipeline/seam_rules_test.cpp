@@ -20,7 +20,8 @@ Project project_of(const std::string& text) {
     return read_project(in, "plan.json");
 }
 
-/// Three gores of two panels: vertical seams between gores, horizontal ones between panels, mouth and crown open.
+/// Three gores of two panels: vertical seams between gores, horizontal ones between panels; mouth and crown are
+/// open.
 std::vector<NamedMesh> balloon() {
     return design_natural({.gores = 12, .panels = 2, .edge_length = 0.8});
 }
@@ -31,7 +32,7 @@ Envelope sewn(const std::string& project) {
     return make_envelope(balloon(), options);
 }
 
-/// `G01P01 G01P02` and their type.
+/// The seam types by their tiles, `G01P01 G01P02`.
 std::map<std::string, SeamType> types(const Envelope& envelope) {
     std::map<std::string, SeamType> found;
     for (const Seam& seam : envelope.seams) {
@@ -101,7 +102,7 @@ TEST(SeamRules, TypesOfTheProjectTakeThePlaceOfTheDefaults) {
 }
 
 TEST(SeamRules, TellAlongTheWarpFromAcross) {
-    // a quarter turn of the warp turns vertical seams into ones across it
+    // rotating the warp by a quarter turn makes vertical seams run across it
     for (const bool turned : {false, true}) {
         const std::string warp = turned ? R"({"turn_deg": 90})" : R"({"turn_deg": 0})";
         const Envelope envelope = sewn(R"({"tiles": [{"name": "*", "warp": )" + warp + R"(}], "seams": [

@@ -1,4 +1,4 @@
-/// From the seams that were found to the cloth: what is sewn together is cut to one length.
+/// From the seams to the cloth: edges that are sewn together are cut to one length.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace seams_test {
 
-/// Length of a side of a seam on the cloth; of an edge that two seams share, each has its share.
+/// The length of a side of a seam on the cloth; an edge that two seams share counts in proportion.
 double flat_length(const CutPlan& plan, const SeamSide& side) {
     const FlatTile& tile = plan.tiles[static_cast<std::size_t>(side.tile)];
     const Eigen::VectorXd flat = edge_lengths(tile.flattening.positions, closed(tile.tile.boundary));
@@ -29,7 +29,7 @@ double worst_mismatch(const Envelope& envelope) {
     return worst;
 }
 
-/// By how much the two sides differ as their own polylines.
+/// The length difference of the two sides as polylines.
 double polyline_mismatch(const Envelope& envelope) {
     double worst = 0;
     for (const Seam& seam : envelope.seams) {
@@ -53,7 +53,7 @@ TEST(SeamExact, CutsTilesMeshedApartToTheSameLengths) {
     const Envelope envelope = make_envelope(testing::meshed_apart(design, 2), {});
     ASSERT_EQ(static_cast<int>(envelope.seams.size()), testing::seam_count(design));
     EXPECT_GT(polyline_mismatch(envelope), 1e-4) << "as polylines they would differ: nothing was shown";
-    // the solver's own residual of an edge, far below the hundredth of a millimetre on a metre that is wanted
+    // the solver's residual of an edge, far below the required 0.01 mm per metre
     EXPECT_LT(worst_mismatch(envelope), 1e-8);
 }
 

@@ -145,7 +145,7 @@ TEST(FlattenEnvelope, CutsNoTwoAllowancesByOnePattern) {
 }
 
 TEST(SeamMatched, HasTheSameEnergyAsATileOfItsOwnFabricHas) {
-    // The same cloth said in two ways, once of the envelope and once of each tile, is one problem.
+    // The same cloth, stated once for the envelope and once for each tile, gives the same problem.
     Envelope whole = testing::gores({0.3, 0.2}, 4, 4, 10), own = whole;
     const Fabric nylon = fabric_named("nylon"), polyester = fabric_named("polyester");
     for (Tile& tile : own.tiles) tile.fabric = nylon;

@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace wanted_cloth_test {
 
-/// How long the cloth of each side of a seam is to be.
+/// The wanted length of the cloth of each side of a seam.
 double cloth_of(const Envelope& envelope, const SeamSide& side) {
     const Tile& tile = envelope.tiles[static_cast<std::size_t>(side.tile)];
     const Eigen::VectorXd drawn = drawn_lengths(tile), wanted = target_lengths(tile);
@@ -45,7 +45,8 @@ TEST(WantedCloth, OfALargerTargetIsThatMuchLarger) {
 }
 
 TEST(WantedCloth, IsAsLongOnBothSidesOfEverySeamHoweverTheyAreMeshed) {
-    // every second row shifted by half a tile, each row with its own number of edges: T-junctions within edges
+    // every second row is shifted by half a tile, and each row has its own number of edges: T-junctions within
+    // edges
     Envelope envelope = testing::tiles_of(testing::brick_wall(3, 5));
     add_seams(envelope, {});
     ASSERT_GT(envelope.seams.size(), 15u);

@@ -30,7 +30,7 @@ BoundarySlopes slopes_of(const Tile& tile) {
     return slopes;
 }
 
-/// The row of a tile and what it needs to live.
+/// The row of a tile and the data it refers to.
 struct Found {
     Tile tile;
     std::optional<FacetRow> row;
@@ -39,7 +39,7 @@ struct Found {
     }
 };
 
-/// The largest distance from a cylinder about the z axis, at the middles of triangles and edges.
+/// The largest distance from a cylinder about the z axis, at the midpoints of triangles and edges.
 double off_the_cylinder(const Found& found, double radius) {
     double worst = 0;
     for (int t = 0; t < found.tile.mesh.triangle_count(); ++t)
@@ -57,7 +57,7 @@ TEST(FacetRow, OfACylinderIsTheCylinderWithAnyNumberOfQuadsAcross) {
             ASSERT_TRUE(found.row) << along << " x " << across;
             EXPECT_EQ(found.row->cell_count(), along);
             const double turn = pi / along;
-            EXPECT_LT(off_the_cylinder(found, 1), 1e-3 * std::pow(turn, 4));  // the facets are t^2 / 8 inside
+            EXPECT_LT(off_the_cylinder(found, 1), 1e-3 * std::pow(turn, 4));  // the facets are t² / 8 inside
         }
 }
 
@@ -65,11 +65,11 @@ TEST(FacetRow, OfASlantedStrapIsTheCylinderToo) {
     const Found found(
         grid(10, 1, [](double u, double v) { return Vec3(std::cos(pi * u), std::sin(pi * u), u + 0.2 * v); }));
     ASSERT_TRUE(found.row);
-    EXPECT_LT(off_the_cylinder(found, 1), 1e-3);  // the helix is known to fourth order: t^4 = 0.0097
+    EXPECT_LT(off_the_cylinder(found, 1), 1e-3);  // the helix is accurate to fourth order: t^4 = 0.0097
 }
 
 TEST(FacetRow, OfAConeAndItsTipLiesOnTheCone) {
-    // |z| = r / tan(0.4): a fan about the tip, and bands, which hang below it.
+    // z| = r / tan(0.4): a fan around the tip, and bands below it.
     TriangleMesh fan;
     fan.positions.resize(10, 3);
     fan.triangles.resize(8, 3);
@@ -90,7 +90,7 @@ TEST(FacetRow, OfAConeAndItsTipLiesOnTheCone) {
 }
 
 TEST(FacetRow, OfSkewQuadsIsRuledBetweenBothSides) {
-    // Tangents of a helix: quads between them are not flat, whichever way they are cut.
+    // Tangents of a helix: quads between them are not flat, whichever diagonal divides them.
     const Found found(tangent_developable(0.5, 0.4, 1.6, 0.1, 0.8, 8, 4));
     ASSERT_TRUE(found.row);
     EXPECT_EQ(found.row->cell_count(), 8);
@@ -107,7 +107,8 @@ TEST(FacetRow, OfSkewQuadsIsRuledBetweenBothSides) {
             double nearest = 1;
             for (const double v : {v0, v1})
                 for (const double s : {t, 1.6 - t}) nearest = std::min(nearest, (at - on(s, v)).norm());
-            EXPECT_LT(nearest, 2e-3) << along << " " << across;  // t^4 over some: the chords are 5e-3 off
+            EXPECT_LT(nearest, 2e-3) << along << " " << across;  // t^4 divided by a small number: the chords are
+                                                                 // 5e-3 off
         }
     }
 }

@@ -23,7 +23,7 @@ TEST(MeshState, KnowsTheTurnsAndTheCurvatureOfACylinder) {
     const MeshState state = state_of(cylinder(2, 1, 1.5, 20, 6));
     EXPECT_NEAR(state.boundary_turn, 1.0 / 20, 1e-9);
     EXPECT_NEAR(state.turn_max, 1.0 / 20, 1e-9);
-    EXPECT_NEAR(state.curvature, 0.5 * 19 / 20, 1e-3);  // 19 of its 20 strips' edges turn
+    EXPECT_NEAR(state.curvature, 0.5 * 19 / 20, 1e-3);  // the edges of 19 of its 20 strips turn
 }
 
 TEST(MeshState, ACoarseBoundaryIsAFaultFromHalfTheTolerance) {
@@ -50,7 +50,7 @@ TEST(MeshState, AFlatTileIsNeverWorthIt) {
 TEST(MeshState, TheNeededEdgeGivesFiveDegreesWithinAThousandToFourThousandTriangles) {
     const MeshState flat = state_of(rectangle(4, 1, 8, 2));
     EXPECT_NEAR(flat.area / (std::sqrt(3.0) / 4 * std::pow(needed_edge(flat), 2)), 1000, 1e-6);
-    // Two curvatures of 1: the turns of a sphere's triangles add up to about 2 over its area.
+    // Two curvatures of 1: the turns of a sphere's triangles, over its area, sum to about 2.
     EXPECT_NEAR(needed_edge(state_of(octant(48))), 5 * degree / 2, 0.2 * 5 * degree / 2);
     const MeshState crumpled = state_of(lune(std::numbers::pi, 4, 4));
     EXPECT_GE(needed_edge(crumpled), edge_of(crumpled.area, 4000));
@@ -60,7 +60,7 @@ TEST(MeshState, ATileCutAlongTheEdgesOfAMeshIsJagged) {
     EXPECT_FALSE(state_of(octant(10)).is_jagged());
     EXPECT_FALSE(state_of(cylinder(2, 1, 1.5, 20, 6)).is_jagged());
     EXPECT_FALSE(state_of(rectangle(1, 1, 1, 1)).is_jagged());
-    // A sphere's grid without every second cell along two of its sides: a corner at every vertex there.
+    // A grid of a sphere without every second cell along two of its sides, so that every vertex there is a corner.
     const TriangleMesh whole = sphere_grid(0.5, 12, 12);
     std::vector<int> kept;
     for (int cell = 0; cell < 144; ++cell)

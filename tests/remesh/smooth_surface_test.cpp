@@ -31,7 +31,7 @@ BoundarySlopes slopes_of(const Tile& tile) {
     return slopes;
 }
 
-/// The largest distance of the surface from the unit sphere, at the middles of triangles and edges.
+/// The largest distance of the surface from the unit sphere, at the midpoints of triangles and edges.
 double off_the_sphere(const TriangleMesh& mesh) {
     const Tile tile = make_tile("tile", mesh, {.warp = Vec3(0.1, 0.2, 1)});
     const SmoothSurface surface(mesh, Adjacency(mesh.triangles, mesh.vertex_count()), tile.boundary, {},

@@ -14,7 +14,7 @@ namespace order_test {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Two squares of a metre sewn together along a side, tape in the seam, hems round them.
+/// Two squares of one metre sewn together along a side, with a tape in the seam and hems around them.
 PieceSet two_squares() {
     PieceSet set = testing::loose_set({testing::rectangle_piece("A", 1, 1), testing::rectangle_piece("B", 1, 1)});
     set.seam_types = {{"taped", 0.025, 2, true}, {"hem", 0.025, 1, false}};

@@ -21,7 +21,7 @@ using nlohmann::json;
 const std::vector<double> shares{-2.0, -1.0001, -1.0, -0.999, -0.5,  -1e-9,   0.0,       0.003,       0.25,
                                  0.5,  0.7512,  0.99, 1.0,    1.001, 12.3456, 12345.678, std::nan("")};
 
-/// Nothing where there is no Node.js.
+/// What the page says about a plan; null without Node.js.
 json page_says(const CutPlan& plan) {
     if (testing::run_command("node --version").code != 0) return {};
     json input = {{"report", json::parse(report_json(plan, true))}, {"shares", shares}};

@@ -25,7 +25,7 @@ using ::testing::ElementsAre;
 using ::testing::IsSupersetOf;
 using testing::Raster;
 
-using Pictures = std::map<std::string, std::string>;  // by their names, their bytes
+using Pictures = std::map<std::string, std::string>;  // bytes by name
 
 Pictures pictures_of(const CutPlan& plan, const std::vector<StrainMap>& strains, int threads = 0) {
     const testing::ScratchDirectory scratch(std::to_string(threads));
@@ -46,7 +46,7 @@ std::vector<std::string> names(const Pictures& pictures) {
     return result;
 }
 
-/// A sheet of 2 m x 2 m that stands upright and faces the front, of one strain along the warp.
+/// An upright sheet of 2 m x 2 m that faces the front, with a uniform strain along the warp.
 CutPlan standing_sheet() {
     Points2 corners(4, 2);
     corners << 0, 0, 2, 0, 2, 2, 0, 2;
@@ -68,7 +68,7 @@ bool is_about(const std::array<int, 3>& colour, int red, int green, int blue) {
     return std::abs(colour[0] - red) < 4 && std::abs(colour[1] - green) < 4 && std::abs(colour[2] - blue) < 4;
 }
 
-/// Pixels of about this colour in a part of a picture.
+/// The number of pixels of about this colour in a part of a picture.
 int count(const Raster& raster, std::array<int, 3> colour, int left, int top, int right, int bottom) {
     int found = 0;
     for (int y = top; y < bottom; ++y)
@@ -140,10 +140,10 @@ TEST(PngPictures, KeepWithinThePageHoweverLongTheNames) {
     const Pictures pictures = pictures_of(plan);
     EXPECT_EQ(pictures.size(), 12u);
     for (const auto& [name, bytes] : pictures) {
-        if (name == "seams.png") continue;  // seam_picture's, whose head is one line
+        if (name == "seams.png") continue;  // made by seam_picture, whose head is one line
         const Raster picture = testing::read_png(bytes);
         ASSERT_GT(picture.width, 0) << name;
-        // The strip at the top says the verdict by its colour.
+        // The colour of the strip at the top shows the verdict.
         const int clear = count(picture, {255, 255, 255}, 0, 7, 12, picture.height) +
                           count(picture, {255, 255, 255}, picture.width - 12, 7, picture.width, picture.height);
         EXPECT_EQ(clear, 24 * (picture.height - 7)) << name;

@@ -9,7 +9,7 @@
 namespace ripstop::testing {
 namespace {
 
-/// A place in [0, 1] moved by up to a third of itself, ends kept.
+/// A place in [0, 1] moved by up to a third of itself; the ends stay.
 double uneven(double t, double by) {
     return t + by * std::sin(std::numbers::pi * t) * t * (1 - t);
 }

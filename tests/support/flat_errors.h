@@ -6,10 +6,10 @@
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/model/tile/tile.h"
 
-/// What a flattening gets wrong, by the definitions and nothing else.
+/// Errors of a flattening, directly by their definitions.
 namespace ripstop::testing {
 
-/// Largest |L'/L - 1| over the edges of all triangles: zero exactly on an isometry.
+/// The largest |L'/L - 1| over the edges of all triangles; zero only for an isometry.
 inline double worst_edge_error(const TriangleMesh& mesh, const Points2& flat) {
     double worst = 0;
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -39,7 +39,8 @@ inline double perimeter_error(const Tile& tile, const Points2& flat) {
            1;
 }
 
-/// Largest distance between corresponding vertices where either may have been turned by half a turn: a grain has no head.
+/// The largest distance between corresponding vertices if either may be turned by half a turn: a grain line has no
+/// direction.
 inline double distance_up_to_half_turn(const Points2& one, const Points2& other) {
     return std::min((one - other).rowwise().norm().maxCoeff(), (one + other).rowwise().norm().maxCoeff());
 }

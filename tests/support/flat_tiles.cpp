@@ -73,7 +73,7 @@ FlatTile sinusoidal_gore(const std::string& name) {
 }
 
 FlatTile flat_polygon(const std::string& name, const Points2& corners) {
-    // Ears are cut off one by one; test polygons are small.
+    // Ear clipping; test polygons are small.
     std::vector<int> left;
     for (int i = 0; i < corners.rows(); ++i) left.push_back(i);
     std::vector<Eigen::Vector3i> triangles;

@@ -17,7 +17,7 @@ bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d
     return orient2d(a, b, c) * orient2d(a, b, d) < 0 && orient2d(c, d, a) * orient2d(c, d, b) < 0;
 }
 
-/// Zero where they overlap.
+/// Zero if they overlap.
 double distance_between(const Points2& a, const Points2& b) {
     if (contains(a, Vec2(b.row(0))) || contains(b, Vec2(a.row(0)))) return 0;
     double least = 1e9;

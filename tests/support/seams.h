@@ -5,19 +5,19 @@
 
 #include "ripstop/model/plan/cut_plan.h"
 
-/// Seams and flat tiles made by hand, for what comes after seams are found.
+/// Seams and flat tiles made by hand, for the steps after finding seams.
 namespace ripstop::testing {
 
-/// One side of a seam: edges `from` to `to` - 1 of the chain, whole, as long as drawn.
+/// One side of a seam: the whole edges `from` to `to` - 1 of the chain, as long as drawn.
 SeamSide run_of_chain(const Envelope& envelope, int tile, int chain, int from, int to);
 
-/// The length of the parts together.
+/// The total length of the parts.
 double length(const SeamSide& side);
 
-/// The tile as it would be flattened by a method that did this with it: unjudged, and `on_curve` as `edges_on_curve`.
+/// The tile as if a method had flattened it to these positions: unjudged, with `on_curve` as `edges_on_curve`.
 FlatTile flattened(const Tile& tile, const Points2& positions, bool on_curve = false);
 
-/// The tiles of an envelope laid flat as they are: their x and y.
+/// The tiles of an envelope projected to their x and y.
 std::vector<FlatTile> laid_flat(const Envelope& envelope);
 
 /// Three sheets sewn and walked: `left`, 1 m x 2 m, and at its right side `low` and `high`, 1 m x 1 m each. `high` is cut 2 mm

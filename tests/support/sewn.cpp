@@ -12,7 +12,7 @@ namespace {
 
 using Place = std::array<long long, 3>;
 
-/// Where a boundary edge begins and ends, to 0.1 micrometres.
+/// The ends of a boundary edge, rounded to 0.1 micrometres.
 std::pair<Place, Place> ends(const Tile& tile, int edge) {
     const auto place = [&](int i) {
         const Vec3 point = tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>(i) % tile.boundary.size()]);
@@ -26,7 +26,7 @@ struct Edge {
     int tile = -1, chain = -1, edge = -1;
 };
 
-/// Flat length from a seam's start to the ends of its parts, against the length on the curve.
+/// Flat lengths from a seam's start to the ends of its parts, with the lengths along the curve.
 struct Cumulated {
     std::vector<double> drawn{0}, flat{0};
     double at(double s) const {

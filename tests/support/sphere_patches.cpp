@@ -13,7 +13,7 @@ Vec2 chart(const Vec3& point) {
     return {std::atan2(point.y(), point.x()), std::asin(point.z())};
 }
 
-/// The two flat_ends of a boundary edge, in longitude and latitude.
+/// The two ends of a boundary edge, in longitude and latitude.
 std::pair<Vec2, Vec2> flat_ends(const Tile& tile, int edge) {
     const auto point = [&](int i) {
         return chart(tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>(i) % tile.boundary.size()]));
@@ -37,7 +37,7 @@ Tile make_patch(const Patch& patch) {
     return tile;
 }
 
-/// The parts of a chain that lie between two values of the coordinate that runs along it (0 longitude, 1 latitude).
+/// The parts of a chain between two values of the coordinate that runs along it (0 longitude, 1 latitude).
 SeamSide side_between(const Envelope& envelope, int t, int chain, int along, double low, double high) {
     SeamSide side{t, chain, {}};
     const Tile& tile = envelope.tiles[static_cast<std::size_t>(t)];
@@ -50,7 +50,7 @@ SeamSide side_between(const Envelope& envelope, int t, int chain, int along, dou
     return side;
 }
 
-/// A chain as the circle it lies on and how far it goes there.
+/// The circle that a chain lies on, and its range there.
 struct Run {
     int along;
     double circle, low, high;

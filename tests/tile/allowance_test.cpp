@@ -7,7 +7,7 @@
 namespace ripstop {
 namespace allowance_test {
 
-/// `left`, 1 m x 2 m; at its right side `low` and `high`, 1 m x 1 m each: 5 edges of the seams' sheets are free.
+/// `left`, 1 m x 2 m; on its right side `low` and `high`, 1 m x 1 m each: 5 edges of these sheets are free.
 CutPlan plan_of_types() {
     CutPlan plan = testing::sewn_plan();
     plan.seams[0].type.allowance = 0.03;
@@ -49,7 +49,8 @@ TEST(EdgeAllowances, AreTheWiderWhereAnEdgeIsOnlyPartlySewn) {
 
 TEST(FreeLengths, AreWhatNoSeamHolds) {
     const std::vector<Eigen::VectorXd> left = free_lengths(plan_of_types());
-    // without the seams' metres: 6 - 2 of the left sheet, 4 - 2 of each other; sums of binary fractions of a metre
+    // without the metres of the seams: 6 - 2 of the left sheet, 4 - 2 of each other; sums of binary fractions of a
+    // metre
     EXPECT_NEAR(left[0].sum(), 4, 1e-12);
     EXPECT_NEAR(left[1].sum(), 2, 1e-12);
     EXPECT_NEAR(left[2].sum(), 2, 1e-12);

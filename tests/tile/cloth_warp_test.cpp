@@ -21,7 +21,7 @@ Points3 one(const Vec3& direction) {
     return direction.transpose();
 }
 
-/// The direction round z at the middle of each triangle, as the polygon goes.
+/// The direction around z at the middle of each triangle, in the polygon's direction.
 Vec3 round_z(const TriangleMesh& mesh, int t) {
     Vec3 normal = (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0));
     return Vec3::UnitZ().cross(normal).normalized();
@@ -58,7 +58,7 @@ TEST(ClothWarp, OfAHorizontalDirectionOnATubeRunsRoundIt) {
         }
 }
 
-/// The triangles of a cone at phi = 0, half way round from its cut, have their warp (or what `found` is) along y.
+/// Expects the warp (or `found`) of a cone's triangles at phi = 0, opposite its cut, to be along y.
 void expect_round_in_the_middle(const TriangleMesh& cone, const Points3& found) {
     for (int t = 0; t < cone.triangle_count(); ++t) {
         const Vec3 middle = (cone.corner(t, 0) + cone.corner(t, 1) + cone.corner(t, 2)) / 3;
@@ -68,7 +68,8 @@ void expect_round_in_the_middle(const TriangleMesh& cone, const Points3& found) 
 }
 
 TEST(ClothWarp, RunsAlongThePatternWhereItHasNoAxisOfItsOwn) {
-    // at this angle lines round the cone point nearly every way on its sector, whose long way is across its middle
+    // at this angle, lines around the cone take nearly all directions on its sector, whose long axis runs across
+    // its middle
     const TriangleMesh mesh = testing::cone(0.3, 2 * pi, 1, 2.5, 24, 4);
     const ClothWarp warp = lay_on_cloth(mesh, one(Vec3::UnitY()));
     EXPECT_TRUE(warp.laid_on_cloth);

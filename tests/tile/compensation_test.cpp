@@ -12,7 +12,7 @@ Tile gore() {
     return testing::gores({0.5}, 1, 4, 8).tiles[0];
 }
 
-/// Strain of the drawn surface seen from the cloth that is wanted, in its warp axes.
+/// The strain of the drawn surface relative to the wanted cloth, in its warp axes.
 Vec3 strain_on(const Tile& tile, const Mat22& target, int t) {
     const Eigen::Matrix2Xd warp = warp_in_triangles(tile);
     Mat22 axes;

@@ -50,7 +50,7 @@ TEST(Zigzags, AreNoCornersNoCurvesAndNoScallopsManyEdgesWide) {
 }
 
 TEST(Zigzags, AreOneARunBetweenTheNeighboursAndNameTheirSeams) {
-    // A disc whose lower half is a second tile: the cut between the two goes along the mesh as their outlines do.
+    // A disk whose lower half is a second tile: the cut between the two follows the mesh, as their outlines do.
     const std::vector<TriangleMesh> halves = cut_along_mesh(
         {0.1, 1, 0.2, 4}, [](const Vec2& p) { return p.norm() > 1 ? -1
                                                      : p.y() > 0  ? 0
@@ -69,7 +69,7 @@ TEST(Zigzags, AreOneARunBetweenTheNeighboursAndNameTheirSeams) {
             ++along_mate;
         EXPECT_EQ(zigzag.mate.empty() ? "" : zigzag.tile == 0 ? "lower" : "upper", zigzag.mate);
     }
-    EXPECT_EQ(along_mate, 2);  // one on either side
+    EXPECT_EQ(along_mate, 2);  // one on each side
     EXPECT_EQ(along_nothing, 2);
 }
 

@@ -15,9 +15,10 @@
 namespace ripstop {
 namespace {
 
-constexpr double length_tolerance = 0.001;  // of the paper: 1 mm on a metre
-constexpr double no_gap = 1e-6;             // [m] vertices in one place, but for the rounding of a file
-constexpr std::size_t most_misses = 8;      // with more of them than seams the tolerance is wrong, not the tiles
+constexpr double length_tolerance = 0.001;  // the paper's tolerance on lengths: 1 mm per metre
+constexpr double no_gap = 1e-6;             // [m] vertices in one place, up to the rounding of a file
+constexpr std::size_t most_misses = 8;      // if there are more near misses than this, and more than seams, the
+                                            // tolerance is wrong and not the tiles
 
 Vec3 size_of(const std::vector<Tile>& tiles) {
     Eigen::AlignedBox3d box;
@@ -26,7 +27,7 @@ Vec3 size_of(const std::vector<Tile>& tiles) {
     return box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
 }
 
-/// Is the unit wrong? Then tolerances mean nothing. Where it is only in doubt that is a note.
+/// Reports a wrong unit, which makes tolerances meaningless; returns true then. A doubtful unit is only a note.
 bool names_unit(const std::vector<Tile>& tiles, const UnitRead& read, EnvelopeCheck& check) {
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const Tile& tile : tiles) boxes.push_back(box_of(tile.mesh));
@@ -39,7 +40,7 @@ bool names_unit(const std::vector<Tile>& tiles, const UnitRead& read, EnvelopeCh
     return doubt->is_wrong;
 }
 
-/// A seam within a tile that has no gap and ends where its two sides come together.
+/// True for a seam within one tile that has no gap and ends where its two sides come together.
 bool is_crack(const std::vector<Tile>& tiles, const Seam& seam) {
     if (seam.a.tile != seam.b.tile || seam.gap > no_gap) return false;
     const auto count = static_cast<int>(tiles[static_cast<std::size_t>(seam.a.tile)].boundary.size());
@@ -49,7 +50,7 @@ bool is_crack(const std::vector<Tile>& tiles, const Seam& seam) {
     return meet(seam.a, seam.b) || meet(seam.b, seam.a);
 }
 
-/// Darts that are closed, or vertices that nobody welded: nothing in the file tells them apart.
+/// Notes closed darts and vertices that nobody welded. The file does not tell which of the two they are.
 void note_cracks(const std::vector<Tile>& tiles, const std::vector<Seam>& seams, EnvelopeCheck& check) {
     int cracks = 0;
     std::vector<std::string> names;
@@ -66,7 +67,7 @@ void note_cracks(const std::vector<Tile>& tiles, const std::vector<Seam>& seams,
                           "): sewn as a dart that is closed; where none is meant, weld the vertices there in the CAD");
 }
 
-/// What is worth a look though nothing need be wrong.
+/// Adds notes on what is worth a look but may be right.
 void add_notes(EnvelopeCheck& check) {
     const auto worst =
         std::max_element(check.sampling.begin(), check.sampling.end(),
@@ -87,7 +88,7 @@ void add_notes(EnvelopeCheck& check) {
             "do not fit");
 }
 
-/// Who is sewn into whose seam, where more than two tiles meet on an edge.
+/// Which tiles are sewn into which seams, where more than two tiles meet on an edge.
 std::string further_sheets_text(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
     const auto name = [&](const SeamSheet& sheet) { return tiles[static_cast<std::size_t>(sheet.side->tile)].name; };
     std::vector<std::string> edges, first;
@@ -109,7 +110,8 @@ std::string further_sheets_text(const std::vector<Tile>& tiles, const std::vecto
            " edges: two are sewn there, the others are sewn into their seam: " + names_text(edges);
 }
 
-/// The tiles without those that have the same on both sides: which side of them is up says nothing.
+/// The tiles without those that have the same surroundings on both sides, because it does not matter which side of
+/// them is up.
 std::vector<Tile> skin_of(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
     const std::vector<char> is_inner = find_inner_sheets(static_cast<int>(tiles.size()), seams);
     std::vector<Tile> skin;
@@ -118,7 +120,7 @@ std::vector<Tile> skin_of(const std::vector<Tile>& tiles, const std::vector<Seam
     return skin;
 }
 
-/// Lengths of the parts decide: how many edges a metre of seam has on its coarser side.
+/// How finely a seam is meshed: edges per metre of seam, on its coarser side, from the lengths of its parts.
 SeamSampling sampling_of(const std::vector<PlacedChain>& chains, const Seam& seam) {
     SeamSampling sampling{seam.id, seam.length, 0, 0};
     for (const SeamSide* side : {&seam.a, &seam.b}) {
@@ -135,13 +137,13 @@ SeamSampling sampling_of(const std::vector<PlacedChain>& chains, const Seam& sea
     return sampling;
 }
 
-/// Corners of a tile whose two chains are sewn to one chain of one neighbour, edge after edge: nothing else meets
-/// there.
+/// The number of corners that nothing needs: both chains of the tile there are sewn to one chain of one neighbour,
+/// edge by edge, and nothing else meets there.
 int count_odd_corners(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
     struct End {
         int tile, chain, edge;
     };
-    std::map<std::pair<int, int>, End> first, last;  // by boundary edge of a tile: the mate there
+    std::map<std::pair<int, int>, End> first, last;  // by boundary edge of a tile: its mate at the edge's end
     const auto add = [&](const SeamSide& side, const SeamSide& mate) {
         first[{side.tile, side.parts.front().edge}] = {mate.tile, mate.chain, mate.parts.back().edge};
         last[{side.tile, side.parts.back().edge}] = {mate.tile, mate.chain, mate.parts.front().edge};
@@ -173,7 +175,7 @@ int count_odd_corners(const std::vector<Tile>& tiles, const std::vector<Seam>& s
     return odd;
 }
 
-/// Ends of seams that lie within a chain of one side.
+/// The number of ends of seams that lie within a chain of one side.
 int count_t_junctions(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
     std::map<std::pair<int, int>, int> seams_on;
     for (const Seam& seam : seams)
@@ -219,7 +221,7 @@ void add_figures_of_seams(const Envelope& envelope, const FoundSeams& found, Env
     for (const Seam& seam : found.seams) {
         check.self_seams += seam.a.tile == seam.b.tile;
         check.sewn_in += seam.into.has_value();
-        if (!seam.into) check.seam_length += seam.length;  // a seam of three is sewn once
+        if (!seam.into) check.seam_length += seam.length;  // counts a seam of three sheets once
         check.gap_max = std::max(check.gap_max, seam.gap);
         check.sampling.push_back(sampling_of(chains, seam));
     }
@@ -231,12 +233,13 @@ void add_figures_of_seams(const Envelope& envelope, const FoundSeams& found, Env
     for (const LooseLoop& loop : check.loops) check.loose_ends += loop.closed ? 0 : 2;
 }
 
-/// What is sewn as the envelope stands, though its unit is in doubt: a designer may want just that size.
+/// The figures of the seams as the envelope stands, although its unit is in doubt: the designer may want just that
+/// size.
 void add_figures_if_any(const Envelope& envelope, const SeamOptions& options, EnvelopeCheck& check) {
     try {
         add_figures_of_seams(envelope, find_seams(envelope.tiles, options), check);
         check.seam_types = seam_types_used(envelope);
-    } catch (const InputError&) {  // the tiles are too small: the unit named is all there is to say
+    } catch (const InputError&) {  // the tiles are too small, and the unit issue already says so
         check.seams_sought = false;
     }
 }
@@ -245,7 +248,7 @@ void add(std::vector<EnvelopeIssue>& issues, std::vector<EnvelopeIssue> more) {
     issues.insert(issues.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-/// Most edges miss their mates: one issue instead of one a tile.
+/// One issue instead of one per tile, if most edges miss their mates.
 EnvelopeIssue tolerance_issue(const FoundSeams& found, const SeamOptions& options) {
     std::vector<double> distances;
     for (const NearMiss& miss : found.near_misses) distances.push_back(miss.distance);

@@ -14,9 +14,9 @@ namespace ripstop {
 namespace {
 
 constexpr std::size_t shown_names = 6;
-constexpr double slit = 0.003;  // openness: a circle has 0.08, a square 0.06, what a missing gore leaves 0.008
+constexpr double slit = 0.003;  // as openness: a circle has 0.08, a square 0.06, the hole of a missing gore 0.008
 constexpr double corner_on_cloth = 40 * degree;
-constexpr double corner_reach = 4;  // tolerances: how far from a corner the corners of its tiles lie
+constexpr double corner_reach = 4;  // in tolerances: how far from a corner of a hole the corners of its tiles may lie
 
 std::string name_of(const std::vector<Tile>& tiles, int tile) {
     return tiles[static_cast<std::size_t>(tile)].name;
@@ -28,7 +28,7 @@ std::vector<std::string> names_of(const std::vector<Tile>& tiles, const std::vec
     return names;
 }
 
-/// The first of `names` so often, in their order.
+/// Removes repeated names and keeps the order.
 std::vector<std::string> each_once(std::vector<std::string> names) {
     std::vector<std::string> once;
     for (std::string& name : names)
@@ -40,7 +40,7 @@ double outline_length(const Tile& tile) {
     return edge_lengths(tile.mesh.positions, closed(tile.boundary)).sum();
 }
 
-/// A joined set of sets: who belongs together.
+/// Union-find.
 class Groups {
   public:
     explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -57,7 +57,7 @@ class Groups {
     std::vector<int> parent_;
 };
 
-/// What is nearest to be said of two edges that miss each other.
+/// The most specific description of edges that miss each other.
 std::string what_is_wrong(const std::vector<const NearMiss*>& misses) {
     double open = 0, overlapping = 0;
     for (const NearMiss* miss : misses) (miss->overlap > 0 ? overlapping : open) += miss->length;
@@ -125,7 +125,8 @@ std::vector<int> sewn_groups(int tiles, const std::vector<Seam>& seams) {
 
 std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance) {
     const std::vector<NearMiss>& misses = found.near_misses;
-    std::vector<std::vector<int>> near(tiles.size()), misses_of(tiles.size());  // a tile and its neighbours; by tile
+    std::vector<std::vector<int>> near(tiles.size()), misses_of(tiles.size());  // by tile: the tile and its
+                                                                                // neighbours; its near misses
     for (std::size_t t = 0; t < tiles.size(); ++t) near[t].push_back(static_cast<int>(t));
     for (const Seam& seam : found.seams) {
         near[static_cast<std::size_t>(seam.a.tile)].push_back(seam.b.tile);
@@ -163,7 +164,7 @@ bool passes_a_miss(const LooseLoop& loop, const std::vector<NearMiss>& misses) {
                        [&](const NearMiss& miss) { return passes(miss.tile_a) && passes(miss.tile_b); });
 }
 
-/// The tiles without further sheets: what has loose edges round the openings of the skin.
+/// The tiles without further sheets, whose loose edges would lie around the openings of the skin.
 std::vector<Tile> skin_without_sheets(const std::vector<Tile>& tiles, const std::vector<Seam>& seams,
                                       std::vector<int>& numbers) {
     const std::vector<char> is_inner = find_inner_sheets(static_cast<int>(tiles.size()), seams);
@@ -176,8 +177,8 @@ std::vector<Tile> skin_without_sheets(const std::vector<Tile>& tiles, const std:
     return skin;
 }
 
-/// The end of a tube or a tent: it passes every tile of the skin, each once. What a tile leaves passes some of them,
-/// what a gore leaves each twice.
+/// True for the end of a tube or a tent: it passes every tile of the skin once. The hole of a missing tile passes
+/// some of them, the hole of a missing gore passes each twice.
 bool goes_round_all(const LooseLoop& loop, std::vector<int> skin) {
     std::vector<int> passed = loop.tiles;
     std::sort(passed.begin(), passed.end());
@@ -206,10 +207,10 @@ std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const Foun
         const auto on_cloth = std::count_if(corners[l].begin(), corners[l].end(), [&](const Vec3& corner) {
             return std::abs(turn_on_cloth(skin, corner, corner_reach * tolerance)) > corner_on_cloth;
         });
-        if (on_cloth < 2) continue;  // the rim of a tube with sides
+        if (on_cloth < 2) continue;  // the rim of a tube with flat sides
         const std::vector<std::string> around = each_once(names_of(tiles, loop.tiles));
         const bool lobed = loop.corners > 8 && loop.corners >= static_cast<int>(loop.tiles.size());
-        if (lobed) continue;  // a mouth or crown of lobes: a corner from each tile to the next
+        if (lobed) continue;  // a mouth or crown of lobes, with a corner between neighbouring tiles
         const bool at_an_edge = static_cast<int>(around.size()) > 2 * loop.corners;
         const bool several = loop.corners > 4 || loop.length > 1.5 * *longest;
         EnvelopeIssue issue{"missing_tile", {}, around, loop.centre, 0};
@@ -241,7 +242,7 @@ EnvelopeIssue unsewn_issue(std::size_t tiles, bool sewn_as_given) {
     return issue;
 }
 
-/// One for all of them: a vent, pockets, a second envelope in the file.
+/// One issue for all groups that are apart: a vent, pockets, a second envelope in the file.
 EnvelopeIssue apart_issue(const std::vector<Tile>& tiles, const std::vector<std::vector<int>>& parts) {
     std::vector<int> members;
     for (const std::vector<int>& part : parts) members.insert(members.end(), part.begin(), part.end());
@@ -271,7 +272,7 @@ std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const Fou
     for (int t = 0; t < count; ++t) members[static_cast<std::size_t>(group[static_cast<std::size_t>(t)])].push_back(t);
     const auto largest = std::max_element(members.begin(), members.end(),
                                           [](const auto& p, const auto& q) { return p.size() < q.size(); });
-    Groups near(tiles.size());  // what a gap names already is not named again
+    Groups near(tiles.size());  // does not report again what a gap already reports
     for (const NearMiss& miss : found.near_misses) near.join(miss.tile_a, miss.tile_b);
     for (const Seam& seam : found.seams) near.join(seam.a.tile, seam.b.tile);
     std::vector<std::vector<int>> parts;

@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-/// Is every vertex of one tile's boundary near the other's?
+/// True if every vertex of the tile's boundary is near the other tile's boundary.
 bool lies_on(const std::vector<PlacedChain>& chains, const Tile& tile, double tolerance) {
     for (const int v : tile.boundary) {
         const Vec3 point = tile.mesh.positions.row(v);
@@ -30,7 +30,7 @@ bool are_one(const Tile& a, const Tile& b, double tolerance) {
            lies_on(place_chains({b}), a, tolerance);
 }
 
-/// The same tile the other way up; corners stay where they are.
+/// The tile with its other side up; corners stay in place.
 Tile turned_over(const Tile& tile) {
     TileOptions options;
     if (tile.grain.field.rows() == 0) options.warp = tile.grain.direction;
@@ -49,8 +49,8 @@ Tile turned_over(const Tile& tile) {
     return turned;
 }
 
-/// Which groups must be turned so that all that lie beside each other run against each other: the smaller part of each
-/// connected set, by the number of tiles.
+/// The groups to turn over so that all neighbours run against each other: in each connected set, the part with
+/// fewer tiles.
 std::vector<bool> groups_to_turn(const std::vector<int>& group, const std::vector<NearMiss>& same_way) {
     const std::size_t count = static_cast<std::size_t>(*std::max_element(group.begin(), group.end()) + 1);
     std::vector<std::vector<int>> beside(count);
@@ -93,7 +93,7 @@ std::vector<EnvelopeIssue> remove_doubled(std::vector<Tile>& tiles, double toler
     std::sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) {
         return std::pair(centres[p].x(), p) < std::pair(centres[q].x(), q);
     });
-    std::vector<std::size_t> original(count, count);  // of a doubled tile: the one it lies on
+    std::vector<std::size_t> original(count, count);  // for a doubled tile: the tile it lies on
     for (std::size_t k = 0; k < count; ++k) {
         const double near = std::max(2 * tolerance, 0.002 * bounding_diagonal(tiles[order[k]].mesh));
         for (std::size_t l = k + 1; l < count && centres[order[l]].x() - centres[order[k]].x() < near; ++l) {
@@ -124,7 +124,7 @@ std::vector<EnvelopeIssue> remove_doubled(std::vector<Tile>& tiles, double toler
 }
 
 std::vector<EnvelopeIssue> name_inside_out(const std::vector<Tile>& tiles, const std::vector<LooseLoop>& loops) {
-    constexpr double nearly_closed = 0.1;  // of the skin: openings as large as circles of the loops' lengths
+    constexpr double nearly_closed = 0.1;  // share of the skin's area: openings, as circles of the loops' lengths
     if (tiles.empty()) return {};
     double area = 0, openings = 0, volume = 0;
     for (const LooseLoop& loop : loops) openings += loop.length * loop.length / (4 * std::numbers::pi);
@@ -139,7 +139,7 @@ std::vector<EnvelopeIssue> name_inside_out(const std::vector<Tile>& tiles, const
             };
             volume += corner(0).dot(corner(1).cross(corner(2))) / 6;
         }
-    constexpr double of_a_ball = 0.094;  // volume over area to the power 3/2
+    constexpr double of_a_ball = 0.094;  // volume over area^(3/2); a sphere has 0.094
     if (!(volume < -0.05 * of_a_ball * std::pow(area, 1.5))) return {};
     return {{"inside_out",
              "the whole envelope is inside out: the outside of the cloth would face in; flip all faces",
@@ -150,7 +150,7 @@ std::vector<EnvelopeIssue> name_inside_out(const std::vector<Tile>& tiles, const
 
 std::vector<EnvelopeIssue> turn_back(std::vector<Tile>& tiles, const FoundSeams& found) {
     if (found.same_way.empty()) return {};
-    std::vector<Seam> seams = found.seams;  // a further sheet tells nothing of which side is up
+    std::vector<Seam> seams = found.seams;  // further sheets do not tell which side is up
     std::erase_if(seams, [](const Seam& seam) { return seam.into.has_value(); });
     const std::vector<int> group = sewn_groups(static_cast<int>(tiles.size()), seams);
     const std::vector<bool> turn = groups_to_turn(group, found.same_way);

@@ -16,7 +16,7 @@ double turn_between(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// A loose run and how it lies in space.
+/// A loose run and its place in space.
 struct PlacedRun {
     const LooseRun* run;
     BoundaryCurve curve;
@@ -25,7 +25,7 @@ struct PlacedRun {
     Vec3 start, end;
 };
 
-/// Corners, area vector and centre of a run's points, gathered run by run.
+/// Corners, area vector and centre of a loop, accumulated run by run.
 struct LoopSums {
     Vec3 area = Vec3::Zero(), moment = Vec3::Zero();
     std::vector<Vec3> corners = {};
@@ -77,7 +77,7 @@ LooseLoop make_loop(const std::vector<Tile>& tiles, const std::vector<PlacedRun>
     return loop;
 }
 
-/// The run that begins nearest to where `from` ends and is not followed on yet; -1 where none is near.
+/// The free run that starts nearest to the end of `from`; -1 if none is near.
 int nearest_start(const std::vector<PlacedRun>& runs, const std::vector<bool>& taken, int from, double tolerance) {
     const PlacedRun& run = runs[static_cast<std::size_t>(from)];
     int best = -1;

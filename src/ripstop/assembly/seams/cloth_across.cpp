@@ -9,13 +9,13 @@
 namespace ripstop {
 namespace {
 
-constexpr double longest_way = 2;  // of the distance
-constexpr double off_place = 0.5;  // of the distance: how far from the other place a walk may end on its chain
-constexpr int most_seams = 8;      // that a walk goes across
+constexpr double longest_way = 2;  // times the distance
+constexpr double off_place = 0.5;  // times the distance: how far from the other place a walk may end on its chain
+constexpr int most_seams = 8;      // seams that a walk may cross
 
 }  // namespace
 
-/// The plane of a walk. A vertex in it counts to one side, so that a walk is never in doubt.
+/// The plane of a walk. Vertices in the plane count as lying on one side, so a walk is always defined.
 struct ClothAcross::WalkPlane {
     Vec3 origin, normal;
     bool zero_is_left = false;
@@ -32,8 +32,8 @@ struct ClothAcross::Surface {
     const Tile& tile;
     Adjacency adjacency;
     double width;
-    std::vector<int> edge_of_vertex;       ///< the boundary edge that leaves it; -1: none
-    std::vector<int> half_edge_of_vertex;  ///< the same as half-edge
+    std::vector<int> edge_of_vertex;       ///< the boundary edge that starts there; -1: none
+    std::vector<int> half_edge_of_vertex;  ///< the same as a half-edge
 
     explicit Surface(const Tile& of)
         : tile(of),
@@ -60,14 +60,15 @@ struct ClothAcross::Surface {
     }
     bool crosses(const WalkPlane& plane, int h) const { return plane.is_left(from(h)) != plane.is_left(to(h)); }
 
-    /// Goes on from a half-edge into its triangle until the boundary, which it returns; -1 where the walk is too long.
+    /// Continues from a half-edge through its triangle and the next ones. Returns the boundary half-edge it
+    /// reaches, or -1 if the walk becomes too long.
     int go_on(const WalkPlane& plane, int h, WalkState& walk) const;
 };
 
 struct ClothAcross::WalkState {
     const Surface* on;
     Vec3 at;
-    double left;  ///< of the length it may have [m]
+    double left;  ///< remaining length [m]
 
     bool go_to(const Vec3& there) {
         left -= (there - at).norm();
@@ -77,7 +78,8 @@ struct ClothAcross::WalkState {
 };
 
 int ClothAcross::Surface::go_on(const WalkPlane& plane, int h, WalkState& walk) const {
-    for (int step = 0; step < tile.mesh.triangle_count(); ++step) {  // round a vertex in the plane it would not end
+    for (int step = 0; step < tile.mesh.triangle_count(); ++step) {  // a walk around a vertex in the plane would
+                                                                     // not end
         const int next = Adjacency::next(h), exit = crosses(plane, next) ? next : Adjacency::previous(h);
         if (!walk.go_to(plane.crossing(from(exit), to(exit)))) return -1;
         if (adjacency.is_boundary(exit)) return exit;
@@ -86,10 +88,10 @@ int ClothAcross::Surface::go_on(const WalkPlane& plane, int h, WalkState& walk) 
     return -1;
 }
 
-/// A place of a boundary on the mesh, where straight edges stand for the chain's curve.
+/// A place on a boundary, on the mesh: straight edges replace the chain's curve.
 struct ClothAcross::Place {
-    int tile, chain, edge;  ///< edge of the boundary
-    int vertex;             ///< -1: within the edge
+    int tile, chain, edge;  ///< index of the edge in the boundary
+    int vertex;             ///< -1: inside the edge
     Vec3 point;
 };
 
@@ -134,7 +136,7 @@ ClothAcross::Place ClothAcross::place_on(int chain, double at) const {
     return place;
 }
 
-/// From a place of the boundary over its tile; the half-edge where the boundary is reached, -1 where it is not.
+/// Starts a walk at a place on the boundary, across its tile. Returns the boundary half-edge it reaches, or -1.
 int ClothAcross::set_out(const WalkPlane& plane, const Place& from, WalkState& walk) const {
     const Surface& on = *walk.on;
     if (from.vertex < 0) {
@@ -150,7 +152,7 @@ int ClothAcross::set_out(const WalkPlane& plane, const Place& from, WalkState& w
     return -1;
 }
 
-/// The same from where a boundary edge is sewn, over the tile beyond.
+/// Continues a walk across the seam on a boundary edge, over the tile beyond. Returns as `set_out` does.
 int ClothAcross::cross_seam(const WalkPlane& plane, int edge, double reach, WalkState& walk) const {
     const auto mates = mates_.find({static_cast<int>(&walk.on->tile - tiles_.data()), edge});
     if (mates == mates_.end()) return -1;

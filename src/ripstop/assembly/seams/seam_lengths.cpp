@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_place = 1e-6;  // of the seam's length: vertices nearer than this coincide
+constexpr double same_place = 1e-6;  // share of the seam's length: vertices this close coincide
 
 const PlacedChain& chain_of(const std::vector<PlacedChain>& chains, int c) {
     return chains[static_cast<std::size_t>(c)];
@@ -32,7 +32,7 @@ int boundary_edge(const PlacedChain& chain, double at) {
     return (chain.first_edge + local_edge(chain.curve, at)) % chain.boundary_edges;
 }
 
-/// The largest turn of an edge and its neighbours: where the curvature changes, an edge alone tells too little.
+/// The largest turn of an edge and its neighbours; a single edge is not enough where the curvature changes.
 double turn_about(const ChainCurve& curve, int edge) {
     if (curve.unseen_turn > 0) return curve.unseen_turn;
     const int last = curve.edge_count() - 1;
@@ -40,7 +40,8 @@ double turn_about(const ChainCurve& curve, int edge) {
                      turn_of_edge(curve, std::min(edge + 1, last))});
 }
 
-/// Sums over the edges of a run of what the vertices leave open, and of what the polyline is short by.
+/// Sums over the edges of a run: the uncertainty of the length, the error of the polyline, the length of the
+/// polyline.
 struct Openness {
     double estimate = 0, sagging = 0, polyline = 0;
     int edges = 0;
@@ -60,8 +61,8 @@ Openness openness(const ChainCurve& curve, double low, double high) {
     return sum;
 }
 
-/// Arc lengths on the master, from its start, at the breaks of the other side (ascending on that side, so descending
-/// here): each vertex projected, or all in proportion where that would squeeze an edge.
+/// Arc lengths on the master curve, from its start, of the breaks of the other side. Breaks ascend on that side,
+/// so the result descends. Each vertex is projected; if that would squeeze an edge, all are placed in proportion.
 std::vector<double> projected(const ChainCurve& master, const ChainCurve& other, const std::vector<double>& breaks,
                               const Run& run, bool master_is_a, const RunEnds& ends) {
     const double master_low = master_is_a ? ends.start_a : ends.start_b;
@@ -105,7 +106,7 @@ std::vector<double> chords(const ChainCurve& curve, const std::vector<double>& b
     return lengths;
 }
 
-/// Steps between stations, whichever way they run.
+/// Distances between neighbouring stations, in either direction.
 std::vector<double> steps(const std::vector<double>& stations) {
     std::vector<double> lengths;
     for (std::size_t k = 0; k + 1 < stations.size(); ++k) lengths.push_back(std::abs(stations[k + 1] - stations[k]));
@@ -190,7 +191,7 @@ std::vector<Eigen::VectorXd> curve_lengths_of(const std::vector<Tile>& tiles, co
     };
     for (std::size_t s = 0; s < seams.size(); ++s) {
         add(seams[s].a, chain_of(chains, runs[s].a), runs[s].ends.start_a, runs[s].ends.end_a);
-        if (seams[s].into) continue;  // the seam that it lies in has given its mate a length
+        if (seams[s].into) continue;  // the seam it lies in has already set its mate's length
         add(seams[s].b, chain_of(chains, runs[s].b), runs[s].ends.start_b, runs[s].ends.end_b);
     }
     for (std::size_t t = 0; t < tiles.size(); ++t) {

@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-/// The pieces where they are drawn, and what they cover.
+/// The pieces at their places in the drawing, and the sheet they cover.
 struct Placing {
     std::vector<PatternPiece> pieces;
     Sheet sheet;
@@ -29,7 +29,7 @@ Placing place(const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& 
     return placing;
 }
 
-/// The reference square counts where it is drawn.
+/// The upper corner of the drawing. It includes the reference square only if the dialect draws one.
 Vec2 upper_corner(const DxfDialect& dialect, const Placing& placing) {
     if (!dialect.blocks || placing.pieces.empty()) return placing.sheet.upper;
     Vec2 upper = placing.sheet.lower;

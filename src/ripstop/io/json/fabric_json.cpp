@@ -34,7 +34,7 @@ constexpr std::array<Field, 9> fields = {{
     {"shear_limit_deg", &Fabric::shear_limit, degree, false},
 }};
 
-/// Where the bundled fabrics are: beside the sources in a build tree, else where they were installed.
+/// The folder of the bundled fabrics: beside the sources in a build tree, else where they were installed.
 std::filesystem::path preset_folder() {
     const std::filesystem::path source = std::filesystem::path(RIPSTOP_DATA_SOURCE) / "fabrics";
     std::error_code ignored;
@@ -47,7 +47,7 @@ Fabric read_fabric_file(const std::filesystem::path& path) {
     return read_fabric(in, path.string());
 }
 
-/// To 12 digits, so that 10 degrees come back as 10 and not as 10.000000000000002.
+/// Rounds to 12 digits, so that 10 degrees come back as 10 and not as 10.000000000000002.
 double rounded(double value) {
     if (value == 0 || !std::isfinite(value)) return value;
     const double scale = std::pow(10, 11 - std::floor(std::log10(std::abs(value))));

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double widest_mm = 1000;  // a wider allowance is a unit taken for another
+constexpr double widest_mm = 1000;  // a wider allowance is probably in the wrong unit
 constexpr int most_rows = 20;
 
 bool fits(const std::string& pattern, const std::string& name) {
@@ -62,7 +62,7 @@ SeamType read_type(const json& value, const std::vector<SeamType>& known, const 
     return type;
 }
 
-/// The type of that name.
+/// The seam type with this name.
 const SeamType& seam_type_named(const std::string& name, const std::vector<SeamType>& types, const std::string& place) {
     std::string known;
     for (const SeamType& type : types) {
@@ -80,7 +80,7 @@ EdgeDirection direction_at(const json& value, const std::string& place) {
     throw InputError(place + ": direction is " + shown(*given) + ", expected \"along-warp\" or \"across-warp\"");
 }
 
-/// The tiles the rule is for.
+/// Reads which tiles the rule applies to.
 void read_place(const json& value, const std::string& place, SeamRule& rule) {
     const bool between = value.contains("between");
     if (between == value.contains("free"))

@@ -60,7 +60,7 @@ Compensation read_compensation(const json& value, const std::string& place) {
     return compensation;
 }
 
-/// Which surface of the file the entry means, if it says so.
+/// Reads which surface of the file the entry names, if it names one.
 void read_surface(const json& value, const std::string& place, ProjectTile& tile) {
     tile.source = text_at(value, "source", place);
     tile.at = point_at(value, "at", place);

@@ -8,11 +8,11 @@
 
 namespace ripstop {
 
-/// Writes a marker as a PDF to lay it by: the roll in small on A4 pages, in strips of a round scale (1:40 for cloth of
-/// 1.5 m), four a page, with metres from its start, joins, and every piece with its name and grain. Cut lines are red.
-/// The pieces lie in true size in the marker's DXF, SVG and HPGL.
+/// Writes a marker as a PDF that shows how to lay the pieces. The roll is drawn in strips at a round scale (1:40
+/// for cloth of 1.5 m), four on each A4 page, with metres from its start, joins, and every piece with its name and
+/// grain. Cut lines are red. The marker's DXF, SVG and HPGL files have the pieces at true size.
 ///
-/// `pieces` as they lie (`placed_piece`), one for each of the marker's placements; `title` on every page.
+/// `pieces` are in place (`placed_piece`), one for each placement of the marker. Every page shows `title`.
 void write_marker_pdf(std::ostream& out, const Marker& marker, const std::vector<PatternPiece>& pieces,
                       const std::string& title);
 

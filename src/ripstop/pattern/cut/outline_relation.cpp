@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-constexpr Eigen::Index most_rows = 64;  // tall edges stand in every row
+constexpr Eigen::Index most_rows = 64;  // tall edges are stored in every row
 
 double distance_to_edge(const Vec2& from, const Vec2& to, const Vec2& point) {
     const Vec2 along = to - from;
@@ -27,7 +27,7 @@ struct Edge {
     Vec2 upper() const { return from.cwiseMax(to); }
 };
 
-/// Where an edge meets the other outline.
+/// The intersection of an edge with the other outline.
 struct Cut {
     Eigen::Index edge;
     Vec2 at;
@@ -56,7 +56,7 @@ bool lies_on(const Vec2& point, const Edge& edge, int side) {
     return side == 0 && (point.array() >= edge.lower().array()).all() && (point.array() <= edge.upper().array()).all();
 }
 
-/// Of edges that share a corner, without asking for what is known.
+/// The side of an edge on which a point lies. Skips the exact test for shared corners.
 int side_of(const Edge& edge, const Vec2& point) {
     return point == edge.from || point == edge.to ? 0 : orient2d(edge.from, edge.to, point);
 }
@@ -79,7 +79,7 @@ void meet(const Edge& e, const Edge& f, Meetings& meetings) {
     if (lies_on(e.to, f, e_to)) meetings.add(e, f, e.to);
 }
 
-/// Calls `look` for the pairs of edges, one of each outline, whose boxes come within `reach` of each other.
+/// Calls `look` for each pair of edges, one of each outline, whose boxes come within `reach` of each other.
 template <class Look>
 void each_near_pair(const IndexedOutline& first, const IndexedOutline& second, double reach, Look&& look) {
     std::vector<Edge> edges;
@@ -104,7 +104,7 @@ Meetings find_meetings(const IndexedOutline& first, const IndexedOutline& second
     return meetings;
 }
 
-/// The corners, and a point of every run of an edge from cut to cut: a run lies on one side.
+/// The corners, and a point on every part of an edge between intersections: such a part lies on one side.
 std::vector<Vec2> samples_of(const IndexedOutline& outline, std::vector<Cut> cuts) {
     std::sort(cuts.begin(), cuts.end(), [&outline](const Cut& a, const Cut& b) {
         const Vec2 from = outline.corner(a.edge);
@@ -121,7 +121,7 @@ std::vector<Vec2> samples_of(const IndexedOutline& outline, std::vector<Cut> cut
     return samples;
 }
 
-/// Where the samples lie that are not on the other's line.
+/// The sides on which those samples lie that are not on the other's line.
 struct Sides {
     Reach inside;
     bool is_out = false;

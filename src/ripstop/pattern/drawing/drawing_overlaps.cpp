@@ -16,11 +16,11 @@
 namespace ripstop {
 namespace {
 
-constexpr double tolerance = 0.1 * millimetre;        // no cutter is better, and arcs drawn as chords are no better
-constexpr double side_tolerance = 0.01 * millimetre;  // as for lines that are drawn twice
+constexpr double tolerance = 0.1 * millimetre;        // neither cutters nor arcs drawn as chords are more precise
+constexpr double side_tolerance = 0.01 * millimetre;  // as for duplicate lines
 constexpr int most_told = 1000;
 
-/// Something that only a piece has, and where.
+/// A mark that only pieces have, and its place.
 struct Mark {
     Vec2 at;
     const char* what;
@@ -51,8 +51,8 @@ class OverlapFinder {
     /// Where a sew line lies.
     struct Sewn {
         bool is_held = false;
-        int crossed = -1;  // cut contour
-        int holder = -1;   // the smallest cut contour around
+        int crossed = -1;  // index of a cut contour
+        int holder = -1;   // index of the smallest cut contour around it
     };
 
     bool has_area(std::size_t i) const { return contours_[i].points.rows() > 2; }
@@ -77,7 +77,7 @@ class OverlapFinder {
             const FoundContour& first = contours_[order[a]];
             for (std::size_t b = a + 1; b < order.size() && told_ < most_told; ++b) {
                 const FoundContour& second = contours_[order[b]];
-                // A sew line on its cut line may begin before it by what is rounded.
+                // A sew line on its own cut line may begin before it because of rounding.
                 if (second.facts.lower.x() > first.facts.upper.x() + tolerance) break;
                 if (second.facts.lower.y() > first.facts.upper.y() + tolerance ||
                     second.facts.upper.y() < first.facts.lower.y() - tolerance || sheet_of(first) != sheet_of(second))
@@ -114,7 +114,7 @@ class OverlapFinder {
                              place_text(contours_[a].facts.lower)));
     }
 
-    /// Laid side by side pieces may share a cut; the cutter must know.
+    /// Adjacent pieces may share a cut, but the cutter must know.
     void check_common_side(std::size_t a, std::size_t b) {
         constexpr double shortest = 1 * millimetre;
         const CommonSide common = common_side(outline(a), outline(b), side_tolerance);
@@ -142,7 +142,7 @@ class OverlapFinder {
         if (relation == Relation::crossing || relation == Relation::around) sew_[sew].crossed = static_cast<int>(cut);
     }
 
-    /// From the outside in: what lies in a piece is a hole, what lies in a hole is a piece.
+    /// From the outside in: a contour inside a piece is a hole, a contour inside a hole is a piece.
     void check_holes() {
         std::vector<std::size_t> order(contours_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -183,7 +183,7 @@ class OverlapFinder {
         return *marks_;
     }
 
-    /// A mark of the contour itself and of none within it.
+    /// A mark inside the contour and outside of its children.
     const Mark* mark_in(std::size_t i, const std::vector<std::size_t>& children) {
         const DrawingContour& facts = contours_[i].facts;
         const std::vector<Mark>& all = marks();
@@ -218,7 +218,7 @@ class OverlapFinder {
                         contours_[cut].facts.layer, place_text(out.at)));
     }
 
-    /// Is it the seam of a hole, or drawn within the piece?
+    /// True if the sew line belongs to a hole, or is drawn inside the piece.
     bool is_within_sew_line(std::size_t sew) {
         for (std::size_t i = 0; i < contours_.size(); ++i)
             if (i != sew && sew_[i].holder == sew_[sew].holder && sew_[i].is_held &&
@@ -228,7 +228,7 @@ class OverlapFinder {
         return false;
     }
 
-    /// What the sew line runs round must be cut: by the line around it, or by one within that.
+    /// An opening of a sew line must be cut: by the contour around the sew line, or by one inside that.
     void check_opening(std::size_t sew) {
         const int holder = sew_[sew].holder;
         if (is_within_sew_line(sew)) return;
@@ -247,7 +247,7 @@ class OverlapFinder {
                          place_text(lost->at), cut.layer, format_fixed(lost->length / millimetre, 0)));
     }
 
-    /// Both, and where they are when one name stands for both.
+    /// Both names, with their places if the names are equal.
     std::string names(std::size_t a, std::size_t b) const {
         const DrawingContour &first = contours_[a].facts, &second = contours_[b].facts;
         if (first.piece != second.piece) return first.piece + " and " + second.piece;
@@ -261,8 +261,8 @@ class OverlapFinder {
 
     DrawingSurvey& survey_;
     const std::vector<FoundContour>& contours_;
-    std::vector<std::unique_ptr<IndexedOutline>> outlines_;  // made where one is asked for
-    std::vector<int> parents_;                               // the smallest cut contour around, -1: none
+    std::vector<std::unique_ptr<IndexedOutline>> outlines_;  // built on first use
+    std::vector<int> parents_;                               // the smallest cut contour around each, -1: none
     std::vector<Sewn> sew_;
     std::optional<std::vector<Mark>> marks_;
     int told_ = 0;

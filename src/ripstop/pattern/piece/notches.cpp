@@ -11,13 +11,13 @@
 namespace ripstop {
 namespace {
 
-constexpr int curve_samples = 256;    // of a seam's curve, to spread its marks
-constexpr double room_for_two = 0.2;  // a shorter seam has one mark [m]
-constexpr double lone_mark = 0.4;     // of the seam's length
+constexpr int curve_samples = 256;    // of a seam's curve, for spreading its marks
+constexpr double room_for_two = 0.2;  // a shorter seam gets one mark [m]
+constexpr double lone_mark = 0.4;     // its place, as a share of the seam's length
 constexpr double depth_of_allowance = 0.4;
-constexpr double same_place = 1e-3;  // marks nearer than this are one [m]
+constexpr double same_place = 1e-3;  // marks closer than this coincide [m]
 
-/// How a side bends: the curvature on the cloth up to each distance from the seam's start.
+/// The curvature of a side: its value on the cloth up to each distance from the seam's start.
 struct Bends {
     std::vector<double> until, curvature;
 
@@ -27,14 +27,14 @@ struct Bends {
     }
 };
 
-/// Half the turns at both ends of an edge over its length.
+/// Half the sum of the turns at both ends of an edge, divided by its length.
 double curvature_of_edge(const FlatTile& tile, int edge) {
     const std::size_t n = tile.tile.boundary.size(), i = static_cast<std::size_t>(edge);
     const auto point = [&](std::size_t k) { return Vec2(tile.flattening.positions.row(tile.tile.boundary[k % n])); };
     const Vec2 before = point(i) - point(i + n - 1), here = point(i + 1) - point(i),
                after = point(i + 2) - point(i + 1);
     const auto turn = [](const Vec2& u, const Vec2& v) { return std::abs(std::atan2(cross(u, v), u.dot(v))); };
-    constexpr double corner = 0.5;  // [rad]: a turn beyond it is no bend of the seam
+    constexpr double corner = 0.5;  // [rad]: a larger turn is a corner and no curvature
     const double first = turn(before, here), last = turn(here, after);
     return ((first < corner ? first : 0) + (last < corner ? last : 0)) / 2 / here.norm();
 }
@@ -53,7 +53,7 @@ Bends bends_of(const std::vector<FlatTile>& tiles, const Seam& seam, bool second
     return bends;
 }
 
-/// Collects the marks of one tile, each place once.
+/// Collects the notches of one tile, one for each place.
 class Collector {
   public:
     Collector(const FlatTile& tile, const PieceOutline& outline, double depth)
@@ -74,13 +74,15 @@ class Collector {
         notch.depth = std::min(depth_, depth_of_allowance * notch.reach);
         for (PieceNotch& other : notches) {
             if ((other.on_sew - notch.on_sew).norm() >= same_place) continue;
-            if (notch.reach < other.reach) other = std::move(notch);  // the cut line steps here; both are within it
+            if (notch.reach < other.reach)
+                other = std::move(notch);  // the cut line steps here, and the shorter
+                                           // notch is inside both
             return;
         }
         notches.push_back(std::move(notch));
     }
 
-    /// The end of a seam where the edge goes on.
+    /// Adds a notch at the end of a seam if the edge continues there.
     void add_end(const SeamSide& side, const Seam& seam, const BoundaryPlace& place, double along) {
         const Chain& chain = tile_.tile.chains[static_cast<std::size_t>(side.chain)];
         if (tile_.tile.chains.size() == 1 && side.parts.size() == tile_.tile.boundary.size()) return;
@@ -149,7 +151,7 @@ std::vector<std::vector<PieceNotch>> make_notches(const CutPlan& plan, const std
             for (const SeamMark& mark : marks)
                 if (mark.along >= sheet.from && mark.along <= sheet.to)
                     collector.add(seam, place_on_sheet(plan.tiles, sheet, mark.along), mark);
-            for (const SeamSheet& other : sheets[s])  // where any of them ends all are marked
+            for (const SeamSheet& other : sheets[s])  // at the end of any sheet, all get a notch
                 for (const double end : {other.from, other.to})
                     if (end >= sheet.from && end <= sheet.to)
                         collector.add_end(*sheet.side, seam, place_on_sheet(plan.tiles, sheet, end), end);

@@ -14,10 +14,10 @@ namespace {
 
 constexpr double same_allowance = 1e-6;  // [m]
 
-/// What seams take of each boundary edge of a tile, once for each sheet that lies there too.
+/// The part of a boundary edge of a tile that a seam covers; one for each sheet there.
 struct SewnPart {
     const Seam* seam = nullptr;
-    const SeamType* type = nullptr;  ///< as this tile is sewn in
+    const SeamType* type = nullptr;  ///< the type for this tile's side
     int mate = 0;                    ///< tile
     double flat_length = 0;
 };
@@ -56,7 +56,7 @@ std::vector<SewnParts> sewn_parts(const CutPlan& plan) {
     return parts;
 }
 
-/// The chain each boundary vertex starts an edge of.
+/// The chain of each boundary vertex that starts an edge.
 std::map<int, std::size_t> chains_from(const Tile& tile) {
     std::map<int, std::size_t> chain_of;
     for (std::size_t c = 0; c < tile.chains.size(); ++c)
@@ -65,7 +65,7 @@ std::map<int, std::size_t> chains_from(const Tile& tile) {
     return chain_of;
 }
 
-/// How an edge is sewn, or, where it is free, finished.
+/// How an edge is sewn or, if it is free, finished.
 struct SewnAs {
     bool is_free;
     SeamType type;
@@ -73,7 +73,7 @@ struct SewnAs {
     bool operator==(const SewnAs&) const = default;
 };
 
-/// How each boundary edge is sewn, or finished.
+/// How each boundary edge is sewn or finished.
 std::vector<SewnAs> sewn_as(const Tile& tile, const SewnParts& parts) {
     const std::map<int, std::size_t> chain_of = chains_from(tile);
     std::vector<SewnAs> found;
@@ -87,7 +87,7 @@ std::vector<SewnAs> sewn_as(const Tile& tile, const SewnParts& parts) {
     return found;
 }
 
-/// Which boundary edges start a piece's edge: at a corner, and where the way of sewing or the allowance changes.
+/// The boundary edges that start a piece's edge: at corners, and where the seam type or the allowance changes.
 std::vector<std::size_t> starts(const Tile& tile, const std::vector<SewnAs>& sewn, const Eigen::VectorXd& allowances) {
     const std::size_t count = tile.boundary.size();
     std::vector<bool> corner(static_cast<std::size_t>(tile.mesh.vertex_count()), false);
@@ -104,7 +104,7 @@ std::vector<std::size_t> starts(const Tile& tile, const std::vector<SewnAs>& sew
     return found;
 }
 
-/// The mates of an edge, with their seams.
+/// The mates of an edge and their seams.
 class Mates {
   public:
     void add(const SewnPart& part, const CutPlan& plan) {
@@ -156,7 +156,7 @@ PieceOutline make_outline(const CutPlan& plan, const FlatTile& flat, const SewnP
     }
     outline.sew_line.resize(static_cast<Eigen::Index>(points.size()), 2);
     for (std::size_t i = 0; i < points.size(); ++i) outline.sew_line.row(static_cast<Eigen::Index>(i)) = points[i];
-    if (signed_area(outline.sew_line) < 0) {  // a failed flattening: there is something to look at, nothing to sew
+    if (signed_area(outline.sew_line) < 0) {  // a failed flattening: it can be viewed but not sewn
         outline.sew_line = outline.sew_line.colwise().reverse().eval();
         outline.edges.clear();
     }

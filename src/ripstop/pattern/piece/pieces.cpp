@@ -14,7 +14,7 @@
 namespace ripstop {
 namespace {
 
-/// Across the pole, within the circle and six tenths of the width: where nothing better is to be had.
+/// The fallback: an arrow across the pole, inside the circle and six tenths of the width.
 Points2 grain_line_at_pole(const Points2& outline, const Circle& room) {
     double half = 0.5 * room.radius;
     for (const auto& chord : horizontal_chords(outline, room.centre.y()))
@@ -25,7 +25,8 @@ Points2 grain_line_at_pole(const Points2& outline, const Circle& room) {
     return line;
 }
 
-/// Digits after a letter in a name such as G03P07: the gore's (`letter` 0) or the row's (1); empty for other names.
+/// The digits after a letter in a name such as G03P07: those of the gore (`letter` 0) or the row (1); empty for
+/// other names.
 std::string number_in_name(const std::string& name, int letter) {
     std::string found[2];
     std::size_t at = 0;
@@ -55,7 +56,7 @@ void name_piece(PatternPiece& piece, const CutPlan& plan, const Tile& tile, cons
     piece.revision = options.revision;
 }
 
-/// What stands below the name: what is needed at the table first.
+/// The lines below the name; what the sewing table needs comes first.
 std::vector<std::string> notes_of(const PatternPiece& piece) {
     std::vector<std::string> notes{"WARP"};
     if (const std::string count = cut_count(piece); !count.empty()) notes.push_back(count);
@@ -69,7 +70,7 @@ CutLine cut_line(const PatternPiece& piece, CornerRule corners) {
     double widest = 0;
     for (std::size_t e = 0; e < piece.edges.size(); ++e) {
         const PieceEdge& edge = piece.edges[e];
-        // what is shorter than its allowance cannot be folded back
+        // an edge shorter than its allowance cannot be folded back
         const CornerRule rule = !edge.mates.empty()             ? corners
                                 : edge.length >= edge.allowance ? CornerRule::hem
                                                                 : CornerRule::mitre;
@@ -79,9 +80,9 @@ CutLine cut_line(const PatternPiece& piece, CornerRule corners) {
     return widest > 0 ? make_cut_line(edges) : CutLine{piece.sew_line};
 }
 
-/// Where allowances meet a notch starts at the cut line too, and is less deep.
+/// Where allowances meet, a notch also starts at the cut line, and is shallower.
 void shorten_notches(PatternPiece& piece) {
-    constexpr double start = 0.05 * millimetre;  // the cut line lies within the sew line where that touches itself
+    constexpr double start = 0.05 * millimetre;  // the cut line lies inside the sew line where that touches itself
     for (PieceNotch& notch : piece.notches) {
         const auto is_its = [&notch](const MetAllowances& met) {
             return met.edge == notch.edge || met.mate_edge == notch.edge;
@@ -95,7 +96,7 @@ void shorten_notches(PatternPiece& piece) {
     }
 }
 
-/// Where nothing is allowed nothing can be cut: the match marks are drawn, from the sew line inwards.
+/// Without allowance a notch cannot be cut, so it is drawn, from the sew line inwards.
 void draw_uncut_notches(PatternPiece& piece) {
     constexpr double stroke = 3 * millimetre;
     for (const PieceNotch& notch : piece.notches) {
@@ -109,15 +110,16 @@ void draw_uncut_notches(PatternPiece& piece) {
     }
 }
 
-/// Label, grain arrow and the neighbours' names.
+/// Adds label, grain arrow and the neighbours' names.
 void write_on(PatternPiece& piece) {
-    // The radius is at least area over perimeter, so this is a tenth of it or better; the floor is for outlines without
-    // inside, which failed flattenings have.
+    // The radius is at least area over perimeter, so this is a tenth of it or better. The floor is for outlines
+    // without inside, which failed flattenings have.
     const Vec2 size = piece.sew_line.colwise().maxCoeff() - piece.sew_line.colwise().minCoeff();
     const double precision =
         std::max(1e-4 * size.maxCoeff(), 0.1 * signed_area(piece.sew_line) / perimeter(piece.sew_line));
     const Circle room = largest_circle_inside(piece.sew_line, precision);
-    // Two fifths of the circle's radius leave room for the arrow above or below; less if that was not enough.
+    // Two fifths of the circle's radius leave room for the arrow above or below; the height is reduced if that is
+    // not enough.
     double largest = std::clamp(0.4 * room.radius, 0.003, 0.040);
     Box label_box;
     for (int attempt = 0; attempt < 3; ++attempt, largest /= 2) {
@@ -127,7 +129,7 @@ void write_on(PatternPiece& piece) {
         piece.grain_line = place_grain_line(piece.sew_line, room, label.box);
         if (piece.grain_line.rows() == 2 && piece.grain_line(1, 0) - piece.grain_line(0, 0) >= 0.5 * room.radius) break;
     }
-    for (std::size_t i = 1; i < piece.labels.size(); ++i)  // the first is the name
+    for (std::size_t i = 1; i < piece.labels.size(); ++i)  // the first label is the name
         piece.labels[i].counts = piece.labels[i].text == cut_count(piece);
     if (piece.grain_line.rows() != 2) piece.grain_line = grain_line_at_pole(piece.sew_line, room);
     const Vec2 tail = piece.grain_line.row(0), head = piece.grain_line.row(1);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double same_end = 1e-3;  // [m]
 
-/// Seams in groups whose directions hang together; each knows whether it runs against the first of its group.
+/// Union-find over seams. Each seam knows whether its direction is opposite to that of its group's root.
 class Groups {
   public:
     explicit Groups(std::size_t seams) : to_(seams), against_(seams, false), torn_(seams, false) {
@@ -71,7 +71,7 @@ SeamEnds::SeamEnds(const CutPlan& plan) : runs_(plan.tiles.size()) {
             for (const SeamSheet& other : sheets) {
                 const bool ends_within = other.record->into && other.from < sheet.to && other.to > sheet.from &&
                                          (other.from > sheet.from + same_end || other.to < sheet.to - same_end);
-                if (&other == &sheet || ends_within) add(sheet, other);  // there is a mark where another one ends
+                if (&other == &sheet || ends_within) add(sheet, other);  // where one sheet ends, the other has a mark
             }
 }
 
@@ -106,7 +106,7 @@ std::vector<MarkDirection> mark_directions(const CutPlan& plan) {
         if (const auto matches = ends.match(t, static_cast<std::size_t>(tile.equal_to), tile.mirrored))
             for (const SeamMatch& match : *matches) groups.tie(match.seam, match.pattern_seam, match.reversed);
     }
-    for (std::size_t s = 0; s < plan.seams.size(); ++s)  // the sheets of one seam have its marks
+    for (std::size_t s = 0; s < plan.seams.size(); ++s)  // all sheets of a seam have its marks
         if (const auto& into = plan.seams[s].into) groups.tie(static_cast<int>(s), into->seam, into->backwards);
     std::vector<MarkDirection> directions;
     for (std::size_t s = 0; s < plan.seams.size(); ++s) directions.push_back(groups.direction(s));

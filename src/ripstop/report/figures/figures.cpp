@@ -53,7 +53,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// Windows keeps these for devices, whatever the extension.
+/// Windows reserves these names for devices, with any extension.
 bool is_device(const std::string& name) {
     const std::string small = lower(name);
     for (const char* const device : {"con", "prn", "aux", "nul"})
@@ -66,7 +66,7 @@ bool is_device(const std::string& name) {
 
 std::vector<std::string> file_stems(const std::vector<std::string>& names) {
     std::vector<std::string> stems;
-    std::set<std::string> used{"seams"};  // the picture of the seams
+    std::set<std::string> used{"seams"};  // the name of the picture of the seams
     for (const std::string& name : names) {
         std::string base = ascii_text(name).substr(0, 80);
         for (char& c : base) {

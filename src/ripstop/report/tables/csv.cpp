@@ -9,8 +9,8 @@
 namespace ripstop {
 namespace {
 
-/// Spreadsheets run a cell that begins so as a formula, quoted or not, unless it is a number; an apostrophe makes it
-/// text.
+/// Spreadsheets evaluate a cell that begins like a formula, quoted or not, unless it is a number. An apostrophe
+/// makes it text.
 std::string as_text(const std::string& field) {
     const bool is_formula =
         !field.empty() && std::string_view("=+-@\t\r").find(field.front()) != std::string_view::npos;
