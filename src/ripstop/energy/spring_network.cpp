@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double guarded_share = 0.3;  ///< of its area, below which a triangle is pushed open
+constexpr double guarded_share = 0.3;  ///< fraction of its area below which a triangle is pushed open
 
 /// The unit direction of half-edge k of triangle t in the frame of `warp_in_triangles`.
 Vec2 edge_direction(const Tile& tile, int t, int k) {
@@ -17,7 +17,7 @@ Vec2 edge_direction(const Tile& tile, int t, int k) {
     return triangle_edge(flat, k).normalized();
 }
 
-/// cos^2 of the angle between an edge and the warp; one half where the warp stands on the triangle.
+/// cos^2 of the angle between an edge and the warp; one half if the warp is normal to the triangle.
 double warp_share(const Vec2& edge, const Vec2& warp) {
     if (warp.isZero()) return 0.5;
     const double cosine = edge.dot(warp);
@@ -47,7 +47,8 @@ double add_guards(const SpringNetwork& network, const Points2& positions, Points
     return sum;
 }
 
-/// Twice the stiffness of the springs at each particle (#V): the bound of its squared frequency times its mass.
+/// Twice the sum of the spring stiffnesses at each particle (#V): an upper bound on its squared frequency times its
+/// mass.
 Eigen::VectorXd stiffness_at_particles(const SpringNetwork& network) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(network.mass.size());
     for (const Spring& spring : network.springs) {
@@ -74,8 +75,8 @@ SpringNetwork make_spring_network(const Tile& tile, const Fabric& fabric) {
     SpringNetwork network;
     network.triangles = mesh.triangles;
     network.rest_area = triangle_areas(mesh);
-    // Ten times the energy of cloth stretched to twice its length: enough to hold a triangle open, not so stiff that the
-    // time step would suffer.
+    // Ten times the energy of cloth stretched to twice its length: enough to hold a triangle open, but not so stiff
+    // that it reduces the time step.
     network.guard_stiffness = 10 * std::max(fabric.warp_stiffness, fabric.weft_stiffness) * network.rest_area;
     network.mass = Eigen::VectorXd::Zero(mesh.vertex_count());
     for (int t = 0; t < mesh.triangle_count(); ++t)

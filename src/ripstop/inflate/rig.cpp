@@ -14,17 +14,17 @@
 namespace ripstop {
 namespace {
 
-constexpr double most_rise = 0.3;  // of the height: a mouth may be slanted, a gore is no envelope
+constexpr double most_rise = 0.3;  // relative to the height: a mouth may be slanted, but a single gore is no envelope
 
-/// Boundary edges that are in no seam and hang together.
+/// A connected run of boundary edges that are in no seam.
 struct Opening {
     std::vector<std::array<Place, 2>> edges;  ///< counter-clockwise seen from outside
     std::set<int> nodes;
-    double height = 0, rises = 0;  ///< mean; from its lowest to its highest point [m]
+    double height = 0, rises = 0;  ///< mean height; height from its lowest to its highest point [m]
     bool is_round = false;         ///< runs through all sectors
 };
 
-/// How much of each boundary edge of each tile is in a seam, as a share.
+/// The fraction of each boundary edge of each tile that is in a seam.
 std::vector<Eigen::VectorXd> sewn_shares(const CutPlan& plan) {
     std::vector<Eigen::VectorXd> shares;
     for (const FlatTile& tile : plan.tiles) shares.push_back(Eigen::VectorXd::Zero(std::ssize(tile.tile.boundary)));
@@ -51,7 +51,7 @@ class Sets {
     std::vector<int> to_;
 };
 
-/// Of one sector, the lowest first.
+/// The openings of one sector, the lowest first.
 std::vector<Opening> find_openings(const CutPlan& plan, const Symmetry& symmetry, const std::vector<char>& is_inside,
                                    const SewnEnvelope& sewn) {
     const std::vector<Eigen::VectorXd> shares = sewn_shares(plan);
@@ -97,7 +97,7 @@ std::vector<Opening> find_openings(const CutPlan& plan, const Symmetry& symmetry
     return openings;
 }
 
-/// The points of a seam in order, with their way along it: the vertices of both its sides.
+/// The points of a seam in order, with their arc length along it: the vertices of both sides.
 std::vector<std::pair<double, Place>> points_of(const CutPlan& plan, const Seam& seam,
                                                 const PlaceOnBoundary& place_of) {
     std::vector<std::pair<double, Place>> points;
@@ -122,17 +122,17 @@ bool touches(const Place& place, const std::set<int>& nodes) {
     return std::all_of(place.begin(), place.end(), [&](const PlacePart& part) { return nodes.contains(part.node); });
 }
 
-/// A load tape's end at the mouth, and where it comes from.
+/// The end of a load tape at the mouth, with its direction there.
 struct TapeEnd {
     Place place;
-    Vec3 at = Vec3::Zero(), run = Vec3::Zero();  ///< unit length, out of the envelope
+    Vec3 at = Vec3::Zero(), run = Vec3::Zero();  ///< run: unit length, out of the envelope
 };
 
 std::vector<TapeEnd> add_load_tapes(const CutPlan& plan, const Rigging& rigging, const Symmetry& symmetry,
                                     const std::vector<double>& factors, const PlaceOnBoundary& place_of,
                                     const std::set<int>& mouth, SewnEnvelope& sewn) {
     std::vector<TapeEnd> ends;
-    std::set<std::set<int>> laid;  // in each sector the same seam comes again
+    std::set<std::set<int>> laid;  // tapes already placed: in each sector the same seam recurs
     for (std::size_t s = 0; s < plan.seams.size(); ++s) {
         const Seam& seam = plan.seams[s];
         if (!seam.has_tape()) continue;
@@ -170,8 +170,7 @@ void hold(const std::set<int>& nodes, SewnEnvelope& sewn) {
     }
 }
 
-/// Triangles from the edges of an opening to its middle, outside up. An opening that each sector has for itself has a
-/// middle of its own.
+/// Triangles from the edges of an opening to its centre, outside up. An opening within one sector has its own centre.
 std::vector<std::array<Place, 3>> closed(const Opening& opening, const Symmetry& symmetry) {
     const int turns = opening.is_round ? symmetry.sectors : 1;
     Place centre;
@@ -187,7 +186,7 @@ void append(const std::vector<std::array<Place, 3>>& triangles, std::vector<std:
     into.insert(into.end(), triangles.begin(), triangles.end());
 }
 
-/// An envelope without a mouth stands on its lowest points.
+/// An envelope without a mouth rests on its lowest points.
 std::set<int> lowest_nodes(const SewnEnvelope& sewn) {
     const auto heights = sewn.nodes.col(2);
     const double limit = heights.minCoeff() + 0.01 * (heights.maxCoeff() - heights.minCoeff());
@@ -239,7 +238,7 @@ void add_rigging(const CutPlan& plan, const Rigging& rigging, const Symmetry& sy
     }
     const std::size_t first = has_mouth ? 1 : 0, last = openings.size() - (has_crown ? 1 : 0);
     if (has_mouth) append(closed(openings.front(), symmetry), sewn.lids);
-    // Vents and what was not sewn would only be closed by cloth: gas is held there, and `check` names the edges.
+    // Vents and unsewn edges are treated as closed by cloth: they hold gas, and `check` names the edges.
     for (std::size_t i = first; i < last; ++i) append(closed(openings[i], symmetry), sewn.caps);
     if (!has_crown) return;
     if (!rigging.crown_ring && !rigging.crown_closed)

@@ -10,11 +10,11 @@
 
 namespace ripstop {
 
-/// Where a place of a tile's boundary is in the sewn envelope.
+/// The place in the sewn envelope of a place on a tile's boundary.
 using PlaceOnBoundary = std::function<Place(int tile, const BoundaryPlace&)>;
 
-/// Adds to the sewn cloth what `sew` says: load tapes along the seams that take one, what holds the mouth, the crown
-/// ring and the valve that closes it. Throws InputError where nothing could hold the envelope.
+/// Adds the rigging to the sewn cloth as described at `sew`: load tapes along the seams that have one, the supports
+/// of the mouth, the crown ring and the valve that closes it. Throws InputError if nothing could hold the envelope.
 void add_rigging(const CutPlan& plan, const Rigging& rigging, const Symmetry& symmetry,
                  const std::vector<char>& is_inside, const std::vector<double>& tape_factors,
                  const PlaceOnBoundary& place_of, SewnEnvelope& sewn);

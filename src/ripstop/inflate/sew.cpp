@@ -20,9 +20,9 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_place = 1e-5;  // share of an edge
+constexpr double same_place = 1e-5;  // fraction of an edge
 
-/// A boundary vertex on a side of a seam, and how far along the seam's curve.
+/// A boundary vertex on a side of a seam, and its arc length along the seam's curve.
 struct SideVertex {
     int vertex = 0;
     double along = 0;
@@ -78,7 +78,7 @@ class Seamstress {
         return {from[0], to[0]};
     }
 
-    /// Where vertices lie on vertices.
+    /// Joins vertices that coincide with vertices.
     void join_vertices(const Seam& seam) {
         for (const bool second : {false, true})
             for (const SideVertex& each : vertices_of_side(plan_, seam, second))
@@ -86,9 +86,10 @@ class Seamstress {
                     joints_.join(point(side(seam, second).tile, each.vertex), mate);
     }
 
-    /// The finer side hangs on the coarser one, the ends of the coarser one on the finer.
+    /// Ties the vertices of the finer side to the edges of the coarser one, and the ends of the coarser side to the
+    /// finer.
     void join_edges(const Seam& seam) {
-        if (seam.into) {  // a further sheet hangs on the skin, however it is meshed
+        if (seam.into) {  // an additional sheet depends on the skin, whatever its mesh
             for (const SideVertex& each : vertices_of_side(plan_, seam, false)) join_to_edge(seam, false, each);
             return;
         }
@@ -125,7 +126,7 @@ class Seamstress {
         const int tile = side(seam, second).tile, mate_tile = side(seam, !second).tile;
         Place mate = on_boundary(mate_tile, there);
         if (mate.size() < 2) return;
-        // An edge is a chord of the seam's curve: what hangs on it keeps its way off it.
+        // An edge is a chord of the seam's curve: a dependent vertex keeps its offset from the chord.
         mate.offset = Vec3(tile_of(tile).mesh.positions.row(each.vertex)) - drawn_point(mate_tile, there);
         joints_.join(point(tile, each.vertex), mate);
     }
@@ -155,7 +156,7 @@ bool fits_any(const std::vector<std::string>& globs, const std::string& name) {
     return std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) { return glob_match(glob, name); });
 }
 
-/// The point of the skin nearest to a point of the drawing.
+/// Finds the point of the skin nearest to a point of the drawing.
 class Skin {
   public:
     Skin(const CutPlan& plan, const std::vector<char>& is_inside, const Seamstress& sewn) : plan_(plan), sewn_(sewn) {
@@ -166,7 +167,7 @@ class Skin {
         }
     }
 
-    /// Nothing where it is further than `reach` [m].
+    /// Empty if it is farther than `reach` [m].
     std::optional<Place> nearest(const Vec3& point, double reach) {
         std::optional<Place> place;
         for (std::size_t k = 0; k < tiles_.size(); ++k) {
@@ -194,13 +195,13 @@ class Skin {
     std::vector<SurfaceFinder> finders_;
 };
 
-/// Within this of the skin an edge of a diaphragm or an end of a tie is on it [m].
+/// An edge of a diaphragm or an end of a tie within this distance lies on the skin [m].
 constexpr double on_skin = 0.02;
 
 void join_diaphragms(const CutPlan& plan, const std::vector<char>& is_inside, const std::vector<char>& is_named,
                      Seamstress& sewn) {
     Skin skin(plan, is_inside, sewn);
-    std::set<std::pair<int, int>> sewn_in;  // those that a seam holds already
+    std::set<std::pair<int, int>> sewn_in;  // those already held by a seam
     for (const Seam& seam : plan.seams)
         if (seam.into)
             for (const SideVertex& each : vertices_of_side(plan, seam, false))
@@ -260,7 +261,7 @@ std::vector<SewnTape> find_ties(const CutPlan& plan, const std::vector<InnerTie>
     return found;
 }
 
-/// Numbers the points that are free; `place` is then in nodes.
+/// Numbers the free points; afterwards `place` is in terms of nodes.
 class Numbering {
   public:
     Numbering(const CutPlan& plan, const Symmetry& symmetry, const Seamstress& sewn, const Joints& joints,
@@ -317,7 +318,7 @@ void add_cloth(const CutPlan& plan, const SewOptions& options, const Symmetry& s
         if (symmetry.tiles[i].turns != 0 || symmetry.tiles[i].of != static_cast<int>(i)) continue;
         const FlatTile& tile = plan.tiles[i];
         Fabric fabric = stiffened(plan.fabric_of(tile.tile), options.stiffer);
-        if (options.rest == RestState::as_cut)  // what has shrunk weighs what was cut
+        if (options.rest == RestState::as_cut)  // shrunk cloth keeps the weight of what was cut
             fabric.mass *= (1 + tile.tile.compensation.warp) * (1 + tile.tile.compensation.weft);
         const std::vector<Mat22> rest = cloth_at_rest(tile, options.rest);
         const auto found = std::find(into.fabrics.begin(), into.fabrics.end(), fabric);

@@ -55,7 +55,7 @@ void measure_triangles(const Tile& tile, const std::vector<Mat22>& targets, cons
     accuracy.area_error_abs = unsigned_error / accuracy.area;
 }
 
-/// Length of half-edge h of its triangle's target.
+/// The length of half-edge h in its triangle's target shape.
 double target_length(const std::vector<Mat22>& targets, int h) {
     return triangle_edge(targets[static_cast<std::size_t>(Adjacency::triangle(h))], h % 3).norm();
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int rays = 360;
 
-/// A half-edge that leaves the vertex farthest from the boundary along edges.
+/// A half-edge that leaves the vertex with the longest edge path to the boundary.
 int deepest_half_edge(const Tile& tile, const Adjacency& adjacency) {
     using Reached = std::pair<double, int>;
     std::vector<double> depth(static_cast<std::size_t>(tile.mesh.vertex_count()),
@@ -49,8 +49,8 @@ Vec2 ray(int i) {
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// The straight distance on the surface from the end of one ray to that of the next; nothing where they do not see each
-/// other or the rays have crossed, as then they are not the shortest ways from the centre.
+/// The straight distance on the surface between the ends of two consecutive rays. Empty if the ends do not see each
+/// other or the rays have crossed, because then they are not shortest paths from the centre.
 std::optional<double> apart(const UnfoldedSurface& surface, const Walk& one, const Walk& next, double flat_distance) {
     std::optional<double> nearest;
     for (const Sight& sight : surface.look_around(one.end, 4 * flat_distance)) {
@@ -64,8 +64,8 @@ std::optional<double> apart(const UnfoldedSurface& surface, const Walk& one, con
     return nearest;
 }
 
-/// How long the edge of the disc of the given radius is, along the surface from ray to ray; nothing where that cannot be
-/// said.
+/// The perimeter of the geodesic disc of the given radius, measured along the surface from ray to ray; empty if
+/// undefined.
 std::optional<double> edge_of_disc(const UnfoldedSurface& surface, const SurfacePoint& centre, double radius) {
     std::vector<Walk> walks;
     for (int i = 0; i < rays; ++i) walks.push_back(surface.walk(centre, ray(i), radius));
@@ -90,15 +90,15 @@ Bounds measure_bounds(const Tile& tile) {
 
     const UnfoldedSurface surface(tile.mesh);
     const int half_edge = deepest_half_edge(tile, Adjacency(tile.mesh.triangles, tile.mesh.vertex_count()));
-    // beside the vertex, not on it: round a vertex the directions of a triangle do not go all the way
+    // beside the vertex: at the vertex a triangle covers only part of the directions
     const SurfacePoint centre = surface.at(half_edge / 3, Vec3::Constant(0.02) + 0.94 * Vec3::Unit(half_edge % 3));
     bounds.centre = surface.position(centre);
     double radius = perimeter;
     for (int i = 0; i < rays; ++i) radius = std::min(radius, surface.walk(centre, ray(i), radius).walked);
     bounds.radius = 0.999 * radius;
     if (tile.compensation.warp != tile.compensation.weft || tile.compensation.strain.rows() > 0)
-        return bounds;  // the cloth is to be stretched
-    // the polygon between the rays' ends comes a little nearer to the centre than they do
+        return bounds;  // no bound if the cloth is stretched on purpose
+    // the polygon through the ray ends comes slightly closer to the centre than they do
     const double reach = bounds.radius * std::cos(std::numbers::pi / rays);
     if (const auto length = edge_of_disc(surface, centre, bounds.radius))
         bounds.stretch_ratio = std::max(1.0, 2 * std::numbers::pi * reach / *length);

@@ -12,17 +12,17 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_place = 1e-9;   // [m]: what is flattened for one tile holds for the other too
-constexpr double same_strain = 1e-8;  // round-off of an inflated shape, a hundred thousandth of what is cut
+constexpr double same_place = 1e-9;   // [m]: within this a flattening of one tile is valid for the other too
+constexpr double same_strain = 1e-8;  // rounding of an inflated shape, a hundred thousandth of what matters for cutting
 constexpr int points_a_chain = 32;
 
-/// What two equal tiles have in common wherever they lie.
+/// Properties of a tile that do not depend on its position.
 struct Signature {
     double area = 0, perimeter = 0;
-    std::vector<double> chains;  ///< length each is to have on the cloth [m]
+    std::vector<double> chains;  ///< target length of each chain on the cloth [m]
 };
 
-/// Where each boundary vertex is in the boundary (#V), -1 inside.
+/// The index of each vertex in the boundary (#V), -1 for interior vertices.
 std::vector<int> places_of(const Tile& tile) {
     std::vector<int> places(static_cast<std::size_t>(tile.mesh.vertex_count()), -1);
     for (std::size_t i = 0; i < tile.boundary.size(); ++i)
@@ -49,7 +49,7 @@ Tile mirror_image(Tile tile) {
     std::reverse(tile.boundary.begin(), tile.boundary.end());
     tile.grain.direction.x() *= -1;
     if (tile.curve_lengths.size() > 0) {
-        // Edge i runs from boundary[i]: turned round, it belongs to the vertex it ran to.
+        // Edge i starts at boundary[i]; after reversal it belongs to the vertex where it ended.
         std::reverse(tile.curve_lengths.begin(), tile.curve_lengths.end());
         std::rotate(tile.curve_lengths.begin(), tile.curve_lengths.begin() + 1, tile.curve_lengths.end());
     }
@@ -65,7 +65,7 @@ Tile mirror_image(Tile tile) {
     return tile;
 }
 
-/// Points at equal shares of a chain (3 x #).
+/// Points at equal fractions of a chain (3 x #).
 Eigen::Matrix3Xd points_along(const Tile& tile, const Chain& chain) {
     const Eigen::VectorXd lengths = edge_lengths(tile.mesh.positions, chain.vertices);
     Eigen::Matrix3Xd points(3, points_a_chain);
@@ -91,7 +91,7 @@ Eigen::Matrix3Xd outline_points(const Tile& tile, std::size_t first_chain) {
     return points;
 }
 
-/// A frame from the tile as a whole: its middle, the mean normal and the warp.
+/// A frame of the whole tile: centroid, mean normal and warp.
 Eigen::Isometry3d frame_of(const Tile& tile, double sign) {
     const Vec3 normal = area_vector(tile.mesh).normalized();
     const Vec3& warp = tile.grain.direction;
@@ -103,7 +103,7 @@ Eigen::Isometry3d frame_of(const Tile& tile, double sign) {
     return frame;
 }
 
-/// A way `one` may lie on `other`: with the first chain of `one` on this chain of `other`.
+/// A rigid motion that may map `one` to `other`, with the first chain of `one` on this chain of `other`.
 struct Pose {
     Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
     std::size_t chain = 0;
@@ -113,7 +113,7 @@ std::vector<Pose> poses(const Tile& one, const Signature& first, const Tile& oth
                         double tolerance) {
     std::vector<Pose> found;
     const std::size_t n = one.chains.size();
-    if (n == 1)  // perhaps no corner at all, and the chain begins anywhere
+    if (n == 1)  // the tile may have no corner, so that its chain starts anywhere
         for (const double sign : {1.0, -1.0}) found.push_back({frame_of(other, sign) * frame_of(one, 1).inverse(), 0});
     const Eigen::Matrix3Xd from = outline_points(one, 0);
     for (std::size_t shift = 0; shift < n; ++shift) {
@@ -125,15 +125,16 @@ std::vector<Pose> poses(const Tile& one, const Signature& first, const Tile& oth
         const Eigen::Matrix3Xd to = outline_points(other, shift);
         pose.motion.matrix() = Eigen::umeyama(from, to, false);
         pose.chain = shift;
-        // Points on different chords of one curve may be apart by more than vertices are from surfaces: a coarse test.
+        // Sample points on different chords of one curve may differ by more than vertices and surfaces do: a coarse
+        // test.
         const double apart = ((pose.motion * from) - to).colwise().norm().maxCoeff();
         if (apart <= 10 * tolerance + 0.01 * bounding_diagonal(one.mesh)) found.push_back(pose);
     }
     return found;
 }
 
-/// The mesh of `one` walked together with that of `other` from one boundary edge of each: the vertex of `one` for each
-/// of `other`, empty where the meshes are not built alike.
+/// Traverses both meshes in parallel from one boundary edge each. Returns the vertex of `one` for each vertex of
+/// `other`, or nothing if the meshes are not isomorphic.
 std::vector<int> correspondence(const Tile& one, const Tile& other, int from_one, int from_other) {
     if (one.mesh.vertex_count() != other.mesh.vertex_count() ||
         one.mesh.triangle_count() != other.mesh.triangle_count() || one.boundary.size() != other.boundary.size())
@@ -169,7 +170,7 @@ std::vector<int> correspondence(const Tile& one, const Tile& other, int from_one
     return vertex;
 }
 
-/// Do the corners and the edges of two meshes built alike agree too?
+/// Whether the corners and edge lengths of two isomorphic meshes agree too.
 bool edges_agree(const Tile& one, const Tile& other, const std::vector<int>& vertex) {
     const Eigen::VectorXd first = target_lengths(one), second = target_lengths(other);
     const std::vector<int> places = places_of(one);
@@ -189,7 +190,7 @@ bool edges_agree(const Tile& one, const Tile& other, const std::vector<int>& ver
     return one.chains.size() == 1 || corners(one, nullptr) == corners(other, &vertex);
 }
 
-/// Is the cloth of each triangle to be strained alike, to round-off?
+/// Whether the target strains of all triangles agree to rounding.
 bool strains_agree(const Tile& one, const Tile& other, const std::vector<int>& vertex) {
     const Points3 &first = one.compensation.strain, &second = other.compensation.strain;
     if (first.rows() == 0 && second.rows() == 0) return true;
@@ -221,7 +222,7 @@ double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const V
     return std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
 }
 
-/// Does every point lie within `tolerance` of the mesh?
+/// Whether every point lies within `tolerance` of the mesh.
 bool lies_on(const Eigen::Matrix3Xd& points, const TriangleMesh& mesh, double tolerance) {
     Eigen::Matrix3Xd lower(3, mesh.triangle_count()), upper(3, mesh.triangle_count());
     for (int t = 0; t < mesh.triangle_count(); ++t) {
@@ -240,7 +241,7 @@ bool lies_on(const Eigen::Matrix3Xd& points, const TriangleMesh& mesh, double to
     return true;
 }
 
-/// How well two tiles match in one pose, from worst to best.
+/// The degree to which two tiles match in one pose, in increasing order.
 enum class Alike { no, in_surface, in_vertices, exactly };
 
 std::pair<Alike, Likeness> likeness_at(const Tile& one, const Tile& other, const Pose& pose, double tolerance) {
@@ -249,7 +250,7 @@ std::pair<Alike, Likeness> likeness_at(const Tile& one, const Tile& other, const
     const Vec3 warp = pose.motion.linear() * one.grain.direction;
     found.grain_reversed = warp.dot(other.grain.direction) < 0;
     const double skew = (warp - (found.grain_reversed ? -1 : 1) * other.grain.direction).norm();
-    // Warps given triangle by triangle are not compared: such tiles are each of their own kind.
+    // Warps given per triangle are not compared: such tiles are each of their own kind.
     const bool plain = one.grain.field.rows() == 0 && other.grain.field.rows() == 0;
     if (!plain || skew * bounding_diagonal(one.mesh) > tolerance) return {Alike::no, found};
     const Eigen::Matrix3Xd moved = pose.motion * one.mesh.positions.transpose();
@@ -275,8 +276,8 @@ std::pair<Alike, Likeness> likeness_at(const Tile& one, const Tile& other, const
     return {lie_on_each_other ? Alike::in_surface : Alike::no, found};
 }
 
-/// How `other` is `one`, if it is. A tile that half a turn maps onto itself fits the other in two ways. The one that
-/// also matches the vertices wins, because only there the flat pieces are the same.
+/// The likeness of `other` to `one`, if there is one. A tile with two-fold rotational symmetry fits the other in two
+/// poses. The one that also matches the vertices wins, because only then the flat pieces are the same.
 std::optional<Likeness> compare(const Tile& one, const Tile& other, double tolerance) {
     if (one.fabric != other.fabric || one.compensation.warp != other.compensation.warp ||
         one.compensation.weft != other.compensation.weft)
@@ -306,7 +307,7 @@ std::vector<Likeness> find_equal_tiles(const std::vector<Tile>& tiles, double to
     std::vector<Likeness> result(tiles.size());
     std::vector<Signature> signatures;
     for (const Tile& tile : tiles) signatures.push_back(signature_of(tile));
-    std::multimap<double, int> firsts;  // by perimeter
+    std::multimap<double, int> firsts;  // sorted by perimeter
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         const double room = tolerance * static_cast<double>(tiles[i].chains.size());
         std::vector<int> candidates;

@@ -11,9 +11,9 @@
 namespace ripstop {
 namespace {
 
-/// What is sewn of each chain of a tile.
+/// The sewn part of each chain of a tile.
 struct Mating {
-    double sewn = 0;  ///< length on the seams' curves [m]
+    double sewn = 0;  ///< length on the curves of its seams [m]
     bool agrees = true;
 };
 
@@ -47,7 +47,7 @@ std::vector<std::vector<Mating>> mate(const CutPlan& plan) {
     return mates;
 }
 
-/// Length of each chain as drawn [m].
+/// The drawn length of each chain [m].
 std::vector<double> chain_lengths(const Tile& tile) {
     const Eigen::VectorXd drawn = drawn_lengths(tile);
     std::vector<double> leaving(static_cast<std::size_t>(tile.mesh.vertex_count()), 0), lengths;
@@ -99,7 +99,7 @@ void judge_seams(CutPlan& plan) {
 }
 
 std::string uncertain_text(const Seam& seam, const std::string& tile_a, const std::string& tile_b, double limit) {
-    // A chord that turns by t is short of the curve through its ends by t^2 / 24 of it.
+    // A chord is shorter than an arc that turns by t by t^2 / 24 of its length.
     const double turn = std::sqrt(24 * limit / seam.length);
     return "seam " + seam.id + ": the meshes of " + tile_a + " and " + tile_b + " leave " + in_mm(seam.uncertainty, 2) +
            " of its length open, it may err by " + in_mm(limit, 2) +

@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace {
 
-/// What the compensation makes of the edges along a zigzag: cloth a drawn length.
+/// The compensation of the edges along a zigzag: cloth per drawn length.
 double cloth_per_length(const Zigzag& zigzag, const Tile& tile) {
     if (!tile.compensation.any()) return 1;
     const Eigen::VectorXd drawn = drawn_lengths(tile), target = target_lengths(tile);

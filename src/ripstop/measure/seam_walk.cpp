@@ -7,7 +7,7 @@
 namespace ripstop {
 namespace {
 
-/// What the edges of a tile are: drawn, and come out on the cloth [m].
+/// The edge lengths of a tile: drawn and on the cloth [m].
 struct EdgeLengths {
     Eigen::VectorXd drawn, cloth;
 };
@@ -17,12 +17,12 @@ EdgeLengths lengths_of(const FlatTile& flat) {
     lengths.drawn = drawn_lengths(flat.tile);
     if (flat.flattening.positions.rows() == flat.tile.mesh.vertex_count())
         lengths.cloth = boundary_on_cloth(flat.tile, flat.flattening.positions, flat.flattening.edges_on_curve);
-    else  // nothing was flattened
+    else  // the tile was not flattened
         lengths.cloth = Eigen::VectorXd::Constant(lengths.drawn.size(), std::numeric_limits<double>::quiet_NaN());
     return lengths;
 }
 
-/// One side from the seam's start: where its parts end along the curve, and how much cloth there is up to there.
+/// One side from the seam's start: the ends of its parts along the curve, and the cumulative length of cloth.
 struct Profile {
     std::vector<double> at{0}, cloth{0};
 
@@ -43,7 +43,7 @@ Profile profile_of(std::vector<SeamPart> parts, const EdgeLengths& lengths, bool
         profile.cloth.push_back(profile.cloth.back() +
                                 lengths.cloth[part.edge] * (part.length / lengths.drawn[part.edge]));
     }
-    // The sums of the two sides differ by rounding; their ends are one point.
+    // The sums of the two sides differ by rounding, but they end at the same point.
     profile.at.back() = total;
     return profile;
 }

@@ -5,7 +5,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double no_length = 1e-5;  // [m]
+constexpr double no_length = 1e-5;  // length that counts as none [m]
 
 using Tiles = std::vector<const Tile*>;
 
@@ -28,7 +28,7 @@ void for_each_part(const std::vector<Seam>& seams, Work&& work) {
                 work(static_cast<std::size_t>(side->tile), part, seam.allowance(*side));
 }
 
-/// How much of each boundary edge of each tile is in no seam [m].
+/// The length of each boundary edge of each tile that is in no seam [m].
 std::vector<Eigen::VectorXd> free_of_edges(const Tiles& tiles, const std::vector<Seam>& seams) {
     std::vector<Eigen::VectorXd> left;
     for (const Tile* tile : tiles) left.push_back(drawn_lengths(*tile));
@@ -37,7 +37,7 @@ std::vector<Eigen::VectorXd> free_of_edges(const Tiles& tiles, const std::vector
     return left;
 }
 
-/// The chain of each boundary edge.
+/// The chain that each boundary edge belongs to.
 std::vector<std::size_t> chains_of_edges(const Tile& tile) {
     std::vector<std::size_t> leaving(static_cast<std::size_t>(tile.mesh.vertex_count()), 0), chains;
     for (std::size_t c = 0; c < tile.chains.size(); ++c)
@@ -67,7 +67,7 @@ std::vector<SeamTypeUse> uses_of(const Tiles& tiles, const std::vector<Seam>& se
         return known != uses.end() ? *known : uses.emplace_back(SeamTypeUse{type});
     };
     for (const Seam& seam : seams) {
-        if (seam.into) continue;  // sewn with the seam it lies in
+        if (seam.into) continue;  // sewn together with the seam that contains it
         SeamTypeUse& use = use_of(seam.type);
         ++use.seams;
         use.length += seam.length;

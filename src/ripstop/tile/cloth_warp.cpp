@@ -11,11 +11,11 @@
 namespace ripstop {
 namespace {
 
-constexpr double agreement = 0.3;          ///< 1: all one way; below, no direction stands for the whole
-constexpr double longer = 0.05;            ///< of the moments' sum: below, neither axis of a tile is the long one
-constexpr double rounding_of_unit = 1e-6;  ///< of a unit vector: what is left along the triangle is rounding
+constexpr double agreement = 0.3;  ///< 1: all parallel; below this, no direction represents the whole
+constexpr double longer = 0.05;    ///< relative to the sum of the moments: below this, neither axis is the longer one
+constexpr double rounding_of_unit = 1e-6;  ///< relative to a unit vector: a smaller part along the triangle is rounding
 
-/// The axes of `lay_flat` in space: columns along corner 0 to 1, and across.
+/// The axes of `lay_flat` in space as columns: along corner 0 to 1, and across.
 Mat32 axes_of(const TriangleMesh& mesh, int t) {
     const Vec3 a = mesh.corner(t, 0);
     const Vec3 e1 = (mesh.corner(t, 1) - a).normalized();
@@ -27,7 +27,7 @@ Mat32 axes_of(const TriangleMesh& mesh, int t) {
 
 struct Axis {
     Vec2 direction = Vec2::UnitX();
-    double clarity = 0;  ///< (greatest - least) / sum of the eigenvalues: 0 none, 1 a line
+    double clarity = 0;  ///< (largest - smallest) / sum of the eigenvalues: 0 is isotropic, 1 a line
 };
 
 Axis axis_of(const Mat22& moment) {
@@ -37,7 +37,7 @@ Axis axis_of(const Mat22& moment) {
     return {solver.eigenvectors().col(1), (solver.eigenvalues()[1] - solver.eigenvalues()[0]) / sum};
 }
 
-/// Where the corners of a triangle lie on the unrolled tile: its columns.
+/// The corners of a triangle on the unrolled tile, as columns.
 Eigen::Matrix<double, 2, 3> laid_corners(const TriangleMesh& mesh, const std::vector<LaidTriangle>& laid, int t) {
     const LaidTriangle& here = laid[static_cast<std::size_t>(t)];
     Eigen::Matrix<double, 2, 3> corners;
@@ -45,7 +45,7 @@ Eigen::Matrix<double, 2, 3> laid_corners(const TriangleMesh& mesh, const std::ve
     return (here.turn * corners).colwise() + here.origin;
 }
 
-/// The unrolled tile's area centre, and its axis of greatest second moment about it.
+/// The area centroid of the unrolled tile and its principal axis of largest second moment.
 struct Whole {
     Vec2 centre;
     Axis axis;
@@ -109,7 +109,7 @@ std::optional<Vec3> longest_axis_on_cloth(const TriangleMesh& mesh) {
     double least = std::numeric_limits<double>::infinity();
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         const double away = (laid_corners(mesh, laid, t).rowwise().mean() - whole.centre).norm();
-        if (away >= least * (1 - 1e-9)) continue;  // rounding must not choose among equals
+        if (away >= least * (1 - 1e-9)) continue;  // rounding must not decide between equal distances
         least = away;
         middle = t;
     }

@@ -10,14 +10,14 @@ namespace ripstop {
 namespace {
 
 constexpr double turns_at_all = 6 * degree;
-constexpr int farthest = 6;  // edges from one turn to the next
+constexpr int farthest = 6;  // edges between consecutive turns
 constexpr int fewest_changes = 4;
 constexpr double changing_share = 0.55;
-constexpr double highest = 0.25;  // teeth, of the run's size
-constexpr double strays = 1;      // longest edges
-constexpr int margin = 2;         // edges that a run takes beyond its first and last turn
+constexpr double highest = 0.25;  // height of the teeth, relative to the size of the run
+constexpr double strays = 1;      // largest distance from the fair curve, in longest edges
+constexpr int margin = 2;         // edges added to a run before its first and after its last turn
 
-/// What lies along a boundary edge: the mate, which of its seam's sides this one is, and the seam.
+/// The neighbour along a boundary edge: the mate, the seam and which of its sides this is.
 struct Along {
     int mate = -1;
     bool second = false;
@@ -73,7 +73,7 @@ class Finder {
         return tile_.mesh.positions.row(tile_.boundary[static_cast<std::size_t>((i + size_) % size_)]);
     }
 
-    /// Where the neighbour changes, and the corners, where they were given: then sharp turns are none.
+    /// The places where the neighbour changes, and the corners if they were given (then sharp turns do not count).
     std::vector<int> find_breaks() const {
         std::vector<bool> corner(static_cast<std::size_t>(tile_.mesh.vertex_count()), false);
         if (tile_.chains.size() > 1)
@@ -91,7 +91,7 @@ class Finder {
         return breaks;
     }
 
-    /// Of a boundary without breaks: cut open where it goes straight for long; where it does so nowhere it is one run.
+    /// Searches a boundary without breaks: cuts it open at a long straight part, or treats it as one closed run.
     void search_loop() {
         int straight = 0;
         for (int i = 0; i < 2 * size_; ++i) {
@@ -108,7 +108,7 @@ class Finder {
         if (size_ >= 6 && alternates(sharp)) add(0, size_, true);
     }
 
-    /// Between two vertices of the boundary.
+    /// Searches between two vertices of the boundary.
     void search(int from, int to) {
         std::vector<int> group;
         const auto close = [&] {

@@ -18,11 +18,12 @@
 namespace ripstop {
 namespace {
 
-constexpr double least_agreement = 0.3;  // of directions in space: below, their mean stands for none of them
-constexpr double least_facing = 0.3;     // of the area: below, a tile runs round and faces no side
+constexpr double least_agreement = 0.3;  // of directions in space: below this, the mean represents none of them
+constexpr double least_facing = 0.3;     // fraction of the area: below this, a tile goes right round and faces no side
 constexpr const char* laid_on_cloth = ", laid along the cloth as the tile runs round";
-constexpr double alike = 1e-6;        // of second moments: nearer ones are one, what tells them apart is rounding
-constexpr double corner_reach = 0.1;  // of the tile's size: how far off its boundary a corner may be given
+constexpr double alike = 1e-6;        // relative difference of second moments: smaller ones differ by rounding only
+constexpr double corner_reach = 0.1;  // relative to the tile's size: largest distance of a given corner from the
+                                      // boundary
 
 void require_near(const std::string& name, const TriangleMesh& mesh, const Vec3& corner, double away) {
     const double size = (mesh.positions.colwise().maxCoeff() - mesh.positions.colwise().minCoeff()).norm();
@@ -72,14 +73,14 @@ std::vector<Chain> cut_into_chains(const std::vector<int>& boundary, const std::
     return chains;
 }
 
-/// The mean of directions over the area; where these cancel in space, as they do all round a tube, that of the middle triangle.
+/// The area-weighted mean of the directions. If they cancel in space, as round a tube, that of the middle triangle.
 Vec3 mean_direction(const TriangleMesh& mesh, const Points3& directions) {
     const Vec3 mean = directions.transpose() * triangle_areas(mesh);
     if (mean.norm() > least_agreement * surface_area(mesh)) return mean.normalized();
     return directions.row(middle_triangle(mesh)).transpose().normalized();
 }
 
-/// The field with its mean over the area as the direction of the whole.
+/// A grain with the given field; its `direction` is the area-weighted mean.
 Grain grain_of_field(const std::string& name, const TriangleMesh& mesh, const TileOptions& options) {
     Grain grain{Vec3::Zero(), options.warp_source, options.warp_field};
     if (grain.field.rows() != mesh.triangle_count())
@@ -100,7 +101,8 @@ Grain grain_of_field(const std::string& name, const TriangleMesh& mesh, const Ti
     return grain;
 }
 
-/// Turned on the cloth, triangle by triangle, where a tile that runs round has no side to turn it on.
+/// Rotates the warp triangle by triangle on the cloth, for a tile that goes right round and has no side to be seen
+/// from.
 Grain turned_on_cloth(const TriangleMesh& mesh, const Eigen::Matrix2Xd& warp, double angle) {
     Grain grain{Vec3::Zero(), {}, warp_in_space(mesh, warp, angle)};
     grain.direction = mean_direction(mesh, grain.field);
@@ -147,7 +149,8 @@ Eigen::VectorXd lengths(const Points& positions, const std::vector<int>& vertice
     return result;
 }
 
-/// (I + 2 E)^(-1/2): from the drawn triangle to the cloth that has the strain E (E11, E22, 2 E12) on it.
+/// (I + 2 E)^(-1/2): maps the drawn triangle to the cloth that has the strain E (E11, E22, 2 E12) when it is
+/// stretched to it.
 Mat22 unstretched(const Vec3& strain) {
     Mat22 C;
     C << 1 + 2 * strain[0], strain[2], strain[2], 1 + 2 * strain[1];
@@ -247,12 +250,12 @@ Eigen::VectorXd drawn_lengths(const Tile& tile) {
 Eigen::VectorXd target_lengths(const Tile& tile) {
     Eigen::VectorXd lengths = drawn_lengths(tile);
     if (!tile.compensation.any()) return lengths;
-    // Where the edges are told for themselves, the triangles tell only what warp and weft add.
+    // If the edges have their own compensation, the triangles contribute only warp and weft.
     const bool is_told = tile.compensation.edges.size() > 0;
     const Eigen::VectorXd chords = edge_lengths(tile.mesh.positions, closed(tile.boundary));
     const std::vector<Mat22> targets = target_triangles(is_told ? without_strain(tile) : tile);
     const Adjacency adjacency(tile.mesh.triangles, tile.mesh.vertex_count());
-    Eigen::VectorXd leaving(tile.mesh.vertex_count());  // target length of the boundary edge that leaves a vertex
+    Eigen::VectorXd leaving(tile.mesh.vertex_count());  // target length of the boundary edge that starts at each vertex
     for (int h = 0; h < adjacency.half_edge_count(); ++h) {
         if (!adjacency.is_boundary(h)) continue;
         const Mat22& target = targets[static_cast<std::size_t>(Adjacency::triangle(h))];

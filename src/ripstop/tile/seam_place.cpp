@@ -14,20 +14,21 @@ auto point_on(const Points& positions, const Tile& tile, const BoundaryPlace& pl
     return Point(from + place.share * (to - from));
 }
 
-/// The share of an edge at which a point in space is nearest to it.
+/// The fraction of an edge at which it is nearest to a point in space.
 double share_nearest(const Tile& tile, int edge, const Vec3& point) {
     const Vec3 from = point_on(tile.mesh.positions, tile, {edge, 0});
     const Vec3 way = point_on(tile.mesh.positions, tile, {edge, 1}) - from;
     return std::clamp((point - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
 }
 
-/// Does the side alone tell where in its first edge it starts: at a vertex, or so that it takes the rest of that edge?
+/// Whether the side's own data determine where it starts in its first edge: at a vertex, or so that it takes the rest
+/// of that edge.
 bool start_is_told(const SeamSide& side, const Eigen::VectorXd& drawn) {
     const SeamPart& part = side.parts.front();
     return side.parts.size() > 1 || part.length >= (1 - 1e-6) * drawn[part.edge];
 }
 
-/// Share of its edge at which the first part of a side starts.
+/// The fraction of its edge at which the first part of a side starts.
 double start_share(const std::vector<FlatTile>& tiles, const Seam& seam, bool second) {
     const SeamSide& side = second ? seam.b : seam.a;
     const Tile& tile = tiles[static_cast<std::size_t>(side.tile)].tile;
@@ -35,7 +36,7 @@ double start_share(const std::vector<FlatTile>& tiles, const Seam& seam, bool se
     const SeamPart& first = side.parts.front();
     const double share = first.length / drawn[first.edge];
     if (start_is_told(side, drawn)) return std::max(0.0, 1 - share);
-    // A single part within an edge: the other side runs against it, so its end is where this one starts.
+    // A single part within an edge: the other side runs the opposite way, so its end is where this one starts.
     const SeamSide& other = second ? seam.a : seam.b;
     const Tile& mate = tiles[static_cast<std::size_t>(other.tile)].tile;
     const SeamPart& last = other.parts.back();

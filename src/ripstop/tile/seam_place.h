@@ -6,15 +6,15 @@
 
 namespace ripstop {
 
-/// Where a seam's curve `along` [m] from its start lies on one of its sides. `tiles` are the envelope's; `second`: on
-/// side b, which runs against the curve. Parts of edges lie where the seam's other side is in space (a T-junction
-/// within an edge). O(#parts).
+/// The place on one side of a seam that is `along` [m] from the start of the seam's curve. `tiles` are the
+/// envelope's. `second`: on side b, which runs against the curve. A part of an edge is located by the other side in
+/// space (a T-junction within an edge). O(#parts).
 BoundaryPlace place_on_side(const std::vector<FlatTile>& tiles, const Seam& seam, bool second, double along);
 
-/// The same of one of a seam's sheets, `along` from the start of the seam that it lies in.
+/// The same for one sheet of a seam, `along` from the start of the seam that contains it.
 BoundaryPlace place_on_sheet(const std::vector<FlatTile>& tiles, const SeamSheet& sheet, double along);
 
-/// On the cloth.
+/// The place on the cloth.
 Vec2 flat_point(const FlatTile& tile, const BoundaryPlace& place);
 
 }  // namespace ripstop

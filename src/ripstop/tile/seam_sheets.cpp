@@ -21,9 +21,9 @@ std::vector<std::vector<SeamSheet>> sheets_of_seams(const std::vector<Seam>& sea
 }
 
 std::vector<SeamPart> parts_between(const SeamSheet& sheet, double from, double to) {
-    const double smallest = 1e-9 * (sheet.to - sheet.from);  // rounding leaves no part of its own
+    const double smallest = 1e-9 * (sheet.to - sheet.from);  // a shorter remainder is rounding
     std::vector<SeamPart> parts;
-    double at = 0;  // along the parts
+    double at = 0;  // arc length along the parts
     const double low = sheet.backwards ? sheet.to - to : from - sheet.from;
     const double high = sheet.backwards ? sheet.to - from : to - sheet.from;
     for (const SeamPart& part : sheet.side->parts) {
@@ -45,7 +45,7 @@ std::vector<char> find_inner_sheets(int tiles, const std::vector<Seam>& seams) {
     };
     for (const Seam& seam : seams)
         if (!seam.into) group[root(seam.a.tile)] = root(seam.b.tile);
-    std::vector<double> hangs(group.size(), 0), carries(group.size(), 0);  // [m]
+    std::vector<double> hangs(group.size(), 0), carries(group.size(), 0);  // lengths [m]
     for (const Seam& seam : seams) {
         if (!seam.into) continue;
         const std::size_t sheet = root(seam.a.tile), skin = root(seam.b.tile);

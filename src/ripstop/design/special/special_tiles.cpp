@@ -15,11 +15,11 @@ bool is_one_piece(const BodyCell& a, const BodyCell& b) {
     return a.below || b.below ? a.below == b.below : a == b;
 }
 
-/// A connected run of triangles of one cell.
+/// A connected set of triangles of one cell.
 struct Piece {
     BodyCell cell;
     double area = 0;
-    std::map<int, double> borders;  ///< length to each other piece
+    std::map<int, double> borders;  ///< border length with each other piece
 };
 
 class Pieces {

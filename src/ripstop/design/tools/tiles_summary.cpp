@@ -16,7 +16,7 @@
 namespace ripstop {
 namespace {
 
-/// Six times the volume of the cone from the origin over a triangle.
+/// Six times the volume of the tetrahedron between the origin and a triangle.
 double cone(const Vec3& a, const Vec3& b, const Vec3& c) {
     return a.dot(b.cross(c));
 }

@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace {
 
-/// The cotangent matrix of a tile, its rows and columns parted into inside and boundary.
+/// The cotangent matrix of a tile, partitioned into interior and boundary.
 class CotangentSystem {
   public:
     explicit CotangentSystem(const Tile& tile)
@@ -30,7 +30,7 @@ class CotangentSystem {
 
     bool usable() const { return usable_; }
 
-    /// A x, for a value at each vertex in every column.
+    /// The product A x, for each column of x (one value per vertex).
     Eigen::MatrixXd product(const Eigen::MatrixXd& x) const {
         Eigen::MatrixXd result = Eigen::MatrixXd::Zero(x.rows(), x.cols());
         for (int t = 0; t < mesh_.triangle_count(); ++t)
@@ -41,7 +41,7 @@ class CotangentSystem {
         return result;
     }
 
-    /// Gives the vertices inside the values with A x = right there; those on the boundary stay as they are.
+    /// Solves A x = right for the interior vertices; boundary values stay as they are.
     void solve_inside(const Eigen::MatrixXd& right, Eigen::MatrixXd& x) const {
         if (inside_ == 0) return;
         for (Eigen::Index v = 0; v < x.rows(); ++v)
@@ -88,7 +88,7 @@ class CotangentSystem {
     bool usable_ = false;
 };
 
-/// 2 pi less the angles at each vertex inside; on the boundary zero.
+/// The angle defect of each interior vertex, 2 pi minus the sum of its angles; zero on the boundary.
 Eigen::VectorXd angle_defects(const Tile& tile) {
     const TriangleMesh& mesh = tile.mesh;
     Eigen::VectorXd defect = Eigen::VectorXd::Constant(mesh.vertex_count(), 2 * std::numbers::pi);
@@ -100,8 +100,8 @@ Eigen::VectorXd angle_defects(const Tile& tile) {
     return defect;
 }
 
-/// A closed line with these turnings whose edges are as near to `lengths` as closing allows: the smallest sum of
-/// (l' - l)^2 / l.
+/// A closed line with these turning angles and edge lengths as close as possible to `lengths`: it minimizes the sum
+/// of (l' - l)^2 / l.
 Points2 closed_line(const Eigen::VectorXd& lengths, const Eigen::VectorXd& turning) {
     const Eigen::Index count = lengths.size();
     Eigen::Matrix2Xd direction(2, count);

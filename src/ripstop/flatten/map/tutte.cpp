@@ -12,7 +12,7 @@
 namespace ripstop {
 namespace {
 
-/// The boundary on the unit circle, everything else at its centre.
+/// The boundary on the unit circle and all other vertices at its centre.
 Points2 boundary_on_circle(const Tile& tile) {
     const Eigen::VectorXd lengths = edge_lengths(tile.mesh.positions, closed(tile.boundary));
     const double turn = 2 * std::numbers::pi / lengths.sum();
@@ -25,14 +25,15 @@ Points2 boundary_on_circle(const Tile& tile) {
     return positions;
 }
 
-/// What one corner adds to its two edges: tan of half its angle over the edge's length. Both ends of an edge add.
+/// The contribution of one corner to its two edges: tan of half its angle over the edge's length. Both ends of an
+/// edge contribute.
 double mean_value_weight(const TriangleMesh& mesh, int half_edge) {
     const int t = half_edge / 3, k = half_edge % 3;
     const Vec3 a = mesh.corner(t, k), b = mesh.corner(t, (k + 1) % 3), c = mesh.corner(t, (k + 2) % 3);
     return (std::tan(0.5 * angle_at(a, b, c)) + std::tan(0.5 * angle_at(b, c, a))) / (b - a).norm();
 }
 
-/// One weight an edge, in the order of `Adjacency::edges`; positive.
+/// One positive weight per edge, in the order of `Adjacency::edges`.
 Eigen::VectorXd mean_value_weights(const TriangleMesh& mesh, const Adjacency& adjacency) {
     Eigen::VectorXd weights(static_cast<Eigen::Index>(adjacency.edges().size()));
     for (Eigen::Index e = 0; e < weights.size(); ++e) {

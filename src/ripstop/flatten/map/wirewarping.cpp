@@ -14,12 +14,12 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-/// A wire that need not be closed, and how the three closing conditions change with its turnings.
+/// A wire that may be open, and the Jacobian of the three closing conditions with respect to its turnings.
 struct Wire {
     Wire(const Vector& lengths, const Vector& turning);
 
     Points2 line;
-    Vec3 gap;                ///< whole turn less 2 pi [rad], where it ends [lengths of the wire]
+    Vec3 gap;                ///< total turning minus 2 pi [rad], then the position of its end [wire lengths]
     Eigen::Matrix3Xd slope;  ///< 3 x #B
 };
 
@@ -29,27 +29,27 @@ Wire::Wire(const Vector& lengths, const Vector& turning) : line(lengths.size(), 
     Vec2 at = Vec2::Zero();
     double angle = 0;
     for (Eigen::Index i = 0; i < n; ++i) {
-        if (i > 0) angle += turning[i];  // the turning at the first vertex is that of the closing
+        if (i > 0) angle += turning[i];  // the turning at the first vertex belongs to the closing
         line.row(i) = at.transpose();
         edge.col(i) = lengths[i] / lengths.sum() * Vec2(std::cos(angle), std::sin(angle));
         at += lengths.sum() * edge.col(i);
     }
     gap << turning.sum() - 2 * std::numbers::pi, at / lengths.sum();
-    Vec2 rest = Vec2::Zero();  // of the wire that a turning swings about its vertex
+    Vec2 rest = Vec2::Zero();  // the part of the wire that a turning rotates about its vertex
     for (Eigen::Index i = n - 1; i >= 0; --i) {
         rest += edge.col(i);
         slope.col(i) << 1, (i > 0 ? Vec2(-rest.y(), rest.x()) : Vec2(Vec2::Zero()));
     }
 }
 
-/// The least change of turnings that takes away `gap` to first order.
+/// The minimum-norm change of the turnings that removes `gap` to first order.
 Vector least_change(const Wire& wire, const Vec3& gap) {
     const Eigen::Matrix3d normal = wire.slope * wire.slope.transpose();
     return -wire.slope.transpose() * normal.fullPivLu().solve(gap);
 }
 
 constexpr double closing = 1e-11;
-constexpr double still = 1e-10;  ///< rms change of the turnings [rad]
+constexpr double still = 1e-10;  ///< root mean square change of the turnings [rad]
 
 }  // namespace
 
@@ -71,7 +71,7 @@ ClosedWire warp_wire(const Vector& lengths, const Vector& wanted, const WireWarp
             const Vector away = wanted - best.turning;
             Vector change = minimum_norm ? least_change(wire, wire.gap)
                                          : Vector(away + least_change(wire, wire.gap + wire.slope * away));
-            // a quarter turn at once at one vertex says nothing about the wire that comes out
+            // beyond a quarter turn at a vertex the linearization predicts nothing
             change *= std::min(1.0, 0.25 * std::numbers::pi / std::max(change.lpNorm<Eigen::Infinity>(), 1e-300));
             best.turning += change;
             at_rest = change.norm() < still * root;

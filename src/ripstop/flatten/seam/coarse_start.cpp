@@ -14,20 +14,20 @@ namespace ripstop {
 namespace {
 
 constexpr int most_cells = 100;
-constexpr int triangles_a_cell = 300;  ///< so that the coarse cloth stays cheap beside the fine one
+constexpr int triangles_a_cell = 300;  ///< keeps the coarse problem cheap compared with the fine one
 constexpr int least_cells = 5;         ///< along each side
 constexpr std::size_t cell_samples =
-    16;  ///< triangles that stand for a cell; with fewer the splines cheat between them
+    16;  ///< sampled triangles per cell; with fewer, the splines exploit the gaps between samples
 constexpr int edge_samples = 400;
-constexpr double edge_spring = 1e3;   ///< in E times the tile's size: softer, and the edges give way to the cloth
+constexpr double edge_spring = 1e3;   ///< in E times the tile's size; a softer spring lets the edges yield to the cloth
 constexpr double grain_spring = 1;    ///< in E
-constexpr double rest_spring = 1e-6;  ///< in E: for control points that hardly touch the tile
+constexpr double rest_spring = 1e-6;  ///< in E: for control points that hardly affect the tile
 constexpr int max_iterations = 8;
-constexpr double settled = 1e-4;  ///< of the energy: what a step may still promise at the end
+constexpr double settled = 1e-4;  ///< relative to the energy: stop if a step promises less
 
-constexpr int support = 16;  ///< control points that move a point
+constexpr int support = 16;  ///< control points that influence a point
 
-/// Cubic B-splines on a grid of square-like cells over the box of some points.
+/// Cubic B-splines on a grid of nearly square cells over the bounding box of the points.
 class SplineGrid {
   public:
     SplineGrid(const Points2& points, int target_cells) : low_(points.colwise().minCoeff().transpose()) {
@@ -104,7 +104,7 @@ class CoarseCloth {
         return sum + 0.5 * grain_weight_ * turn * turn;
     }
 
-    /// The energy's gradient, and its Hessian without negative curvature.
+    /// The gradient of the energy, and its Hessian without negative curvature.
     void assemble(const Eigen::VectorXd& c, Eigen::VectorXd& gradient, Eigen::MatrixXd& hessian) const {
         gradient = rest_spring * stiffness_ * c;
         hessian = rest_spring * stiffness_ * Eigen::MatrixXd::Identity(unknowns(), unknowns());
@@ -130,14 +130,14 @@ class CoarseCloth {
     }
 
   private:
-    /// How a vector of the start changes: by sum_k slope_k c_k.
+    /// The derivative of an edge vector with respect to the control points: it changes by sum_k slope_k c_k.
     struct Slopes {
         std::array<int, support> control;
         Eigen::Matrix<double, 1, support> slope;
     };
     struct TriangleSample {
         TriangleMetric metric;
-        double weight;  ///< how many triangles of its size it stands for
+        double weight;  ///< number of triangles of its size that it represents
         Mat22 start;
         std::array<Slopes, 2> edges;
     };
@@ -208,7 +208,7 @@ class CoarseCloth {
         size_ = std::sqrt(size_);
     }
 
-    /// The transverse component of the sample's warp, a share of the mean.
+    /// Adds the sample's transverse warp component, weighted by its share of the mean.
     void add_grain(const TriangleSample& sample, double share, const Mat22& target, const Vec2& warp) {
         const Vec2 along = target.inverse() * warp;
         grain_start_ += share * sample.start.row(1).dot(along);
@@ -236,7 +236,7 @@ class CoarseCloth {
     void add_triangle(const TriangleSample& sample, const Eigen::VectorXd& c, Eigen::VectorXd& gradient,
                       Eigen::MatrixXd& hessian) const {
         const MembraneElement element = membrane_.element(sample.metric, flat(sample, c), Curvature::semidefinite);
-        const auto& [p, q] = sample.edges;  // of one cell: they have the same control points
+        const auto& [p, q] = sample.edges;  // both in one cell, so they share their control points
         for (int i = 0; i < support; ++i) {
             const int row = 2 * p.control[static_cast<std::size_t>(i)];
             gradient.segment<2>(row) += sample.weight * (p.slope[i] * element.gradient.segment<2>(2) +
@@ -249,7 +249,7 @@ class CoarseCloth {
         }
     }
 
-    /// weight strain^2 / 2, with `slope` the strain's derivative by the edge.
+    /// Adds weight strain^2 / 2; `slope` is the derivative of the strain with respect to the edge.
     static void add_spring(const Slopes& along, const Vec2& slope, double strain, double weight,
                            Eigen::VectorXd& gradient, Eigen::MatrixXd& hessian) {
         const Mat22 block = weight * slope * slope.transpose();
@@ -265,7 +265,7 @@ class CoarseCloth {
     SplineGrid grid_;
     WovenMembrane membrane_;
     double stiffness_;
-    double size_ = 0;  ///< the area, then its square root
+    double size_ = 0;  ///< holds the area first, then its square root
     std::vector<TriangleSample> triangles_;
     std::vector<EdgeSample> edges_;
     Eigen::VectorXd grain_row_;

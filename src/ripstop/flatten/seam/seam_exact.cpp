@@ -18,8 +18,9 @@ namespace ripstop {
 namespace {
 
 constexpr int coarse_start_from =
-    5'000;                             ///< triangles: of smaller tiles the coarse cloth would cost as much as it saves
-constexpr int direct_iterations = 20;  ///< from the boundary's own lengths; what needs more is better led there
+    5'000;                             ///< triangles: for smaller tiles the coarse solve would cost as much as it saves
+constexpr int direct_iterations = 20;  ///< after a start with exact boundary lengths; if more are needed, leading the
+                                       ///< edges in steps works better
 
 bool without_flips(const Tile& tile, const Flattening& flat) {
     return flat.summary.usable() && count_flipped(tile.mesh.triangles, flat.positions) == 0;
@@ -36,7 +37,7 @@ double largest_thread_strain(const Tile& tile, const Points2& positions) {
     return largest;
 }
 
-/// What holding the area costs the threads, beside the same flattening without it.
+/// The increase of the thread strain due to keeping the area, compared with the same flattening without it.
 std::string price_of_area(const Tile& tile, const Fabric& fabric, SeamExactOptions options, const Points2& positions) {
     options.keep_area = false;
     const Flattening plain = flatten_seam_exact(tile, fabric, options);
@@ -45,7 +46,7 @@ std::string price_of_area(const Tile& tile, const Fabric& fabric, SeamExactOptio
            format_fixed(largest_thread_strain(tile, positions) / percent, 3) + " %";
 }
 
-/// From a start whose edges are nearly right straight to the end; empty where that turns triangles over.
+/// Newton directly from a start with nearly correct edges; empty if that flips triangles.
 std::optional<SeamSolution> from_boundary(const Tile& tile, const Fabric& fabric, SeamNewton& newton) {
     const Flattening flat = flatten_boundary_first(tile);
     if (!without_flips(tile, flat)) return std::nullopt;
@@ -55,7 +56,7 @@ std::optional<SeamSolution> from_boundary(const Tile& tile, const Fabric& fabric
                            {.max_iterations = direct_iterations});
 }
 
-/// From the cloth at rest without its edges held.
+/// Newton from the cloth's rest state with free edges.
 SeamSolution from_rest(const Tile& tile, SeamProblem& problem, SeamNewton& newton, const SeamExactOptions& options) {
     const SeamNewtonOptions free{
         .hold_edges = false, .max_iterations = options.max_iterations, .force_tolerance = 1e-3};

@@ -13,15 +13,16 @@
 namespace ripstop {
 namespace {
 
-/// What bending may hold a vertex of the cut line in its place with, in E. On edges of a thousandth of the tile it would be
-/// some thousand times the cloth, on those of a blunt tip more than the edges are held with; nothing there can fold visibly.
+/// The largest bending stiffness that acts on a vertex of the cut line, in E. On edges of a thousandth of the tile,
+/// bending would be some thousand times stiffer than the cloth, and on the edges of a blunt tip stiffer than the
+/// length constraints. Folds of such short edges are not visible.
 constexpr double stiffest_bend = 1e4;
 
 std::array<int, 6> unknowns_of(int a, int b, int c) {
     return {2 * a, 2 * a + 1, 2 * b, 2 * b + 1, 2 * c, 2 * c + 1};
 }
 
-/// Adds a symmetric block, given in full, to the slots of an element.
+/// Adds a full symmetric block to the slots of an element.
 template <class Block>
 void add_block(const SparsePattern& pattern, int group, const Block& block, Eigen::VectorXd& values) {
     const auto slots = pattern.slots(group);
@@ -30,7 +31,7 @@ void add_block(const SparsePattern& pattern, int group, const Block& block, Eige
         for (int b = 0; b <= a; ++b) values[slots[k++]] += block(a, b);
 }
 
-/// Gradient of the mean transverse component of the warp: it lies along +x where this row times u is zero.
+/// The gradient of the warp's mean transverse component: the warp lies along +x if this row times u is zero.
 Eigen::VectorXd make_grain_row(const Tile& tile) {
     const Eigen::Matrix2Xd warp = warp_in_triangles(tile);
     Eigen::VectorXd row = Eigen::VectorXd::Zero(2 * tile.mesh.vertex_count());
@@ -135,7 +136,7 @@ void SeamProblem::add_edges(const Eigen::VectorXd& u, const Eigen::VectorXd& lam
                             Eigen::VectorXd& values) const {
     for (int i = 0; i < edge_count(); ++i) {
         const Vec2 slope = (at(u, boundary_at(i + 1)) - at(u, boundary_at(i))) / lengths_[i];
-        // a pushed edge adds negative curvature across itself, which the semidefinite form leaves out
+        // a compressed edge adds negative curvature across itself; the semidefinite form drops it
         const double tension = curvature == Curvature::semidefinite ? std::max(0.0, lambda[i]) : lambda[i];
         const Mat22 block = rho * slope * slope.transpose() + tension / lengths_[i] * Mat22::Identity();
         Eigen::Matrix4d whole;

@@ -11,13 +11,13 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_length = 1e-9;  // of a seam's two sides
+constexpr double same_length = 1e-9;  // relative tolerance for the lengths of a seam's two sides
 
-/// A part of an edge with where it lies along the seam, from its start: 0 to 1.
+/// A part of an edge and its range along the seam, from 0 at its start to 1.
 struct Placed {
     int tile, edge;
     double from, to;
-    double length;  ///< on the common curve [m]
+    double length;  ///< length on the common curve [m]
 };
 
 double total(const std::vector<SeamPart>& parts) {
@@ -41,7 +41,7 @@ std::vector<Placed> place(const SeamSide& side, bool runs_along) {
     return placed;
 }
 
-/// Where the parts of a side end.
+/// The ends of the parts of a side.
 std::vector<double> ends(const std::vector<Placed>& parts) {
     std::vector<double> found{0};
     for (const Placed& part : parts) found.push_back(part.to);
@@ -76,13 +76,13 @@ void require_sides(const Envelope& envelope, const Seam& seam) {
                          " m long; measure both on one curve");
 }
 
-/// What tile, edge and interval share.
+/// The part of an edge that lies in one interval.
 struct Share {
     int tile, edge, seam, interval;
-    double length;  ///< [m]
+    double length;  ///< length of that part [m]
 };
 
-/// Numbers that are to be one.
+/// Union-find.
 class Union {
   public:
     int add() {
@@ -97,7 +97,7 @@ class Union {
         const int one = root(a), other = root(b);
         parent_[at(std::max(one, other))] = std::min(one, other);
     }
-    /// Counts on from zero: the number of each, `count` of them.
+    /// Numbers the sets from zero: the number of each element; `count` is the number of sets.
     std::vector<int> numbers(int& count) {
         std::vector<int> found(parent_.size());
         count = 0;
@@ -125,7 +125,7 @@ void add_shares(const std::vector<Placed>& parts, const std::vector<double>& kno
     }
 }
 
-/// Both sides of every seam against its intervals, tile by tile and edge by edge.
+/// The shares of both sides of every seam in its intervals, sorted by tile and edge.
 std::vector<Share> find_shares(const Envelope& envelope, Union& intervals) {
     std::vector<Share> shares;
     for (std::size_t s = 0; s < envelope.seams.size(); ++s) {
@@ -133,7 +133,8 @@ std::vector<Share> find_shares(const Envelope& envelope, Union& intervals) {
         require_sides(envelope, seam);
         const std::vector<Placed> a = place(seam.a, true), b = place(seam.b, false);
         const std::vector<double> ends_a = ends(a), ends_b = ends(b);
-        // as many on both sides: those that lie less close, so that swapping the sides changes nothing
+        // equally many on both sides: take the side with the wider spacing, so that swapping the sides changes
+        // nothing
         const bool by_a =
             ends_a.size() != ends_b.size() ? ends_a.size() < ends_b.size() : least_step(ends_a) >= least_step(ends_b);
         const std::vector<double>& knots = by_a ? ends_a : ends_b;
@@ -148,13 +149,13 @@ std::vector<Share> find_shares(const Envelope& envelope, Union& intervals) {
     return shares;
 }
 
-/// Makes one of all the intervals that an edge of two seams touches.
+/// Unites all intervals along an edge that belongs to two seams.
 void join_across_seams(std::span<const Share> edge, Union& intervals) {
     if (std::all_of(edge.begin(), edge.end(), [&](const Share& share) { return share.seam == edge[0].seam; })) return;
     for (const Share& share : edge) intervals.join(edge[0].interval, share.interval);
 }
 
-/// The shares of the same edge that begin at `from`.
+/// The shares of the same edge, beginning at `from`.
 std::span<const Share> same_edge(const std::vector<Share>& shares, std::size_t from) {
     std::size_t to = from;
     while (to < shares.size() && shares[to].tile == shares[from].tile && shares[to].edge == shares[from].edge) ++to;

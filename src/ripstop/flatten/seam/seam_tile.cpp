@@ -10,9 +10,9 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double surface_bending = 1e-5;  // while the edges are free, in A^1.5 E: what seam-exact has
-constexpr int attempt_iterations = 20;    // from a start that is right to second order
-constexpr double loose_force = 1e-6;      // the free shape is what the cut line bends about, so it is to be at rest
+constexpr double surface_bending = 1e-5;  // while the edges are free, in A^1.5 E: as in seam-exact flattening
+constexpr int attempt_iterations = 20;    // from a start that is correct to second order
+constexpr double loose_force = 1e-6;      // tight, because the cut line bends about the free shape
 
 }  // namespace
 
@@ -26,7 +26,7 @@ SeamTile::SeamTile(const Tile& tile, const Fabric& fabric, const TileStretch& st
     stiffen_seams(bending);
 }
 
-/// The seams bend about their free shape; edges that keep their length bend as in seam-exact flattening.
+/// Lets the seams bend about their free shape; edges that keep their length bend as in seam-exact flattening.
 void SeamTile::stiffen_seams(double bending) {
     const Eigen::Index count = target_.size();
     Vector stiffness = Vector::Constant(count, surface_bending);
@@ -52,7 +52,7 @@ bool SeamTile::hold(const Vector& h) {
     held_ = counted(hold_lengths(problem_, newton_, loose_.u));
     const auto rests = [](const SeamSolution& at) { return at.summary.termination == Termination::converged; };
     if (rests(held_) && held_.strict_minimum) return true;
-    // where the lengths are far from the free ones and near the drawn ones, the other start is the better one
+    // if the lengths are closer to the drawn ones than to the free ones, this start is better
     const Flattening drawn = flatten_boundary_first(tile_);
     if (drawn.summary.usable()) {
         SeamSolution other =
@@ -71,7 +71,7 @@ Eigen::MatrixXd SeamTile::linearize() {
     system_ = newton_.system_at(held_);
     ++factorizations_;
     exact_ = system_ && system_->exact();
-    // no factorisation, which no tile has shown yet: edges as stiff as the cloth lead downhill all the same
+    // No factorisation (not seen on any tile so far): edges as stiff as the cloth still give a descent direction.
     Eigen::MatrixXd stiffness =
         system_ ? system_->edge_stiffness()
                 : Eigen::MatrixXd(problem_.stiffness() * Eigen::MatrixXd::Identity(lengths_.size(), lengths_.size()));

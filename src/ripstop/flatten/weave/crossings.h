@@ -9,7 +9,7 @@
 
 namespace ripstop {
 
-/// A place in the weave, in steps from its centre.
+/// A position in the weave, in steps from its centre.
 struct Site {
     int warp = 0, weft = 0;
 };
@@ -20,10 +20,10 @@ inline Site operator+(const Site& a, const Site& b) {
 inline constexpr std::array<Site, 4> structural = {Site{1, 0}, Site{0, 1}, Site{-1, 0}, Site{0, -1}};
 inline constexpr std::array<Site, 4> diagonal = {Site{1, 1}, Site{-1, 1}, Site{-1, -1}, Site{1, -1}};
 
-/// A crossing nearer than this to one that is no neighbour would cover the surface twice [spacings].
+/// A crossing closer than this to one that is no neighbour would cover the surface twice [spacings].
 inline constexpr double crowded = 0.5;
 
-/// The crossings around one, where it sees them from: `ray[k]` for the neighbour at site (k / 3 - 1, k % 3 - 1).
+/// The visible crossings around a crossing: `ray[k]` leads to the neighbour at site (k / 3 - 1, k % 3 - 1).
 struct Neighbourhood {
     std::array<Vec2, 9> ray;
     std::array<bool, 9> seen = {};
@@ -37,7 +37,7 @@ struct Neighbourhood {
     static bool is_around(const Site& offset) { return std::abs(offset.warp) <= 1 && std::abs(offset.weft) <= 1; }
 };
 
-/// The crossings of a weave on a surface: by number, by site and by triangle.
+/// The crossings of a weave on a surface, indexed by number, site and triangle.
 class Crossings {
   public:
     Crossings(const UnfoldedSurface& surface, double spacing)
@@ -47,13 +47,13 @@ class Crossings {
     int count() const { return static_cast<int>(nodes_.size()); }
     const WovenNode& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
     bool is_free(const Site& site) const { return node_at(site) < 0; }
-    int node_at(const Site& site) const;  ///< -1: free
+    int node_at(const Site& site) const;  ///< -1 if free
 
     void place(const Site& site, const SurfacePoint& at, bool tendon);
     void move(int n, const SurfacePoint& to);
-    void drop(int n);  ///< it left the surface: its site is free again
+    void drop(int n);  ///< removes a crossing that left the surface; its site is free again
 
-    /// What the crossing of `site` sees within `reach` spacings if it lies there.
+    /// The crossings within `reach` spacings that are visible from `at`, as seen by the crossing of `site`.
     Neighbourhood look(const SurfacePoint& at, const Site& site, double reach) const;
 
   private:
@@ -64,8 +64,8 @@ class Crossings {
     const UnfoldedSurface& surface_;
     double spacing_;
     std::vector<WovenNode> nodes_;
-    std::unordered_map<std::int64_t, int> site_;  // looked up only, never walked through
-    std::vector<int> first_in_;                   // the nodes of each triangle, as linked lists
+    std::unordered_map<std::int64_t, int> site_;  // for look-up only, never iterated
+    std::vector<int> first_in_;                   // the nodes of each triangle as linked lists
     std::vector<int> next_in_;
 };
 

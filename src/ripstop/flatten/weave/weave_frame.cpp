@@ -11,8 +11,8 @@
 namespace ripstop {
 namespace {
 
-/// Half the mean edge, as the paper has it, but three yarns across a narrow tile, some 100 crossings on one of few
-/// triangles and no more than 20 a triangle where tiny edges draw the mean down.
+/// The yarn spacing: `relative` mean edges (half a mean edge in the paper), but at least three yarns across a narrow
+/// tile and about 100 crossings on one of few triangles, and at most 20 per triangle if tiny edges reduce the mean.
 double yarn_spacing(const Tile& tile, const Adjacency& adjacency, double relative) {
     double sum = 0;
     for (const int h : adjacency.edges())
@@ -24,7 +24,7 @@ double yarn_spacing(const Tile& tile, const Adjacency& adjacency, double relativ
                       std::sqrt(area / 100));
 }
 
-/// Length of the shortest way along edges from each vertex to the boundary (#V).
+/// The length of the shortest edge path from each vertex to the boundary (#V).
 Eigen::VectorXd depth(const Tile& tile, const Adjacency& adjacency) {
     Eigen::VectorXd way = Eigen::VectorXd::Constant(tile.mesh.vertex_count(), std::numeric_limits<double>::infinity());
     using Entry = std::pair<double, int>;
@@ -60,9 +60,9 @@ double distance_to_boundary(const Tile& tile, const Vec3& point) {
     return nearest;
 }
 
-/// The point of the tile nearest its area centre; where that is close to the boundary, the middle of the triangle that
-/// is far from the boundary and yet not far from there. A little off every edge and vertex, so that the yarns of a
-/// regular mesh do not run into vertices, where rounding would choose their side.
+/// The centre of the weave: the point of the tile nearest its area centroid. If that is close to the boundary, the
+/// middle of a triangle that is far from the boundary but near the centroid. It lies slightly off edges and vertices,
+/// so that the yarns of a regular mesh do not hit vertices, where rounding would choose the side.
 SurfacePoint weave_centre(const Tile& tile, const Adjacency& adjacency, const UnfoldedSurface& surface) {
     const Vec3 centre = centroid(tile.mesh);
     const Eigen::VectorXd deep = depth(tile, adjacency);
@@ -74,7 +74,8 @@ SurfacePoint weave_centre(const Tile& tile, const Adjacency& adjacency, const Un
             const auto corners = tile.mesh.triangles.row(t);
             const double score = (deep[corners[0]] + deep[corners[1]] + deep[corners[2]]) / 3 -
                                  0.25 * (surface.position(middle) - centre).norm();
-            if (score <= best_score + 1e-9 * deep.maxCoeff()) continue;  // rounding must not choose among equals
+            // rounding must not decide between equal scores
+            if (score <= best_score + 1e-9 * deep.maxCoeff()) continue;
             best_score = score;
             best = middle;
         }
@@ -83,8 +84,8 @@ SurfacePoint weave_centre(const Tile& tile, const Adjacency& adjacency, const Un
     return best;
 }
 
-/// The warp at a point: the mean over the triangles seen from there within `radius`, each unfolded, by area, so that a
-/// crease at the point does not turn the whole weave.
+/// The warp at a point: the area-weighted mean over the unfolded triangles visible within `radius`, so that a crease
+/// at the point does not rotate the whole weave.
 Vec2 warp_at(const Tile& tile, const UnfoldedSurface& surface, const SurfacePoint& point, double radius) {
     const Eigen::Matrix2Xd warp = warp_in_triangles(tile);
     Vec2 sum = Vec2::Zero();

@@ -8,56 +8,57 @@
 
 namespace ripstop {
 
-/// Where one copy of a piece lies on the roll: x along it, the warp, y across it.
+/// The placement of one copy of a piece on the roll: x is along the roll (the warp), y across it.
 struct Placement {
-    std::size_t piece = 0;  ///< in `PieceSet::pieces`
-    int copy = 0;  ///< from 1, of the copies of a pattern, mirror images counted with them; 0: the piece itself
-    bool mirrored = false;   ///< one of `PatternPiece::quantity_mirrored`: the piece's mirror image is wanted
-    bool face_down = false;  ///< laid with the outside of the cloth below; only where the cloth may be turned over
-    double turn = 0;         ///< [rad], counter-clockwise, after mirroring: 0 or pi, give or take the grain tolerance
-    Vec2 shift = Vec2::Zero();  ///< after turning [m]
+    std::size_t piece = 0;   ///< index in `PieceSet::pieces`
+    int copy = 0;            ///< from 1, counting all copies of a pattern, mirrored ones included; 0: the piece itself
+    bool mirrored = false;   ///< one of `PatternPiece::quantity_mirrored`: the mirror image is wanted
+    bool face_down = false;  ///< laid with the outside of the cloth down; only if the cloth may be turned over
+    double turn = 0;         ///< rotation [rad], counter-clockwise, after mirroring: 0 or pi within the grain tolerance
+    Vec2 shift = Vec2::Zero();  ///< translation after the rotation [m]
 
-    /// Is the outline drawn mirrored (y to -y)? A mirror image laid face down is not.
+    /// Whether the outline is mirrored (y to -y). A mirror image laid face down is not.
     bool is_drawn_mirrored() const { return mirrored != face_down; }
-    /// Points of the piece, where they lie (#P x 2), in the piece's order.
+    /// Points of the piece (#P x 2) transformed to their place on the roll, in the same order.
     Points2 placed(const Points2& points) const;
 };
 
 /// A length of cloth without a join.
 struct RollPart {
-    double start = 0;   ///< on the marker [m]
-    double length = 0;  ///< of the cloth [m]; as long as used where the roll has no end
-    double used = 0;    ///< to the end of the last piece [m]
+    double start = 0;   ///< position on the marker [m]
+    double length = 0;  ///< length of the cloth [m]; on an endless roll the length used
+    double used = 0;    ///< length up to the end of the last piece [m]
 };
 
-/// Pieces of one fabric and colour, laid on the roll.
+/// The marker of one fabric and colour: its pieces as laid on the roll.
 struct Marker {
     std::string fabric, colour;
     double roll_width = 0;  ///< [m]
-    double length = 0;      ///< of cloth the marker takes, cloth lost before joins included [m]
-    double net_area = 0;    ///< of the outlines laid [m2]
+    double length = 0;      ///< length of cloth that the marker takes, waste before joins included [m]
+    double net_area = 0;    ///< area of all laid outlines [m2]
     std::vector<RollPart> parts = {};
-    std::vector<Placement> placements = {};  ///< from the start of the roll on
+    std::vector<Placement> placements = {};  ///< sorted from the start of the roll
 
     double gross_area() const { return roll_width * length; }
     double utilisation() const { return length > 0 ? net_area / gross_area() : 0; }
 };
 
-/// A piece that could not be laid, and why, and what to do.
+/// A piece that could not be laid, with the reason and a remedy.
 struct Refusal {
     std::string piece, reason;
-    int quantity = 1;  ///< how many of it, mirror images counted with them
+    int quantity = 1;  ///< number of copies, mirrored ones included
 };
 
-/// What became of all the pieces.
+/// All markers and the pieces that could not be laid.
 struct Markers {
-    std::vector<Marker> markers;    ///< by fabric, then colour
-    std::vector<Refusal> refusals;  ///< one a piece
+    std::vector<Marker> markers;    ///< sorted by fabric, then colour
+    std::vector<Refusal> refusals;  ///< one per piece
 };
 
-/// The piece as it lies: turned, mirrored and shifted, with its copy in its name; all outlines counter-clockwise,
-/// letters never mirrored and never upside down, lines in their order. A mirror image says so in its name and on its
-/// label, and `cut 24` becomes `2/24` on a copy, and goes where each piece is laid itself.
+/// The piece transformed to its placement: mirrored, rotated and shifted, with the copy number in its name. All
+/// outlines are counter-clockwise, lettering is never mirrored or upside down, and lines keep their order. A mirror
+/// image says so in its name and on its label. `cut 24` becomes `2/24` on a copy, and is dropped if every piece is
+/// laid separately.
 PatternPiece placed_piece(const PatternPiece& piece, const Placement& placement);
 
 }  // namespace ripstop

@@ -25,7 +25,7 @@ void count_patterns(std::vector<PatternPiece>& pieces) {
         PatternPiece* piece;
         bool was_mirrored;
     };
-    std::map<std::string, Pattern> patterns;  // by the name of the piece that was the pattern
+    std::map<std::string, Pattern> patterns;  // by the name of the piece that serves as the pattern
     for (PatternPiece& piece : pieces) {
         const auto [found, is_first] =
             patterns.try_emplace(piece.pattern.empty() ? piece.name : piece.pattern, Pattern{&piece, piece.mirrored});

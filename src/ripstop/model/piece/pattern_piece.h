@@ -10,59 +10,60 @@
 
 namespace ripstop {
 
-/// A text on a piece: where its middle is, how high the letters are, turned by how much from +x.
+/// A text on a piece: its centre, letter height and rotation from +x.
 struct Label {
     std::string text;
     Vec2 middle = Vec2::Zero();
     double height = 0.02;  ///< [m]
     double turn = 0;       ///< [rad], counter-clockwise
-    bool counts = false;   ///< says how many are cut by the pattern: not written where all of them are drawn
+    bool counts = false;   ///< states how many copies the pattern cuts; not written where every copy is drawn
 };
 
-/// Whom a piece is sewn to along a part of an edge.
+/// The piece to which a part of an edge is sewn.
 struct Mate {
-    std::string seam;       ///< its id
+    std::string seam;       ///< id of the seam
     std::string piece;      ///< the name of the other piece
-    double length = 0;      ///< of the part, on the cloth [m]
-    std::string type = {};  ///< of the seam
+    double length = 0;      ///< length of that part on the cloth [m]
+    std::string type = {};  ///< type of the seam
 };
 
-/// An edge of a piece: the run of its sew line from one corner to the next, counter-clockwise. Corners are points of
-/// the sew line; an outline without corners is one edge that ends where it starts.
+/// An edge of a piece: the part of its sew line from one corner to the next, counter-clockwise. Corners are points of
+/// the sew line. An outline without corners is one edge that ends where it starts.
 struct PieceEdge {
-    int first = 0;                 ///< in `PatternPiece::sew_line`: where it starts; it ends where the next edge starts
-    double length = 0;             ///< of the edge as flattened, before any point of it was left out [m]
-    double allowance = 0;          ///< cloth beyond the sew line [m]
-    std::string seam_type = {};    ///< how most of it is sewn, or how it is finished: `flat-felled`, `hem`, …
-    std::vector<Mate> mates = {};  ///< in the order of the edge; none where it is free
+    int first = 0;         ///< index of its start in `PatternPiece::sew_line`; it ends at the start of the next edge
+    double length = 0;     ///< length as flattened, before any points were dropped [m]
+    double allowance = 0;  ///< width of cloth beyond the sew line [m]
+    std::string seam_type = {};    ///< the seam or finish of most of its length: `flat-felled`, `hem`, …
+    std::vector<Mate> mates = {};  ///< in order along the edge; empty if the edge is free
 };
 
-/// Two edges of a piece, or two parts of one, whose allowances do not fit between them: the cut line keeps less there.
+/// Two edges of a piece, or two parts of one edge, that are too close for both allowances: the cut line keeps less
+/// there.
 struct MetAllowances {
-    int edge = 0, mate_edge = 0;  ///< in `PatternPiece::edges`
-    double length = 0;            ///< of the sew line where they meet [m]
-    double gap = 0;               ///< the least clear width between the two [m]
-    double left = 0;              ///< the least allowance that is left to either [m]; about 0 where they touch
-    Vec2 at = Vec2::Zero();       ///< on the sew line, where the gap is least
+    int edge = 0, mate_edge = 0;  ///< indices in `PatternPiece::edges`
+    double length = 0;            ///< length of the sew line concerned [m]
+    double gap = 0;               ///< smallest clear width between the two [m]
+    double left = 0;              ///< smallest allowance left on either side [m]; about 0 where they touch
+    Vec2 at = Vec2::Zero();       ///< point of the sew line at the smallest gap
 };
 
 /// A match mark on an edge: the same place of the seam on both pieces. It is cut or drawn from the cut line inwards.
 struct PieceNotch {
-    int edge = 0;                                   ///< in `PatternPiece::edges`
-    std::string seam;                               ///< id
-    double along = 0;                               ///< the seam's curve from its start, so equal on both mates [m]
-    Vec2 on_sew = Vec2::Zero();                     ///< on the sew line
-    Vec2 outward = Vec2::UnitX();                   ///< unit normal of the sew line there, away from the piece
-    double reach = 0;                               ///< from the sew line to the cut line along `outward` [m]
-    double depth = 0;                               ///< of the cut, less than the reach; 0: drawn, not cut [m]
-    int count = 1;                                  ///< 2: a double notch, `twin_distance` apart along the edge
+    int edge = 0;                  ///< index in `PatternPiece::edges`
+    std::string seam;              ///< id of the seam
+    double along = 0;              ///< arc length along the seam's curve from its start, equal on both mates [m]
+    Vec2 on_sew = Vec2::Zero();    ///< its place on the sew line
+    Vec2 outward = Vec2::UnitX();  ///< unit normal of the sew line there, away from the piece
+    double reach = 0;              ///< distance from the sew line to the cut line along `outward` [m]
+    double depth = 0;              ///< depth of the cut, less than the reach; 0: drawn, not cut [m]
+    int count = 1;                 ///< 2: a double notch, `twin_distance` apart along the edge
     static constexpr double twin_distance = 0.008;  ///< [m]
 
     Vec2 on_cut() const { return on_sew + reach * outward; }
     Vec2 along_edge() const { return {-outward.y(), outward.x()}; }
-    /// The slits, from the cut line inwards; one or two, none where there is no depth.
+    /// The slits from the cut line inwards: one or two, or none if the depth is 0.
     std::vector<std::pair<Vec2, Vec2>> slits() const { return strokes(on_cut(), depth); }
-    /// Strokes from `start` inwards, as many as the notch has; none without length.
+    /// The strokes of the notch from `start` inwards, one or two; none if `length` is 0.
     std::vector<std::pair<Vec2, Vec2>> strokes(const Vec2& start, double length) const {
         std::vector<std::pair<Vec2, Vec2>> lines;
         for (int i = 0; i < count && length > 0; ++i) {
@@ -73,32 +74,35 @@ struct PieceNotch {
     }
 };
 
-/// A line that is drawn on the piece and not cut: a load tape, artwork, a fold.
+/// A line that is drawn on the piece but not cut: a load tape, artwork, a fold.
 struct DrawnLine {
     std::string name;
-    Points2 points;  ///< at least 2 x 2; a closed one ends where it starts
+    Points2 points;  ///< at least 2 x 2; a closed line repeats its first point
 };
 
-/// What is drawn for the cutter: the flat piece in metres, +x the warp, outside face up.
+/// A pattern piece for the cutter: flat, in metres, +x along the warp, outside face up.
 struct PatternPiece {
     std::string name;
-    Points2 sew_line;  ///< closed, counter-clockwise, the first point not repeated: the edges' points, corners exact
+    Points2 sew_line;  ///< closed, counter-clockwise, first point not repeated: the points of the edges, with exact
+                       ///< corners
     std::vector<PieceEdge> edges =
-        {};                 ///< they cover the sew line once, in its order; none on a piece that is not sewn
-    Points2 cut_line = {};  ///< closed, counter-clockwise: what is cut; the sew line where nothing is allowed
-    std::vector<MetAllowances> met = {};  ///< where it keeps less than what is allowed
+        {};                 ///< the edges cover the sew line once, in its order; empty for a piece that is not sewn
+    Points2 cut_line = {};  ///< closed, counter-clockwise: the line to cut; equal to the sew line if there is no
+                            ///< allowance
+    std::vector<MetAllowances> met = {};  ///< where the cut line keeps less than the allowance
     std::vector<PieceNotch> notches = {};
     Points2 grain_line = {};  ///< 2 x 2: tail and head of the grain arrow, inside the piece
     std::vector<DrawnLine> lines = {};
     std::vector<Label> labels = {};
-    int quantity = 1;           ///< how many are cut by this pattern
-    int quantity_mirrored = 0;  ///< and by the pattern turned over
-    std::string pattern = {};   ///< name of the equal piece whose pattern cuts it (`quantity` 0); empty: its own
-    bool mirrored = false;      ///< it is cut by that pattern turned over
+    int quantity = 1;           ///< number of copies that this pattern cuts
+    int quantity_mirrored = 0;  ///< number of mirrored copies it cuts
+    std::string pattern = {};   ///< name of the equal piece whose pattern cuts this one (then `quantity` is 0); empty:
+                                ///< its own
+    bool mirrored = false;      ///< cut by that pattern turned over
     std::string gore = {}, row = {}, fabric = {}, colour = {}, revision = {};
-    std::string file = {};  ///< stem of its files
+    std::string file = {};  ///< stem of its file names
 
-    /// Of what is cut.
+    /// The outline that is cut.
     const Points2& outline() const { return cut_line.rows() > 0 ? cut_line : sew_line; }
     Vec2 lower() const { return outline().colwise().minCoeff(); }
     Vec2 upper() const { return outline().colwise().maxCoeff(); }
@@ -107,27 +111,27 @@ struct PatternPiece {
     Points2 edge_line(std::size_t edge) const;
 };
 
-/// How many the pattern cuts, as it is written on it: `cut 12 + 12 mirrored`; empty where it is itself alone.
+/// The number of copies as the pattern states it: `cut 12 + 12 mirrored`; empty for a single copy.
 std::string cut_count(const PatternPiece& piece);
 
-/// Counts what each pattern cuts once more, where pieces were left out: of equal pieces the first is the pattern and
-/// the others are cut by it, turned over where they are its mirror image. A label that states the count states the new
-/// one, or is dropped where the piece is cut once.
+/// Recounts the copies of each pattern after pieces were removed. The first of equal pieces is the pattern; the
+/// others are cut by it, turned over if they are mirror images. A label that states the count is updated, or dropped
+/// if the piece is cut once.
 void count_patterns(std::vector<PatternPiece>& pieces);
 
-/// All the pieces of an envelope, with what cutting and sewing them needs: what `export`, `nest` and the order work
-/// from.
+/// All pieces of an envelope with the data for cutting and sewing: the input of `export`, `nest` and the order.
 struct PieceSet {
-    std::string input;     ///< the file the envelope came from
-    std::string revision;  ///< of the patterns
+    std::string input;     ///< file that the envelope was read from
+    std::string revision;  ///< revision of the patterns
     std::vector<PatternPiece> pieces;
-    std::vector<Fabric> fabrics;       ///< every fabric a piece names
-    std::vector<SeamType> seam_types;  ///< every type an edge names
+    std::vector<Fabric> fabrics;       ///< every fabric that a piece names
+    std::vector<SeamType> seam_types;  ///< every seam type that an edge names
 
-    const Fabric& fabric(const std::string& name) const;  ///< a fabric of that name; the first where there is none
+    const Fabric& fabric(const std::string& name) const;  ///< the fabric of that name; the first one if there is none
 };
 
-/// Length along the shaft of the arrow head of a grain line `length` long, and half its width [m].
+/// The length of a grain line's arrow head along the shaft and half its width [m]; `length` is that of the grain
+/// line.
 inline double arrow_head(double length) {
     return std::min(0.012, 0.2 * length);
 }

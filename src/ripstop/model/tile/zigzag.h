@@ -8,46 +8,46 @@
 
 namespace ripstop {
 
-/// A run of a tile's boundary that goes along the edges of a mesh where a smooth cut was meant: it turns left and right
-/// in turn, by teeth about as high as its edges are long. Each edge keeps its length on the cloth while the teeth fold
-/// like an accordion, so their sum says nothing of the seam.
+/// A run of a tile's boundary that follows mesh edges where a smooth cut was meant: it turns alternately left and
+/// right, with teeth about as high as its edges are long. Each edge keeps its length on the cloth while the teeth
+/// fold like an accordion, so the sum of the edges says nothing about the seam.
 struct Zigzag {
     int tile = 0;
     std::string tile_name;
-    std::string mate;           ///< name of the tile it is sewn to; empty: none
+    std::string mate;           ///< name of the tile on the other side; empty: none
     bool closed = false;        ///< it goes round the whole boundary
-    int first = 0;              ///< where it begins, in `Tile::boundary`
-    std::vector<int> vertices;  ///< of the tile's mesh, in the boundary's order; a closed one does not repeat its first
-    std::vector<std::string> seams;  ///< ids of those that lie along it, in the boundary's order
-    double length = 0;               ///< of its edges [m]
-    double fair_length = 0;          ///< of the curve that it stands for, on the surface (`FairCurve`) [m]
-    double teeth = 0;                ///< the largest height of a vertex over the line between its neighbours [m]
+    int first = 0;              ///< index of its start in `Tile::boundary`
+    std::vector<int> vertices;  ///< vertices of the tile's mesh, in boundary order; a closed run does not repeat its
+                                ///< first
+    std::vector<std::string> seams;  ///< ids of the seams along it, in boundary order
+    double length = 0;               ///< total length of its edges [m]
+    double fair_length = 0;  ///< length of the smooth curve that it stands for, on the surface (`FairCurve`) [m]
+    double teeth = 0;        ///< largest height of a vertex over the line between its neighbours [m]
 
-    std::string seams_text() const;  ///< ` (S0003 to S0041)`; empty where no seam lies along it
+    std::string seams_text() const;  ///< ` (S0003 to S0041)`; empty if no seam lies along it
 };
 
-/// What became of a zigzag on the cloth, by the curve that it stands for.
+/// The accuracy of a zigzag on the cloth, measured on the curve that it stands for.
 struct ZigzagWalk {
     Zigzag zigzag;
-    double length = 0;       ///< of the fair curve in space, as long as the cloth is to be there [m]
-    double flat_length = 0;  ///< of its image on the cloth [m]; not a number where the tile was not flattened
-    double area = 0;         ///< of the tile within the fair curves of all its zigzags, on the surface [m2]
+    double length = 0;       ///< length of the fair curve in space, the target on the cloth [m]
+    double flat_length = 0;  ///< length of its image on the cloth [m]; NaN if the tile was not flattened
+    double area = 0;         ///< area of the tile inside the fair curves of all its zigzags, on the surface [m2]
     double flat_area = 0;    ///< the same on the cloth [m2]
 
     double error() const { return flat_length / length - 1; }  ///< positive: too long on the cloth
 };
 
-/// The zigzags of each tile, in the order of the tiles and their boundaries.
+/// Finds the zigzags of each tile, in the order of the tiles and their boundaries.
 ///
-/// A run lies between one neighbour's end and the next, and between corners that were given. Its turns of more than 6
-/// degrees on the surface follow one another by at most six edges, at least four of them and at least 11 in 20 change
-/// the side, its teeth are at most a quarter as high as the whole is large, and its fair curve (`FairCurve`) stays
-/// within an edge of it. So a corner, a curve however coarse, and a hem whose scallops are many edges wide are none.
-/// O(#boundary).
+/// A run lies between consecutive changes of neighbour and given corners. It has turns of more than 6 degrees within
+/// the surface, at most six edges apart. At least four of them and at least 11 in 20 change side, the teeth are at
+/// most a quarter as high as the run is large, and its fair curve (`FairCurve`) stays within an edge of it. This
+/// excludes corners, coarse curves, and hems whose scallops are many edges wide. O(#boundary).
 std::vector<Zigzag> find_zigzags(const std::vector<const Tile*>& tiles, const std::vector<Seam>& seams);
 std::vector<Zigzag> find_zigzags(const std::vector<Tile>& tiles, const std::vector<Seam>& seams);
 
-/// The zigzag as it lies on the surface; `turning` of its tile's boundary (`surface_turning`).
+/// The layout of the zigzag on the surface; `turning` is that of its tile's boundary (`surface_turning`).
 ChainLayout layout_of(const Zigzag& zigzag, const Tile& tile, const Eigen::VectorXd& turning);
 
 }  // namespace ripstop
