@@ -17,6 +17,7 @@
 #include "ripstop/measure/judge.h"
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "ripstop/pipeline/read/read_envelope.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "ripstop/base/text/units.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "ripstop/pipeline/read/read_envelope.h"
 

@@ -7,6 +7,7 @@
 
 #include "ripstop/flatten/seam/seam_exact.h"
 #include "ripstop/measure/accuracy.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

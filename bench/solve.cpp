@@ -24,6 +24,7 @@
 #include "ripstop/flatten/seam/seam_problem.h"
 #include "ripstop/io/json/fabric_json.h"
 #include "ripstop/numeric/symmetric_solver.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 #ifdef RIPSTOP_CGAL
 #include "cgal_parameterization.h"

@@ -3,6 +3,7 @@
 
 #include "ripstop/assembly/seams/find_seams.h"
 #include "ripstop/pipeline/remesh/remesh_envelope.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -7,6 +7,8 @@
 #include "ripstop/base/error.h"
 #include "ripstop/io/json/project_json.h"
 #include "ripstop/model/plan/envelope_check.h"
+#include "ripstop/pipeline/read/tile_options.h"
+#include "ripstop/tile/make_tile.h"
 
 using namespace ripstop;
 

@@ -1,5 +1,6 @@
 /// Every fault of an envelope is reported once, at the tile that causes it.
 #include "ripstop/assembly/faults/check_envelope.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 #include "ripstop/energy/spring_network.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "ripstop/flatten/map/arap.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 

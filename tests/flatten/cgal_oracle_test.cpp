@@ -6,6 +6,7 @@
 
 #include "ripstop/flatten/map/arap.h"
 #include "ripstop/flatten/map/lscm.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 #ifdef RIPSTOP_CGAL
 #include "bench/cgal_parameterization.h"

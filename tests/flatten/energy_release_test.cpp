@@ -1,4 +1,5 @@
 #include "ripstop/flatten/spring/energy_release.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 

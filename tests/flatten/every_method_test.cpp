@@ -8,6 +8,7 @@
 #include "ripstop/flatten/tools/grain.h"
 #include "ripstop/measure/accuracy.h"
 #include "ripstop/mesh/change/flips.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

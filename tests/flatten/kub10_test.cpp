@@ -1,4 +1,5 @@
 #include "ripstop/flatten/weave/kub10.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 

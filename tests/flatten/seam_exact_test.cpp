@@ -1,4 +1,6 @@
 #include "ripstop/flatten/seam/seam_exact.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,7 @@
 #include "ripstop/flatten/seam/seam_matched.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "ripstop/flatten/seam/seam_saddle.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 

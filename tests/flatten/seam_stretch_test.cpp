@@ -1,4 +1,5 @@
 #include "ripstop/flatten/seam/seam_stretch.h"
+#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 

@@ -13,6 +13,7 @@
 #include "ripstop/measure/bounds.h"
 #include "ripstop/measure/judge.h"
 #include "ripstop/mesh/adjacency.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -1,4 +1,6 @@
 #include "ripstop/flatten/weave/woven_mesh.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include "ripstop/io/dxf/dxf.h"
 #include "ripstop/io/dxf/dxf_dialect.h"
 #include "ripstop/io/dxf/dxf_read.h"
-#include "ripstop/model/piece/placed_piece.h"
+#include "ripstop/io/dxf/moved_piece.h"
 #include "ripstop/pattern/drawing/check_drawing.h"
 #include "support/dxf_pieces.h"
 #include "support/outside.h"
@@ -63,11 +63,11 @@ class EveryDialect : public ::testing::TestWithParam<DxfDialect> {
         std::vector<PatternPiece> result;
         Vec2 was = pieces.front().lower(), is = Vec2::Constant(1e9);
         for (const PatternPiece& piece : pieces) {
-            result.push_back(placed(piece, Vec2::Zero(), GetParam().grain_up));
+            result.push_back(moved_piece(piece, Vec2::Zero(), GetParam().grain_up));
             was = was.cwiseMin(piece.lower());
             is = is.cwiseMin(result.back().lower());
         }
-        for (PatternPiece& piece : result) piece = placed(piece, was - is);
+        for (PatternPiece& piece : result) piece = moved_piece(piece, was - is);
         return result;
     }
 

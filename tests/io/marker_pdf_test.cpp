@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "ripstop/nest/laid_piece.h"
 #include "support/loose_pieces.h"
 #include "support/outside.h"
 
@@ -20,7 +21,7 @@ std::string long_marker() {
     Marker marker{"nylon", "red", 1.5, 120};
     marker.parts = {{0, 50, 50}, {50, 70, 70}};
     std::vector<PatternPiece> pieces;
-    for (int i = 0; i < 120; ++i) pieces.push_back(placed_piece(piece, {0, i + 1, false, false, 0, Vec2(i, 0)}));
+    for (int i = 0; i < 120; ++i) pieces.push_back(laid_piece(piece, {0, i + 1, false, false, 0, Vec2(i, 0)}));
     std::ostringstream out;
     write_marker_pdf(out, marker, pieces, "envelope.obj, revision A");
     return out.str();

@@ -8,11 +8,11 @@
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/io/dxf/dxf_dialect.h"
 #include "ripstop/io/dxf/dxf_read.h"
+#include "ripstop/io/dxf/moved_piece.h"
 #include "ripstop/io/print/hpgl.h"
 #include "ripstop/io/print/pdf.h"
 #include "ripstop/io/svg/svg.h"
 #include "ripstop/io/svg/svg_read.h"
-#include "ripstop/model/piece/placed_piece.h"
 #include "ripstop/pattern/cut/cut_check.h"
 #include "ripstop/pattern/drawing/check_drawing.h"
 #include "ripstop/pattern/drawing/drawing_layers.h"
@@ -93,13 +93,13 @@ void expect_drawn_as_cut(const Opened& opened, const PatternDrawing& drawing) {
 TEST(OpeningsAsWritten, AreCutInEveryDialectOfDxf) {
     for (const Opened& opened : opened_pieces())
         for (const DxfDialect& dialect : dxf_dialects()) {
-            // Separate open lines do not tell which of two coinciding ends of a seam is meant.
+            // Separate open lines cannot distinguish coinciding ends of a seam.
             if (!dialect.closed_contours && touches_itself(opened.piece)) continue;
             std::istringstream in(testing::dxf_of({opened.piece}, dialect.name));
             Opened turned = opened;
             turned.what += " in " + std::string(dialect.name);
             if (dialect.grain_up) {
-                turned.piece = placed(opened.piece, Vec2::Zero(), true);
+                turned.piece = moved_piece(opened.piece, Vec2::Zero(), true);
                 turned.inside = {-opened.inside.y(), opened.inside.x()};
             }
             expect_drawn_as_cut(turned, read_dxf(in, "piece.dxf"));

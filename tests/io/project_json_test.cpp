@@ -1,4 +1,6 @@
 #include "ripstop/io/json/project_json.h"
+#include "ripstop/pipeline/read/tile_options.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,5 @@
 #include "ripstop/measure/bounds.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
 #include "ripstop/measure/equal_tiles.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 

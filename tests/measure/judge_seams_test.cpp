@@ -1,4 +1,5 @@
 #include "ripstop/measure/judge_seams.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,5 @@
 #include "ripstop/measure/judge.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 

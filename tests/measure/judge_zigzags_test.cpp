@@ -1,4 +1,6 @@
 #include "ripstop/measure/judge_zigzags.h"
+#include "ripstop/tile/find_zigzags.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

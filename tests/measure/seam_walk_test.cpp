@@ -1,4 +1,6 @@
 #include "ripstop/measure/seam_walk.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "ripstop/geometry/polygon.h"
+#include "ripstop/nest/laid_piece.h"
 #include "support/loose_pieces.h"
 
 namespace ripstop {
@@ -35,13 +36,13 @@ double length_of(const Points2& line) {
     return length;
 }
 
-TEST(PlacedPiece, KeepsLengthsEdgesAndNotchesInEveryPlace) {
+TEST(LaidPiece, KeepsLengthsEdgesAndNotchesInEveryPlace) {
     const PatternPiece piece = marked_piece();
     for (const bool mirrored : {false, true})
         for (const bool face_down : {false, true})
             for (const double turn : {0.0, std::numbers::pi, 0.03}) {
                 const Placement placement{0, 2, mirrored, face_down, turn, Vec2(7, 0.3)};
-                const PatternPiece laid = placed_piece(piece, placement);
+                const PatternPiece laid = laid_piece(piece, placement);
                 EXPECT_NEAR(signed_area(laid.sew_line), signed_area(piece.sew_line), 1e-12);
                 EXPECT_NEAR(signed_area(laid.cut_line), signed_area(piece.cut_line), 1e-12);
                 int previous = -1;
@@ -58,11 +59,11 @@ TEST(PlacedPiece, KeepsLengthsEdgesAndNotchesInEveryPlace) {
             }
 }
 
-TEST(PlacedPiece, WritesUprightAndInOrder) {
+TEST(LaidPiece, WritesUprightAndInOrder) {
     const PatternPiece piece = marked_piece();
     for (const bool mirrored : {false, true})
         for (const double turn : {0.0, std::numbers::pi, std::numbers::pi - 0.03}) {
-            const PatternPiece laid = placed_piece(piece, {0, 1, mirrored, false, turn, Vec2::Zero()});
+            const PatternPiece laid = laid_piece(piece, {0, 1, mirrored, false, turn, Vec2::Zero()});
             const Label &name = laid.labels.at(0), &copy = laid.labels.at(1);
             EXPECT_LT(std::abs(name.turn), 0.04);
             EXPECT_EQ(name.text, mirrored ? "P mirrored" : "P");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ripstop/base/text/units.h"
+#include "ripstop/nest/laid_piece.h"
 #include "ripstop/pattern/revision/fit_outline.h"
 #include "support/loose_pieces.h"
 
@@ -29,7 +30,7 @@ PatternPiece trapezoid(double width = 2) {
 PatternPiece turned(PatternPiece piece, double turn, const Vec2& shift) {
     const Placement placement{0, 1, false, false, turn, shift};
     const std::string name = piece.name;
-    piece = placed_piece(piece, placement);
+    piece = laid_piece(piece, placement);
     piece.name = name;
     return piece;
 }

@@ -1,3 +1,4 @@
+#include "ripstop/pattern/piece/count_patterns.h"
 #include "ripstop/model/piece/pattern_piece.h"
 
 #include <gtest/gtest.h>

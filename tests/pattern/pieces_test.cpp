@@ -1,4 +1,5 @@
 #include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/mesh/boundary.h"
 
 #include <gmock/gmock.h>
 
@@ -178,7 +179,7 @@ TEST(PatternPiece, OfAnOutlineWithoutInsideStillEnds) {
 TEST(PatternPiece, IsMadeOnlyOfATileThatWasFlattened) {
     CutPlan plan = testing::two_tile_plan();
     plan.tiles[0].flattening = {};
-    EXPECT_FALSE(has_flat_positions(plan.tiles[0]));
+    EXPECT_FALSE(plan.tiles[0].is_flat());
     EXPECT_EQ(make_pieces(plan).size(), 1u);
     plan.tiles[1].flattening.positions(3, 1) = std::nan("");
     EXPECT_TRUE(make_pieces(plan).empty());

@@ -1,4 +1,5 @@
 #include "ripstop/pipeline/flatten/equal_pieces.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
 #include "ripstop/pipeline/read/grain_lines.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 
 #include <gmock/gmock.h>
 

@@ -8,10 +8,10 @@
 
 #include "ripstop/design/natural/gores.h"
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/model/plan/seam_place.h"
 #include "ripstop/pattern/piece/pieces.h"
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "ripstop/pipeline/read/read_envelope.h"
+#include "ripstop/tile/seam_place.h"
 #include "support/envelopes.h"
 #include "support/shapes.h"
 

@@ -1,4 +1,7 @@
 #include "ripstop/pipeline/redesign/propose_redesign.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 
 #include <gmock/gmock.h>
 

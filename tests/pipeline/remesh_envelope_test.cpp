@@ -1,4 +1,6 @@
 #include "ripstop/pipeline/remesh/remesh_envelope.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

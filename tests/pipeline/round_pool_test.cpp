@@ -12,6 +12,7 @@
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "ripstop/pipeline/read/seam_doubts.h"
 #include "ripstop/remesh/remesh_disk.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {
@@ -36,7 +37,7 @@ TriangleMesh floor_of(int sides) {
     return mesh;
 }
 
-/// Cut open where it begins; seen from outside.
+/// Cut open at its start; seen from outside.
 TriangleMesh wall_of(int sides) {
     return testing::grid(sides, 2, [=](double u, double v) {
         return on_rim(static_cast<int>(std::lround(u * sides)), sides, v * height);

@@ -5,8 +5,8 @@
 #include <map>
 #include <sstream>
 
-#include "ripstop/model/plan/allowance.h"
 #include "ripstop/pipeline/read/read_envelope.h"
+#include "ripstop/tile/allowance.h"
 #include "support/envelopes.h"
 
 namespace ripstop {

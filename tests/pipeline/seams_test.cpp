@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "ripstop/pipeline/read/read_envelope.h"
+#include "ripstop/tile/targets.h"
 #include "support/envelopes.h"
 
 namespace ripstop {

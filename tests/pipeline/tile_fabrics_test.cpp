@@ -1,4 +1,5 @@
 #include "ripstop/pipeline/read/tile_fabrics.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 

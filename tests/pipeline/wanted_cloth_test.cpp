@@ -1,4 +1,5 @@
 #include "ripstop/pipeline/flight/wanted_cloth.h"
+#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "ripstop/remesh/mesh_state.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

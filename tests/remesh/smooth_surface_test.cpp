@@ -1,4 +1,5 @@
 #include "ripstop/remesh/smooth_surface.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <random>
 
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop::testing {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/model/tile/tile.h"
 
 /// Errors of a flattening, directly by their definitions.

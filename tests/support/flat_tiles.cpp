@@ -7,7 +7,9 @@
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop::testing {

@@ -7,6 +7,7 @@
 
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/geometry/predicates.h"
+#include "ripstop/nest/laid_piece.h"
 
 namespace ripstop::testing {
 namespace {
@@ -115,7 +116,7 @@ std::string faults_of(const PieceSet& set, const Markers& markers, double gap, c
             if (piece.fabric != marker.fabric || piece.colour != marker.colour)
                 faults += piece.name + ": wrong cloth\n";
             ++(placement.mirrored ? copies[piece.name].second : copies[piece.name].first);
-            const Points2 outline = placed_piece(piece, placement).outline();
+            const Points2 outline = laid_piece(piece, placement).outline();
             laid.push_back({piece.name, outline, outline.colwise().minCoeff(), outline.colwise().maxCoeff()});
             if (signed_area(outline) <= 0) faults += piece.name + " runs clockwise\n";
         }

@@ -2,6 +2,8 @@
 
 #include "ripstop/measure/judge_seams.h"
 #include "ripstop/measure/seam_walk.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 #include "support/sewn.h"
 #include "support/shapes.h"
 
@@ -53,6 +55,22 @@ CutPlan sewn_plan() {
     plan.tiles = laid_flat(envelope);
     for (FlatTile& tile : plan.tiles) tile.verdict.judged = true;
     plan.tiles[2].flattening.positions.col(1) *= 1.002;
+    plan.seams = envelope.seams;
+    plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);
+    judge_seams(plan);
+    return plan;
+}
+
+CutPlan unevenly_meshed_plan() {
+    const auto sheet = [](const std::string& name, double left) {
+        const auto at = [&](double u, double v) { return Vec3(left + u, v == 0.5 ? 0.1 : v, 0); };
+        return make_tile(name, grid(1, 2, at), {.warp = Vec3::UnitX()});
+    };
+    const Envelope envelope = sewn({sheet("left", 0), sheet("right", 1)});
+    CutPlan plan;
+    plan.tiles = laid_flat(envelope);
+    for (FlatTile& tile : plan.tiles) tile.verdict.judged = true;
+    plan.tiles[1].flattening.positions.col(1) *= 1.001;
     plan.seams = envelope.seams;
     plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);
     judge_seams(plan);

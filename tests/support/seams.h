@@ -20,8 +20,13 @@ FlatTile flattened(const Tile& tile, const Points2& positions, bool on_curve = f
 /// The tiles of an envelope projected to their x and y.
 std::vector<FlatTile> laid_flat(const Envelope& envelope);
 
-/// Three sheets sewn and walked: `left`, 1 m x 2 m, and at its right side `low` and `high`, 1 m x 1 m each. `high` is cut 2 mm
-/// too high, so of the seams S1 (left, low), S2 (left, high) and S3 (low, high) the second fails. Tiles without findings.
+/// Three sheets, sewn and walked: `left`, 1 m x 2 m, and on its right side `low` and `high`, 1 m x 1 m each.
+/// `high` is cut 2 mm too high, so of the seams S1 (left, low), S2 (left, high) and S3 (low, high) the second
+/// fails. Tiles have no findings.
 CutPlan sewn_plan();
+
+/// Two sheets of 1 m x 1 m, `left` and `right`, whose seam has edges of 100 and 900 mm on both sides. `right` is
+/// cut 1 mm too high, which the seam's limit barely allows.
+CutPlan unevenly_meshed_plan();
 
 }  // namespace ripstop::testing

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <map>
 
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 #include "support/shapes.h"
 
 namespace ripstop::testing {

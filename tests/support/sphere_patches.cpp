@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ripstop/tile/make_tile.h"
 #include "support/sewn.h"
 #include "support/shapes.h"
 

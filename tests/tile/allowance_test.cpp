@@ -1,4 +1,4 @@
-#include "ripstop/model/plan/allowance.h"
+#include "ripstop/tile/allowance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
-#include "ripstop/model/tile/cloth_warp.h"
+#include "ripstop/tile/cloth_warp.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "ripstop/energy/deformation.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/model/tile/tile.h"
+#include "ripstop/tile/targets.h"
 #include "support/sewn.h"
 
 namespace ripstop {

@@ -2,6 +2,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/model/tile/tile.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

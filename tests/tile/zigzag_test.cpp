@@ -1,4 +1,6 @@
 #include "ripstop/model/tile/zigzag.h"
+#include "ripstop/tile/find_zigzags.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

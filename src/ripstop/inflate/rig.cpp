@@ -5,16 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "ripstop/base/error.h"
-#include "ripstop/model/plan/allowance.h"
+#include "ripstop/base/union_find.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/allowance.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {
 
-constexpr double most_rise = 0.3;  // relative to the height: a mouth may be slanted, but a single gore is no envelope
+constexpr double most_rise = 0.3;  // relative to the height: a mouth may be slanted, but a single gore is not an
+                                   // envelope
 
 /// A connected run of boundary edges that are in no seam.
 struct Opening {
@@ -37,20 +40,6 @@ std::vector<Eigen::VectorXd> sewn_shares(const CutPlan& plan) {
     return shares;
 }
 
-class Sets {
-  public:
-    explicit Sets(Eigen::Index count) : to_(static_cast<std::size_t>(count)) { std::iota(to_.begin(), to_.end(), 0); }
-    int root(int i) {
-        while (to_[static_cast<std::size_t>(i)] != i)
-            i = to_[static_cast<std::size_t>(i)] = to_[static_cast<std::size_t>(to_[static_cast<std::size_t>(i)])];
-        return i;
-    }
-    void unite(int a, int b) { to_[static_cast<std::size_t>(std::max(root(a), root(b)))] = std::min(root(a), root(b)); }
-
-  private:
-    std::vector<int> to_;
-};
-
 /// The openings of one sector, the lowest first.
 std::vector<Opening> find_openings(const CutPlan& plan, const Symmetry& symmetry, const std::vector<char>& is_inside,
                                    const SewnEnvelope& sewn) {
@@ -67,10 +56,10 @@ std::vector<Opening> find_openings(const CutPlan& plan, const Symmetry& symmetry
             edges.push_back({at(e), at(e + 1)});
         }
     }
-    Sets sets(sewn.nodes.rows());
+    UnionFind sets(static_cast<std::size_t>(sewn.nodes.rows()));
     for (const auto& edge : edges)
         for (const Place& place : edge)
-            for (const PlacePart& part : place) sets.unite(edge[0][0].node, part.node);
+            for (const PlacePart& part : place) sets.join(edge[0][0].node, part.node);
     std::map<int, Opening> by_root;
     for (const auto& edge : edges) {
         Opening& opening = by_root[sets.root(edge[0][0].node)];

@@ -5,8 +5,8 @@
 #include "ripstop/model/flight/rigging.h"
 #include "ripstop/model/flight/sewn_envelope.h"
 #include "ripstop/model/plan/cut_plan.h"
-#include "ripstop/model/plan/seam_place.h"
 #include "ripstop/model/plan/symmetry.h"
+#include "ripstop/tile/seam_place.h"
 
 namespace ripstop {
 

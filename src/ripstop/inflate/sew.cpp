@@ -14,8 +14,9 @@
 #include "ripstop/inflate/joints.h"
 #include "ripstop/inflate/rig.h"
 #include "ripstop/mesh/surface_finder.h"
-#include "ripstop/model/plan/seam_place.h"
-#include "ripstop/model/tile/seam_sheets.h"
+#include "ripstop/tile/seam_place.h"
+#include "ripstop/tile/seam_sheets.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {
@@ -140,7 +141,7 @@ class Seamstress {
 void require_flat(const CutPlan& plan) {
     for (const FlatTile& tile : plan.tiles) {
         const TriangleMesh& mesh = tile.tile.mesh;
-        if (tile.flattening.positions.rows() != mesh.vertex_count() || !tile.flattening.positions.allFinite())
+        if (!tile.is_flat())
             throw InputError(fmt::format(
                 "tile {}: has no flat positions, so there is no piece to sew; flatten it first", tile.tile.name));
         for (int t = 0; t < mesh.triangle_count(); ++t)

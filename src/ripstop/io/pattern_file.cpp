@@ -1,6 +1,7 @@
 #include "ripstop/io/pattern_file.h"
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/text/lower_case.h"
 #include "ripstop/io/dxf/dxf_read.h"
 #include "ripstop/io/svg/svg_read.h"
 #include "ripstop/io/text/input_file.h"
@@ -8,9 +9,7 @@
 namespace ripstop {
 
 PatternDrawing read_pattern_file(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string extension = lower_case(path.extension().string());
     if (std::error_code unknown; std::filesystem::is_directory(path, unknown))
         throw InputError(path.string() + ": is a folder, expected a file; name the file in it");
     if (extension != ".dxf" && extension != ".svg")

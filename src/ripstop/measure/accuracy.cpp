@@ -12,6 +12,7 @@
 #include "ripstop/measure/overlap.h"
 #include "ripstop/measure/seam_walk.h"
 #include "ripstop/mesh/adjacency.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

@@ -11,6 +11,7 @@
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/geodesic.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

@@ -8,6 +8,8 @@
 
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {
@@ -125,8 +127,8 @@ std::vector<Pose> poses(const Tile& one, const Signature& first, const Tile& oth
         const Eigen::Matrix3Xd to = outline_points(other, shift);
         pose.motion.matrix() = Eigen::umeyama(from, to, false);
         pose.chain = shift;
-        // Sample points on different chords of one curve may differ by more than vertices and surfaces do: a coarse
-        // test.
+        // A coarse test: sample points on different chords of one curve may be farther apart than vertices or
+        // surfaces.
         const double apart = ((pose.motion * from) - to).colwise().norm().maxCoeff();
         if (apart <= 10 * tolerance + 0.01 * bounding_diagonal(one.mesh)) found.push_back(pose);
     }

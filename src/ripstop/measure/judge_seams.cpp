@@ -7,6 +7,7 @@
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/model/tile/corner_turn.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

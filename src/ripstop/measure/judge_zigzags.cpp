@@ -5,6 +5,9 @@
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/geometry/polygon.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/find_zigzags.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/targets.h"
+
 namespace ripstop {
 namespace {
 

@@ -1,31 +1,20 @@
 #include "ripstop/mesh/components.h"
 
-#include <numeric>
+#include "ripstop/base/union_find.h"
 
 namespace ripstop {
 
 std::vector<int> connected_parts(const TriangleMesh& mesh) {
-    std::vector<int> root(static_cast<std::size_t>(mesh.vertex_count()));
-    std::iota(root.begin(), root.end(), 0);
-    const auto find = [&root](int v) {
-        while (root[static_cast<std::size_t>(v)] != v) {
-            int& parent = root[static_cast<std::size_t>(v)];
-            parent = root[static_cast<std::size_t>(parent)];
-            v = parent;
-        }
-        return v;
-    };
+    UnionFind sets(at(mesh.vertex_count()));
     for (int t = 0; t < mesh.triangle_count(); ++t)
-        for (int k = 1; k < 3; ++k)
-            root[static_cast<std::size_t>(find(mesh.triangles(t, k)))] = find(mesh.triangles(t, 0));
+        for (int k = 1; k < 3; ++k) sets.join(mesh.triangles(t, k), mesh.triangles(t, 0));
 
-    std::vector<int> number(root.size(), -1);
-    std::vector<int> part(static_cast<std::size_t>(mesh.triangle_count()));
+    std::vector<int> number(at(mesh.vertex_count()), -1), part;
     int parts = 0;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
-        int& id = number[static_cast<std::size_t>(find(mesh.triangles(t, 0)))];
+        int& id = number[at(sets.root(mesh.triangles(t, 0)))];
         if (id < 0) id = parts++;
-        part[static_cast<std::size_t>(t)] = id;
+        part.push_back(id);
     }
     return part;
 }

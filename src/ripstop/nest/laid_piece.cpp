@@ -1,4 +1,4 @@
-#include "ripstop/model/piece/marker.h"
+#include "ripstop/nest/laid_piece.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@ Points2 reversed(const Points2& points) {
     return points.colwise().reverse();
 }
 
-/// Drawn mirrored, a line runs clockwise: backwards from its first edge's start, so that edges follow one another
-/// again.
+/// Restores the orientation of a line that mirroring has made clockwise: reverses it from the start of its first
+/// edge.
 void run_backwards(PatternPiece& piece) {
     const auto points = static_cast<int>(piece.sew_line.rows());
     const int start = piece.edges.empty() ? 0 : piece.edges.front().first;
@@ -34,7 +34,7 @@ void run_backwards(PatternPiece& piece) {
     }
 }
 
-/// Within a quarter turn of turned_upright, whatever way the piece lies.
+/// The angle modulo half a turn, within a quarter turn of zero, so that text stays readable.
 double turned_upright(double turn) {
     turn = std::remainder(turn, 2 * std::numbers::pi);
     constexpr double quarter = std::numbers::pi / 2 + 1e-9;
@@ -47,15 +47,15 @@ Vec2 up_of(const Label& label) {
     return {-std::sin(label.turn), std::cos(label.turn)};
 }
 
-/// Is the second written below the first, as the next line?
+/// True if the second label is the line of text below the first.
 bool is_next_line(const Label& first, const Label& second) {
     const Vec2 down = second.middle - first.middle, up = up_of(first);
     return first.turn == second.turn && std::abs(down.x() * up.y() - down.y() * up.x()) < 1e-9 && down.dot(up) < 0 &&
            -down.dot(up) < 2 * (first.height + second.height);
 }
 
-/// Lines under one another stay so: where the piece lies so that they would be read from the last to the first, the
-/// whole stack is turned about its middle, within the room it has.
+/// Keeps stacked lines in reading order. If the piece lies so that they would read from last to first, rotates the
+/// whole stack about its middle, within its room.
 void lay_labels(const std::vector<Label>& old, std::vector<Label>& labels) {
     for (std::size_t first = 0, next; first < labels.size(); first = next) {
         for (next = first + 1; next < labels.size() && is_next_line(old[next - 1], old[next]);) ++next;
@@ -69,16 +69,7 @@ void lay_labels(const std::vector<Label>& old, std::vector<Label>& labels) {
 
 }  // namespace
 
-Points2 Placement::placed(const Points2& points) const {
-    const double cosine = std::cos(turn), sine = std::sin(turn), sign = is_drawn_mirrored() ? -1 : 1;
-    Points2 result(points.rows(), 2);
-    result.col(0) = cosine * points.col(0) - sign * sine * points.col(1);
-    result.col(1) = sine * points.col(0) + sign * cosine * points.col(1);
-    result.rowwise() += shift.transpose();
-    return result;
-}
-
-PatternPiece placed_piece(const PatternPiece& piece, const Placement& placement) {
+PatternPiece laid_piece(const PatternPiece& piece, const Placement& placement) {
     const auto at = [&placement](const Vec2& p) -> Vec2 {
         return placement.placed(Points2(p.transpose())).row(0).transpose();
     };

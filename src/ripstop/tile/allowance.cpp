@@ -1,6 +1,8 @@
-#include "ripstop/model/plan/allowance.h"
+#include "ripstop/tile/allowance.h"
 
 #include <algorithm>
+
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ripstop/model/plan/cut_plan.h"
+#include "ripstop/model/tile/seam_type_use.h"
 
 namespace ripstop {
 
@@ -15,13 +16,6 @@ std::vector<Eigen::VectorXd> edge_allowances(const CutPlan& plan);
 /// of a millimetre of an edge counts as none. O(seams + boundary edges).
 std::vector<Eigen::VectorXd> free_lengths(const CutPlan& plan);
 std::vector<Eigen::VectorXd> free_lengths(const Envelope& envelope);
-
-/// A seam type and how much of it is sewn.
-struct SeamTypeUse {
-    SeamType type;
-    int seams = 0, free_edges = 0;  ///< free edges: chains that are not entirely in seams
-    double length = 0;              ///< total length [m]
-};
 
 /// The seam types in use, each once, in order of appearance, seams first. Types of the same name with different
 /// allowances are listed separately.

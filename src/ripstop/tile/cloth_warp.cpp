@@ -1,4 +1,4 @@
-#include "ripstop/model/tile/cloth_warp.h"
+#include "ripstop/tile/cloth_warp.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -1,9 +1,10 @@
-#include "ripstop/model/tile/zigzag.h"
+#include "ripstop/tile/find_zigzags.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/model/tile/corner_turn.h"
 
 namespace ripstop {
@@ -170,11 +171,6 @@ class Finder {
 };
 
 }  // namespace
-
-std::string Zigzag::seams_text() const {
-    if (seams.empty()) return {};
-    return " (" + seams.front() + (seams.size() > 1 ? " to " + seams.back() : std::string()) + ")";
-}
 
 std::vector<Zigzag> find_zigzags(const std::vector<const Tile*>& tiles, const std::vector<Seam>& seams) {
     const std::vector<std::vector<Along>> along = along_boundaries(tiles, seams);

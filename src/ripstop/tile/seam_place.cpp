@@ -1,6 +1,8 @@
-#include "ripstop/model/plan/seam_place.h"
+#include "ripstop/tile/seam_place.h"
 
 #include <algorithm>
+
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

@@ -2,13 +2,13 @@
 
 #include "ripstop/model/plan/cut_plan.h"
 #include "ripstop/model/tile/boundary_place.h"
-#include "ripstop/model/tile/seam_sheets.h"
+#include "ripstop/tile/seam_sheets.h"
 
 namespace ripstop {
 
-/// The place on one side of a seam that is `along` [m] from the start of the seam's curve. `tiles` are the
-/// envelope's. `second`: on side b, which runs against the curve. A part of an edge is located by the other side in
-/// space (a T-junction within an edge). O(#parts).
+/// The place on one side of a seam that is `along` [m] from the start of the seam's curve. `tiles` are those of the
+/// envelope. `second` selects side b, which runs against the curve. If only a part of an edge belongs to the seam (a
+/// T-junction inside the edge), its position on the edge follows from the other side in space. O(#parts).
 BoundaryPlace place_on_side(const std::vector<FlatTile>& tiles, const Seam& seam, bool second, double along);
 
 /// The same for one sheet of a seam, `along` from the start of the seam that contains it.

@@ -1,7 +1,8 @@
-#include "ripstop/model/tile/seam_sheets.h"
+#include "ripstop/tile/seam_sheets.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "ripstop/base/union_find.h"
 
 namespace ripstop {
 
@@ -36,25 +37,22 @@ std::vector<SeamPart> parts_between(const SeamSheet& sheet, double from, double 
 }
 
 std::vector<char> find_inner_sheets(int tiles, const std::vector<Seam>& seams) {
-    std::vector<std::size_t> group(static_cast<std::size_t>(tiles));
-    std::iota(group.begin(), group.end(), std::size_t{0});
-    const auto root = [&](int tile) {
-        auto i = static_cast<std::size_t>(tile);
-        while (group[i] != i) i = group[i] = group[group[i]];
-        return i;
-    };
+    UnionFind groups(at(tiles));
     for (const Seam& seam : seams)
-        if (!seam.into) group[root(seam.a.tile)] = root(seam.b.tile);
-    std::vector<double> hangs(group.size(), 0), carries(group.size(), 0);  // lengths [m]
+        if (!seam.into) groups.join(seam.a.tile, seam.b.tile);
+    std::vector<double> hangs(at(tiles), 0), carries(at(tiles), 0);  // lengths [m]
     for (const Seam& seam : seams) {
         if (!seam.into) continue;
-        const std::size_t sheet = root(seam.a.tile), skin = root(seam.b.tile);
+        const std::size_t sheet = at(groups.root(seam.a.tile)), skin = at(groups.root(seam.b.tile));
         if (sheet == skin) continue;
         hangs[sheet] += seam.length;
         carries[skin] += seam.length;
     }
     std::vector<char> is_inner;
-    for (int t = 0; t < tiles; ++t) is_inner.push_back(hangs[root(t)] > 0 && hangs[root(t)] >= carries[root(t)]);
+    for (int t = 0; t < tiles; ++t) {
+        const std::size_t sheet = at(groups.root(t));
+        is_inner.push_back(hangs[sheet] > 0 && hangs[sheet] >= carries[sheet]);
+    }
     return is_inner;
 }
 

@@ -10,15 +10,16 @@
 #include "ripstop/assembly/seams/seam_runs.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/text/number_text.h"
-#include "ripstop/model/tile/seam_sheets.h"
+#include "ripstop/tile/allowance.h"
+#include "ripstop/tile/seam_sheets.h"
 
 namespace ripstop {
 namespace {
 
 constexpr double length_tolerance = 0.001;  // the paper's tolerance on lengths: 1 mm per metre
 constexpr double no_gap = 1e-6;             // [m] vertices in one place, up to the rounding of a file
-constexpr std::size_t most_misses = 8;      // if there are more near misses than this, and more than seams, the
-                                            // tolerance is wrong and not the tiles
+constexpr std::size_t most_misses = 8;      // if there are more near misses, and more than seams, the tolerance is
+                                            // wrong
 
 Vec3 size_of(const std::vector<Tile>& tiles) {
     Eigen::AlignedBox3d box;

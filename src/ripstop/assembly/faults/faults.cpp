@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "ripstop/assembly/faults/loose_edges.h"
 #include "ripstop/base/text/number_text.h"
-#include "ripstop/model/tile/seam_sheets.h"
+#include "ripstop/base/union_find.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/seam_sheets.h"
 
 namespace ripstop {
 namespace {
@@ -39,23 +40,6 @@ std::vector<std::string> each_once(std::vector<std::string> names) {
 double outline_length(const Tile& tile) {
     return edge_lengths(tile.mesh.positions, closed(tile.boundary)).sum();
 }
-
-/// Union-find.
-class Groups {
-  public:
-    explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-    int find(int i) const {
-        while (parent_[static_cast<std::size_t>(i)] != i) i = parent_[static_cast<std::size_t>(i)];
-        return i;
-    }
-    void join(int i, int j) {
-        const int a = find(i), b = find(j);
-        parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
-
-  private:
-    std::vector<int> parent_;
-};
 
 /// The most specific description of edges that miss each other.
 std::string what_is_wrong(const std::vector<const NearMiss*>& misses) {
@@ -111,12 +95,12 @@ std::string names_text(const std::vector<std::string>& names) {
 }
 
 std::vector<int> sewn_groups(int tiles, const std::vector<Seam>& seams) {
-    Groups groups(static_cast<std::size_t>(tiles));
+    UnionFind groups(at(tiles));
     for (const Seam& seam : seams) groups.join(seam.a.tile, seam.b.tile);
     std::vector<int> number(static_cast<std::size_t>(tiles), -1);
     int count = 0;
     for (int t = 0; t < tiles; ++t) {
-        int& first = number[static_cast<std::size_t>(groups.find(t))];
+        int& first = number[at(groups.root(t))];
         if (first < 0) first = count++;
         number[static_cast<std::size_t>(t)] = first;
     }
@@ -125,8 +109,7 @@ std::vector<int> sewn_groups(int tiles, const std::vector<Seam>& seams) {
 
 std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const FoundSeams& found, double tolerance) {
     const std::vector<NearMiss>& misses = found.near_misses;
-    std::vector<std::vector<int>> near(tiles.size()), misses_of(tiles.size());  // by tile: the tile and its
-                                                                                // neighbours; its near misses
+    std::vector<std::vector<int>> near(tiles.size()), misses_of(tiles.size());  // a tile and its neighbours; its misses
     for (std::size_t t = 0; t < tiles.size(); ++t) near[t].push_back(static_cast<int>(t));
     for (const Seam& seam : found.seams) {
         near[static_cast<std::size_t>(seam.a.tile)].push_back(seam.b.tile);
@@ -136,7 +119,7 @@ std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const Found
         misses_of[static_cast<std::size_t>(misses[i].tile_a)].push_back(static_cast<int>(i));
         misses_of[static_cast<std::size_t>(misses[i].tile_b)].push_back(static_cast<int>(i));
     }
-    Groups groups(misses.size());
+    UnionFind groups(misses.size());
     for (std::size_t i = 0; i < misses.size(); ++i) {
         const std::vector<int>& beside = near[static_cast<std::size_t>(misses[i].tile_b)];
         for (const int tile : near[static_cast<std::size_t>(misses[i].tile_a)])
@@ -148,7 +131,7 @@ std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const Found
             }
     }
     std::map<int, std::vector<const NearMiss*>> together;
-    for (std::size_t i = 0; i < misses.size(); ++i) together[groups.find(static_cast<int>(i))].push_back(&misses[i]);
+    for (std::size_t i = 0; i < misses.size(); ++i) together[groups.root(static_cast<int>(i))].push_back(&misses[i]);
     std::vector<EnvelopeIssue> issues;
     for (const auto& [first, members] : together) issues.push_back(gap_issue(tiles, members, tolerance));
     return issues;
@@ -272,12 +255,12 @@ std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const Fou
     for (int t = 0; t < count; ++t) members[static_cast<std::size_t>(group[static_cast<std::size_t>(t)])].push_back(t);
     const auto largest = std::max_element(members.begin(), members.end(),
                                           [](const auto& p, const auto& q) { return p.size() < q.size(); });
-    Groups near(tiles.size());  // does not report again what a gap already reports
+    UnionFind near(tiles.size());  // does not report again what a gap already reports
     for (const NearMiss& miss : found.near_misses) near.join(miss.tile_a, miss.tile_b);
     for (const Seam& seam : found.seams) near.join(seam.a.tile, seam.b.tile);
     std::vector<std::vector<int>> parts;
     for (const std::vector<int>& some : members)
-        if (&some != &*largest && near.find(some.front()) != near.find(largest->front())) parts.push_back(some);
+        if (&some != &*largest && near.root(some.front()) != near.root(largest->front())) parts.push_back(some);
     if (parts.empty()) return {};
     return {apart_issue(tiles, parts)};
 }

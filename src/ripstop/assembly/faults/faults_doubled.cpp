@@ -6,6 +6,7 @@
 
 #include "ripstop/assembly/faults/faults.h"
 #include "ripstop/assembly/seams/seam_runs.h"
+#include "ripstop/tile/make_tile.h"
 
 namespace ripstop {
 namespace {
@@ -124,7 +125,8 @@ std::vector<EnvelopeIssue> remove_doubled(std::vector<Tile>& tiles, double toler
 }
 
 std::vector<EnvelopeIssue> name_inside_out(const std::vector<Tile>& tiles, const std::vector<LooseLoop>& loops) {
-    constexpr double nearly_closed = 0.1;  // share of the skin's area: openings, as circles of the loops' lengths
+    constexpr double nearly_closed = 0.1;  // largest area of openings, as circles of the loops' lengths, per area
+                                           // of the skin
     if (tiles.empty()) return {};
     double area = 0, openings = 0, volume = 0;
     for (const LooseLoop& loop : loops) openings += loop.length * loop.length / (4 * std::numbers::pi);

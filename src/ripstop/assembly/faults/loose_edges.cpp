@@ -7,6 +7,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "ripstop/mesh/boundary.h"
+
 namespace ripstop {
 namespace {
 

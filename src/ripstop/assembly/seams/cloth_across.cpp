@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ripstop/mesh/adjacency.h"
+#include "ripstop/mesh/boundary.h"
 
 namespace ripstop {
 namespace {
@@ -78,8 +79,7 @@ struct ClothAcross::WalkState {
 };
 
 int ClothAcross::Surface::go_on(const WalkPlane& plane, int h, WalkState& walk) const {
-    for (int step = 0; step < tile.mesh.triangle_count(); ++step) {  // a walk around a vertex in the plane would
-                                                                     // not end
+    for (int step = 0; step < tile.mesh.triangle_count(); ++step) {  // a walk around a vertex would not end
         const int next = Adjacency::next(h), exit = crosses(plane, next) ? next : Adjacency::previous(h);
         if (!walk.go_to(plane.crossing(from(exit), to(exit)))) return -1;
         if (adjacency.is_boundary(exit)) return exit;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ripstop/assembly/seams/limits.h"
+#include "ripstop/mesh/boundary.h"
 
 namespace ripstop {
 namespace {

@@ -5,10 +5,10 @@
 #include <climits>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "ripstop/assembly/seams/one_sided.h"
+#include "ripstop/base/union_find.h"
 
 namespace ripstop {
 namespace {
@@ -93,8 +93,7 @@ struct Along {
 class Competition {
   public:
     Competition(const std::vector<PlacedChain>& chains, const std::vector<const Run*>& runs, double tolerance)
-        : runs_(runs), against_(runs.size()), group_(runs.size()) {
-        std::iota(group_.begin(), group_.end(), std::size_t{0});
+        : runs_(runs), against_(runs.size()), groups_(runs.size()) {
         std::map<int, std::vector<Along>> on_chain;
         for (std::size_t r = 0; r < runs.size(); ++r) {
             const Run& run = *runs[r];
@@ -112,10 +111,7 @@ class Competition {
     }
 
     const std::vector<std::size_t>& against(std::size_t run) const { return against_[run]; }
-    std::size_t group(std::size_t run) {
-        while (group_[run] != run) run = group_[run] = group_[group_[run]];
-        return run;
-    }
+    std::size_t group(std::size_t run) { return at(groups_.root(static_cast<int>(run))); }
 
   private:
     void compare(const Along& p, const Along& q, const ChainCurve& curve) {
@@ -130,13 +126,12 @@ class Competition {
         if (!(shared > competing * std::min(one.length, other.length))) return;
         against_[p.run].push_back(q.run);
         against_[q.run].push_back(p.run);
-        const std::size_t a = group(p.run), b = group(q.run);
-        group_[std::max(a, b)] = std::min(a, b);
+        groups_.join(static_cast<int>(p.run), static_cast<int>(q.run));
     }
 
     const std::vector<const Run*>& runs_;
     std::vector<std::vector<std::size_t>> against_;
-    std::vector<std::size_t> group_;
+    UnionFind groups_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "ripstop/base/text/lower_case.h"
 #include "ripstop/base/text/number_text.h"
 
 namespace ripstop {
@@ -12,13 +13,6 @@ std::string_view trimmed(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
     return text;
-}
-
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return lower;
 }
 
 std::optional<LengthUnit> unit_named(std::string_view name) {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "ripstop/base/index.h"
+#include "ripstop/base/union_find.h"
 #include "ripstop/geometry/triangle.h"
 
 namespace ripstop {
@@ -27,8 +28,7 @@ class Pieces {
     explicit Pieces(WorkSurface& surface) : surface_(surface) {
         gather();
         measure();
-        into_.resize(all_.size());
-        std::iota(into_.begin(), into_.end(), 0);
+        sets_ = UnionFind(all_.size());
     }
 
     void join_small() {
@@ -46,11 +46,8 @@ class Pieces {
     }
 
     const std::vector<Piece>& all() const { return all_; }
-    bool is_joined(int p) const { return into_[at(p)] != p; }
-    int root(int p) const {
-        while (into_[at(p)] != p) p = into_[at(p)];
-        return p;
-    }
+    bool is_joined(int p) const { return !sets_.is_root(p); }
+    int root(int p) { return sets_.root(p); }
 
   private:
     void gather() {
@@ -96,14 +93,14 @@ class Pieces {
             if (best < 0 || std::pair(rank(other), length) > std::pair(rank(best), borders[best])) best = other;
         }
         if (best < 0) return;
-        into_[at(p)] = best;
+        sets_.join_into(p, best);
         all_[at(best)].area += all_[at(p)].area;
         for (const auto& [other, length] : all_[at(p)].borders) all_[at(best)].borders[other] += length;
     }
 
     WorkSurface& surface_;
     std::vector<Piece> all_;
-    std::vector<int> into_;
+    UnionFind sets_;
 };
 
 std::string numbered(char letter, int number, int count) {

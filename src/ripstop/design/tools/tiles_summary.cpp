@@ -10,8 +10,10 @@
 
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/mesh/disk.h"
 #include "ripstop/model/tile/tile.h"
+#include "ripstop/tile/make_tile.h"
 
 namespace ripstop {
 namespace {

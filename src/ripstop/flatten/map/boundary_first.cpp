@@ -6,7 +6,9 @@
 
 #include "ripstop/flatten/tools/finish.h"
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/numeric/symmetric_solver.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

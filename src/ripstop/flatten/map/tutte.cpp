@@ -7,6 +7,7 @@
 #include "ripstop/flatten/tools/finish.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/mesh/change/flips.h"
 
 namespace ripstop {

@@ -8,6 +8,8 @@
 #include "ripstop/base/error.h"
 #include "ripstop/flatten/tools/barycentric.h"
 #include "ripstop/flatten/tools/finish.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "ripstop/energy/woven_membrane.h"
 #include "ripstop/mesh/change/flips.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

@@ -13,6 +13,7 @@
 #include "ripstop/flatten/seam/seam_saddle.h"
 #include "ripstop/flatten/tools/grain.h"
 #include "ripstop/mesh/change/flips.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

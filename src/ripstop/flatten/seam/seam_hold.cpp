@@ -8,6 +8,7 @@
 #include "ripstop/flatten/map/lscm.h"
 #include "ripstop/flatten/map/tutte.h"
 #include "ripstop/mesh/change/flips.h"
+#include "ripstop/tile/allowance.h"
 
 namespace ripstop {
 namespace {

@@ -9,6 +9,8 @@
 #include "ripstop/energy/boundary_bending.h"
 #include "ripstop/flatten/tools/step_filter.h"
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

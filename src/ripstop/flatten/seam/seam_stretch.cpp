@@ -7,6 +7,8 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/text/number_text.h"
+#include "ripstop/base/union_find.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {
@@ -82,35 +84,6 @@ struct Share {
     double length;  ///< length of that part [m]
 };
 
-/// Union-find.
-class Union {
-  public:
-    int add() {
-        parent_.push_back(static_cast<int>(parent_.size()));
-        return parent_.back();
-    }
-    int root(int i) {
-        while (parent_[at(i)] != i) i = parent_[at(i)] = parent_[at(parent_[at(i)])];
-        return i;
-    }
-    void join(int a, int b) {
-        const int one = root(a), other = root(b);
-        parent_[at(std::max(one, other))] = std::min(one, other);
-    }
-    /// Numbers the sets from zero: the number of each element; `count` is the number of sets.
-    std::vector<int> numbers(int& count) {
-        std::vector<int> found(parent_.size());
-        count = 0;
-        for (int i = 0; i < static_cast<int>(parent_.size()); ++i)
-            found[at(i)] = root(i) == i ? count++ : found[at(root(i))];
-        return found;
-    }
-
-  private:
-    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-    std::vector<int> parent_;
-};
-
 void add_shares(const std::vector<Placed>& parts, const std::vector<double>& knots, int seam, int first,
                 std::vector<Share>& shares) {
     std::size_t k = 0;
@@ -126,7 +99,7 @@ void add_shares(const std::vector<Placed>& parts, const std::vector<double>& kno
 }
 
 /// The shares of both sides of every seam in its intervals, sorted by tile and edge.
-std::vector<Share> find_shares(const Envelope& envelope, Union& intervals) {
+std::vector<Share> find_shares(const Envelope& envelope, UnionFind& intervals) {
     std::vector<Share> shares;
     for (std::size_t s = 0; s < envelope.seams.size(); ++s) {
         const Seam& seam = envelope.seams[s];
@@ -150,7 +123,7 @@ std::vector<Share> find_shares(const Envelope& envelope, Union& intervals) {
 }
 
 /// Unites all intervals along an edge that belongs to two seams.
-void join_across_seams(std::span<const Share> edge, Union& intervals) {
+void join_across_seams(std::span<const Share> edge, UnionFind& intervals) {
     if (std::all_of(edge.begin(), edge.end(), [&](const Share& share) { return share.seam == edge[0].seam; })) return;
     for (const Share& share : edge) intervals.join(edge[0].interval, share.interval);
 }
@@ -183,12 +156,13 @@ TileStretch make_stretch(const Tile& tile, std::span<const Share> shares, const 
 }  // namespace
 
 SeamStretch find_seam_stretch(const Envelope& envelope) {
-    Union intervals;
+    UnionFind intervals;
     const std::vector<Share> shares = find_shares(envelope, intervals);
     for (std::size_t k = 0; k < shares.size(); k += same_edge(shares, k).size())
         join_across_seams(same_edge(shares, k), intervals);
     SeamStretch stretch;
-    const std::vector<int> numbers = intervals.numbers(stretch.count);
+    const std::vector<int> numbers = intervals.numbers();
+    stretch.count = numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end()) + 1;
     auto from = shares.begin();
     for (std::size_t t = 0; t < envelope.tiles.size(); ++t) {
         const auto to =

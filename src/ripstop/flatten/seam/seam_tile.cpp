@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ripstop/flatten/map/boundary_first.h"
+#include "ripstop/mesh/boundary.h"
 
 namespace ripstop {
 namespace {

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 

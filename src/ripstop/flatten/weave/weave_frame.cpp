@@ -7,6 +7,8 @@
 #include <queue>
 
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

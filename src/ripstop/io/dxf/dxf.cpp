@@ -4,8 +4,8 @@
 #include "ripstop/io/dxf/dxf_blocks.h"
 #include "ripstop/io/dxf/dxf_dialect.h"
 #include "ripstop/io/dxf/dxf_entities.h"
+#include "ripstop/io/dxf/moved_piece.h"
 #include "ripstop/io/text/sheet.h"
-#include "ripstop/model/piece/placed_piece.h"
 
 namespace ripstop {
 namespace {
@@ -20,11 +20,11 @@ Placing place(const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& 
     Placing placing{{}, make_sheet(pieces, shifts)};
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const Vec2 shift = placing.sheet.shifts[i];
-        placing.pieces.push_back(placed(pieces[i], turned ? Vec2(-shift.y(), shift.x()) : shift, turned));
+        placing.pieces.push_back(moved_piece(pieces[i], turned ? Vec2(-shift.y(), shift.x()) : shift, turned));
     }
     if (!turned) return placing;
     const Vec2 back = placing.sheet.lower - make_sheet(placing.pieces, {}).lower;
-    for (PatternPiece& piece : placing.pieces) piece = placed(std::move(piece), back);
+    for (PatternPiece& piece : placing.pieces) piece = moved_piece(std::move(piece), back);
     placing.sheet = make_sheet(placing.pieces, {});
     return placing;
 }

@@ -1,4 +1,4 @@
-#include "ripstop/model/piece/placed_piece.h"
+#include "ripstop/io/dxf/moved_piece.h"
 
 #include <numbers>
 
@@ -18,7 +18,7 @@ void place(Points2& points, const Vec2& shift, bool turned) {
 
 }  // namespace
 
-PatternPiece placed(PatternPiece piece, const Vec2& shift, bool turned) {
+PatternPiece moved_piece(PatternPiece piece, const Vec2& shift, bool turned) {
     place(piece.sew_line, shift, turned);
     place(piece.cut_line, shift, turned);
     place(piece.grain_line, shift, turned);

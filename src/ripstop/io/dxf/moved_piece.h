@@ -4,8 +4,8 @@
 
 namespace ripstop {
 
-/// The piece with everything on it turned by a quarter counter-clockwise where `turned` says so, so that its warp runs
-/// along +y, and then moved by `shift` [m]. Lengths stay the same to the last bit.
-PatternPiece placed(PatternPiece piece, const Vec2& shift, bool turned = false);
+/// The piece moved by `shift` [m]. If `turned`, it is first rotated by 90 degrees counter-clockwise with
+/// everything on it, so that its warp runs along +y. Lengths stay bitwise the same.
+PatternPiece moved_piece(PatternPiece piece, const Vec2& shift, bool turned = false);
 
 }  // namespace ripstop

@@ -1,14 +1,14 @@
 #include "ripstop/io/json/project_json.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/text/glob.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/io/json/json_text.h"
 #include "ripstop/io/json/project_flight.h"
+#include "ripstop/io/json/project_seams.h"
+#include "ripstop/io/json/project_tiles.h"
 #include "ripstop/io/text/text.h"
 #include "ripstop/model/plan/envelope_check.h"
 
@@ -110,43 +110,6 @@ Project read_project(std::istream& in, const std::string& name, const std::strin
         project.flight = read_flight(
             object["flight"], metres_per_unit(unit.empty() ? project.unit.value_or("m") : unit), name + ": flight");
     return project;
-}
-
-TileOptions tile_options(const Project& project, const std::string& tile_name, double metres_per_unit) {
-    TileOptions options;
-    if (const ProjectTile* entry = deciding_entry(project.tiles, tile_name, [](const ProjectTile& tile) {
-            return tile.warp.has_value() || tile.turn.has_value();
-        })) {
-        options.warp = entry->warp;
-        options.grain_turn = entry->turn;
-        options.warp_source = std::filesystem::path(project.file).filename().string() + ", tile " + shown(entry->name);
-    }
-    if (const ProjectTile* entry =
-            deciding_entry(project.tiles, tile_name, [](const ProjectTile& tile) { return !tile.corners.empty(); }))
-        for (const Vec3& corner : entry->corners) options.corners.push_back(corner * metres_per_unit);
-    if (const ProjectTile* entry = deciding_entry(
-            project.tiles, tile_name, [](const ProjectTile& tile) { return tile.compensation.has_value(); }))
-        options.compensation = *entry->compensation;
-    return options;
-}
-
-Tolerances tolerances(const Project& project, const Tolerances& defaults) {
-    return {project.area.value_or(defaults.area),
-            project.length.value_or(defaults.length),
-            project.strain.value_or(defaults.strain),
-            project.shear.value_or(defaults.shear),
-            project.strain.has_value(),
-            project.shear.has_value()};
-}
-
-std::vector<std::string> unused_names(const Project& project, const std::vector<std::string>& tile_names) {
-    std::vector<std::string> unused;
-    for (const ProjectTile& entry : project.tiles)
-        if (std::none_of(tile_names.begin(), tile_names.end(), [&entry](const std::string& tile) {
-                return entry.name == tile || glob_match(entry.name, tile);
-            }))
-            unused.push_back(entry.name);
-    return unused;
 }
 
 }  // namespace ripstop

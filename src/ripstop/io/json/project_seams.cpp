@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/text/glob.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/io/json/json_text.h"
@@ -16,14 +15,6 @@ using nlohmann::json;
 
 constexpr double widest_mm = 1000;  // a wider allowance is probably in the wrong unit
 constexpr int most_rows = 20;
-
-bool fits(const std::string& pattern, const std::string& name) {
-    return pattern == name || glob_match(pattern, name);
-}
-
-bool is_pattern(const std::string& name) {
-    return name.find_first_of("*?") != std::string::npos;
-}
 
 std::optional<double> allowance_at(const json& value, const char* key, const std::string& place) {
     const std::optional<double> given = number_at(value, key, place);
@@ -111,7 +102,7 @@ SeamRule read_rule(const json& value, const std::vector<SeamType>& types, const 
     if (rule.mate_allowance && !rule.mate)
         throw InputError(place + ": mate_allowance_mm is for seams, expected allowance_mm alone for a free edge");
     if (!type && !allowance && !rule.mate_allowance)
-        throw InputError(place + ": says nothing of the " + rule.text() +
+        throw InputError(place + ": says nothing of the " + seam_rule_text(rule) +
                          ", expected \"type\", \"allowance_mm\" or both");
     rule.type = seam_type_named(type ? *type : rule.mate ? SeamType{}.name : default_hem().name, types, place);
     if (allowance) rule.type.allowance = *allowance;
@@ -119,26 +110,6 @@ SeamRule read_rule(const json& value, const std::vector<SeamType>& types, const 
 }
 
 }  // namespace
-
-std::string SeamRule::text() const {
-    return mate ? "seam between " + shown(tile) + " and " + shown(*mate) : "free edge of " + shown(tile);
-}
-
-bool SeamRule::is_in_order(const std::string& a, const std::string& b) const {
-    return mate && fits(tile, a) && fits(*mate, b);
-}
-
-bool SeamRule::fits_seam(const std::string& a, const std::string& b) const {
-    return is_in_order(a, b) || is_in_order(b, a);
-}
-
-bool SeamRule::fits_free(const std::string& tile_name) const {
-    return !mate && fits(tile, tile_name);
-}
-
-bool SeamRule::is_exact() const {
-    return !is_pattern(tile) && !(mate && is_pattern(*mate));
-}
 
 std::vector<SeamType> read_seam_types(const json& value, const std::string& place) {
     std::vector<SeamType> types(seam_types().begin(), seam_types().end());
@@ -169,6 +140,11 @@ std::vector<SeamRule> read_seam_rules(const json& value, const std::vector<SeamT
     for (std::size_t i = 0; i < value.size(); ++i)
         rules.push_back(read_rule(value[i], types, place + ": " + std::to_string(i + 1)));
     return rules;
+}
+
+std::string seam_rule_text(const SeamRule& rule) {
+    return rule.mate ? "seam between " + shown(rule.tile) + " and " + shown(*rule.mate)
+                     : "free edge of " + shown(rule.tile);
 }
 
 }  // namespace ripstop

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "ripstop/base/error.h"
-#include "ripstop/base/text/glob.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/io/json/json_text.h"
@@ -98,17 +97,6 @@ ProjectTile read_project_tile(const json& value, const std::string& place) {
         tile.compensation = read_compensation(value["compensation"], named + ": compensation");
     tile.fabric = text_at(value, "fabric", named);
     return tile;
-}
-
-const ProjectTile* deciding_entry(const std::vector<ProjectTile>& entries, const std::string& tile_name,
-                                  bool (*gives)(const ProjectTile&)) {
-    const ProjectTile* found = nullptr;
-    for (const ProjectTile& entry : entries) {
-        if (!gives(entry)) continue;
-        if (entry.name == tile_name) return &entry;
-        if (glob_match(entry.name, tile_name)) found = &entry;
-    }
-    return found;
 }
 
 }  // namespace ripstop

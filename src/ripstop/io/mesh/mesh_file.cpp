@@ -4,6 +4,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/sha256.h"
+#include "ripstop/base/text/lower_case.h"
 #include "ripstop/io/mesh/obj.h"
 #include "ripstop/io/mesh/off.h"
 #include "ripstop/io/mesh/ply.h"
@@ -47,9 +48,7 @@ constexpr std::array<std::array<const char*, 2>, 14> other_formats = {{
 
 /// The extension of a path, in lower case.
 std::string extension_of(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return extension;
+    return lower_case(path.extension().string());
 }
 
 enum class Use { read, write };

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/text/lower_case.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/io/mesh/mesh_faces.h"
 #include "ripstop/io/text/text.h"
@@ -13,8 +14,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double largest_coordinate = 1e12;  // beyond it, squares and products lose the digits of what they are
-                                             // compared with
+constexpr double largest_coordinate = 1e12;  // beyond it, squares and products lose too many digits
 constexpr int none = -1;
 
 void require_indices(const MeshRecords& file) {
@@ -227,11 +227,7 @@ void make_surfaces(MeshRecords file, CadModel& model) {
 std::string stem_of(const std::string& name, std::string_view extension) {
     std::string stem = name.substr(name.find_last_of("/\\") + 1);
     const std::size_t dot = stem.rfind('.');
-    if (dot != 0 && dot != std::string::npos) {
-        std::string ending = stem.substr(dot);
-        for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        if (ending == extension) stem.resize(dot);
-    }
+    if (dot != 0 && dot != std::string::npos && lower_case(stem.substr(dot)) == extension) stem.resize(dot);
     return stem.empty() ? "surface" : readable_name(stem);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ripstop/model/piece/marker.h"
+#include "ripstop/model/piece/pattern_piece.h"
 
 namespace ripstop {
 

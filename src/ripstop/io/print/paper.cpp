@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/text/lower_case.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/geometry/clip.h"
@@ -28,11 +29,6 @@ const std::array sheets{Paper{"A4", 0.210, 0.297},
                         Paper{"A0", 0.841, 1.189},
                         Paper{"Letter", 8.5 * inch, 11 * inch},
                         Paper{"Tabloid", 11 * inch, 17 * inch}};
-
-std::string in_lower_case(std::string text) {
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
 
 /// The number of windows of size `room` that cover `extent`.
 int windows_over(double extent, double room) {
@@ -73,13 +69,13 @@ PageGrid grid_of(const PatternPiece& piece, const Vec2& lower, const Vec2& exten
 }  // namespace
 
 Paper paper_named(const std::string& name) {
-    const std::string lower = in_lower_case(name);
+    const std::string lower = lower_case(name);
     const Paper roll{"roll", longest_page, longest_page, true};
     if (lower == "roll") return roll;
     std::string known = "roll";
     for (const Paper& sheet : sheets) {
-        if (lower == in_lower_case(sheet.name)) return sheet;
-        known += ", " + in_lower_case(sheet.name);
+        if (lower == lower_case(sheet.name)) return sheet;
+        known += ", " + lower_case(sheet.name);
     }
     if (name.empty() || name.front() < '0' || name.front() > '9')
         throw InputError("no paper \"" + name + "\"; known: " + known + ", or how wide the roll is, such as 914mm");

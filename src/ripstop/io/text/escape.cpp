@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "ripstop/base/text/lower_case.h"
+
 namespace ripstop {
 namespace {
 
@@ -74,12 +76,6 @@ constexpr std::array<std::pair<char32_t, std::string_view>, 40> other_letters = 
      {0x451, "e"},  {0x454, "ye"}, {0x456, "i"},   {0x457, "yi"},   {0x490, "G"},   {0x491, "g"}, {0x1E9E, "SS"},
      {0x2013, "-"}, {0x2014, "-"}, {0x2019, "'"},  {0x2026, "..."}, {0x20AC, "EUR"}}};
 
-std::string lower(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
-
 /// The code as text, U65E5, so that names in scripts we cannot spell stay distinct.
 std::string code_text(char32_t code) {
     constexpr std::string_view digits = "0123456789ABCDEF";
@@ -99,7 +95,7 @@ std::string spelled(char32_t code) {
     if (code >= 0xC0 && code < 0x180) return std::string(1, base_letters[code - 0xC0]);
     if (code >= 0x391 && code < 0x3CA) return std::string(greek[code - 0x391]);
     if (code >= 0x410 && code < 0x430) return std::string(cyrillic[code - 0x410]);
-    if (code >= 0x430 && code < 0x450) return lower(std::string(cyrillic[code - 0x430]));
+    if (code >= 0x430 && code < 0x450) return lower_case(cyrillic[code - 0x430]);
     return code_text(code);
 }
 

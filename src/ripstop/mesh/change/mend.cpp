@@ -10,6 +10,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/text/units.h"
+#include "ripstop/base/union_find.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/change/coincident.h"
@@ -68,24 +69,6 @@ void note(MendedMesh& mended, int& count, const Vec3& place) {
     ++count;
 }
 
-/// Union-find over vertices.
-class Joined {
-  public:
-    explicit Joined(int count) : to_(static_cast<std::size_t>(count)) { std::iota(to_.begin(), to_.end(), 0); }
-    int operator()(int v) const {
-        while (to_[static_cast<std::size_t>(v)] != v) v = to_[static_cast<std::size_t>(v)];
-        return v;
-    }
-    bool join(int v, int w) {
-        const int a = (*this)(v), b = (*this)(w);
-        to_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-        return a != b;
-    }
-
-  private:
-    std::vector<int> to_;
-};
-
 /// Keeps the triangles for which `stays` holds.
 template <class Stays>
 void keep_triangles(MendedMesh& mended, Stays&& stays) {
@@ -100,9 +83,9 @@ void keep_triangles(MendedMesh& mended, Stays&& stays) {
 }
 
 /// Replaces each vertex by the first of its set and removes triangles that then use a vertex twice.
-void join(MendedMesh& mended, const Joined& joined) {
-    for (int& v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) v = joined(v);
-    for (int& v : mended.becomes) v = joined(v);
+void join(MendedMesh& mended, UnionFind& joined) {
+    for (int& v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) v = joined.root(v);
+    for (int& v : mended.becomes) v = joined.root(v);
     keep_triangles(mended, [&](int t) {
         const auto row = mended.mesh.triangles.row(t);
         const bool stays = row[0] != row[1] && row[1] != row[2] && row[2] != row[0];
@@ -113,7 +96,7 @@ void join(MendedMesh& mended, const Joined& joined) {
 
 void join_short_edges(MendedMesh& mended) {
     const TriangleMesh& mesh = mended.mesh;
-    Joined joined(mesh.vertex_count());
+    UnionFind joined(at(mesh.vertex_count()));
     bool any = false;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         double longest = 0;
@@ -131,7 +114,7 @@ void join_short_edges(MendedMesh& mended) {
 
 void join_places(MendedMesh& mended) {
     const std::vector<int> first = first_in_place(mended.mesh.positions);
-    Joined joined(mended.mesh.vertex_count());
+    UnionFind joined(at(mended.mesh.vertex_count()));
     for (std::size_t v = 0; v < first.size(); ++v)
         if (joined.join(static_cast<int>(v), first[v]))
             note(mended, mended.joined, mended.mesh.positions.row(static_cast<Eigen::Index>(v)));
@@ -281,7 +264,7 @@ MendedMesh weld_tips(const TriangleMesh& mesh) {
         return (at(i + 2) - at(i)).norm() <= no_height * edge;
     };
     MendedMesh mended = as_given(mesh);
-    Joined joined(mesh.vertex_count());
+    UnionFind joined(static_cast<std::size_t>(mesh.vertex_count()));
     for (std::size_t i = 0; i < count; ++i) {
         if (!cracked(i) || cracked(i + count - 2)) continue;  // continue only at the first crack of a tip
         std::size_t last = i;
@@ -310,7 +293,7 @@ MendedMesh close_tips(const TriangleMesh& mesh, double width) {
         return mesh.positions.row(loop[(i + 1) % count]) - mesh.positions.row(loop[i % count]);
     };
     MendedMesh mended = as_given(mesh);
-    Joined joined(mesh.vertex_count());
+    UnionFind joined(at(mesh.vertex_count()));
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 before = edge(i + count - 1);
         std::size_t end = i;
@@ -325,7 +308,7 @@ MendedMesh close_tips(const TriangleMesh& mesh, double width) {
         if (!turns_left || before.dot(edge(end)) >= 0) continue;
         for (std::size_t k = i + 1; k <= end; ++k) joined.join(loop[k % count], loop[i % count]);
         note(mended, mended.closed, mesh.positions.row(loop[i % count]));
-        mended.mesh.positions.row(joined(loop[i % count])) =
+        mended.mesh.positions.row(joined.root(loop[i % count])) =
             (mesh.positions.row(loop[i % count]) + mesh.positions.row(loop[end % count])) / 2;
     }
     if (mended.closed == 0) return mended;

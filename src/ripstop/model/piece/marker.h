@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "ripstop/geometry/types.h"
-#include "ripstop/model/piece/pattern_piece.h"
 
 namespace ripstop {
 
@@ -54,11 +53,5 @@ struct Markers {
     std::vector<Marker> markers;    ///< sorted by fabric, then colour
     std::vector<Refusal> refusals;  ///< one per piece
 };
-
-/// The piece transformed to its placement: mirrored, rotated and shifted, with the copy number in its name. All
-/// outlines are counter-clockwise, lettering is never mirrored or upside down, and lines keep their order. A mirror
-/// image says so in its name and on its label. `cut 24` becomes `2/24` on a copy, and is dropped if every piece is
-/// laid separately.
-PatternPiece placed_piece(const PatternPiece& piece, const Placement& placement);
 
 }  // namespace ripstop

@@ -4,6 +4,11 @@
 
 namespace ripstop {
 
+bool FlatTile::is_flat() const {
+    const Points2& positions = flattening.positions;
+    return positions.rows() == tile.mesh.vertex_count() && positions.rows() > 0 && positions.allFinite();
+}
+
 bool CutPlan::manufacturable() const {
     return findings.empty() &&
            std::all_of(tiles.begin(), tiles.end(), [](const FlatTile& tile) { return tile.verdict.manufacturable(); });

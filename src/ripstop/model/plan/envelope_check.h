@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ripstop/geometry/types.h"
-#include "ripstop/model/plan/allowance.h"
+#include "ripstop/model/tile/seam_type_use.h"
 #include "ripstop/model/tile/zigzag.h"
 
 namespace ripstop {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "ripstop/geometry/triangle.h"
-#include "ripstop/model/plan/seam_place.h"
-#include "ripstop/model/tile/seam_sheets.h"
 #include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/tile/seam_place.h"
+#include "ripstop/tile/seam_sheets.h"
 
 namespace ripstop {
 namespace {
@@ -48,7 +48,7 @@ Bends bends_of(const std::vector<FlatTile>& tiles, const Seam& seam, bool second
     double walked = 0;
     for (const SeamPart& part : parts) {
         bends.until.push_back(walked += part.length);
-        bends.curvature.push_back(has_flat_positions(tile) ? curvature_of_edge(tile, part.edge) : 0);
+        bends.curvature.push_back(tile.is_flat() ? curvature_of_edge(tile, part.edge) : 0);
     }
     return bends;
 }

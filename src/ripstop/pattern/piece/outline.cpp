@@ -5,9 +5,10 @@
 
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/geometry/simplify.h"
-#include "ripstop/model/plan/allowance.h"
-#include "ripstop/model/tile/seam_sheets.h"
 #include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/tile/allowance.h"
+#include "ripstop/tile/seam_sheets.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {
@@ -40,7 +41,7 @@ std::vector<SewnParts> sewn_parts(const CutPlan& plan) {
         const int t = sheet.side->tile;
         const FlatTile& tile = plan.tiles[static_cast<std::size_t>(t)];
         const double from = std::max(sheet.from, mate.from), to = std::min(sheet.to, mate.to);
-        if (!has_flat_positions(tile) || !(from < to)) return;
+        if (!tile.is_flat() || !(from < to)) return;
         const Eigen::VectorXd drawn = drawn_lengths(tile.tile);
         for (const SeamPart& part : parts_between(sheet, from, to)) {
             const auto edge = static_cast<std::size_t>(part.edge);
@@ -170,7 +171,7 @@ std::vector<PieceOutline> make_outlines(const CutPlan& plan, double chord_error)
     const std::vector<Eigen::VectorXd> allowances = edge_allowances(plan);
     std::vector<PieceOutline> outlines(plan.tiles.size());
     for (std::size_t t = 0; t < plan.tiles.size(); ++t)
-        if (has_flat_positions(plan.tiles[t]))
+        if (plan.tiles[t].is_flat())
             outlines[t] = make_outline(plan, plan.tiles[t], parts[t], allowances[t], chord_error);
     return outlines;
 }

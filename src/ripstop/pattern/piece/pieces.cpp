@@ -7,6 +7,7 @@
 #include "ripstop/base/parallel.h"
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/pattern/piece/annotation.h"
+#include "ripstop/pattern/piece/count_patterns.h"
 #include "ripstop/pattern/piece/drawn_lines.h"
 #include "ripstop/pattern/piece/edge_labels.h"
 #include "ripstop/pattern/piece/outline.h"
@@ -144,11 +145,6 @@ std::string colour_of(const Tile& tile) {
     return attribute(tile, {"colour", "color", "material"});
 }
 
-bool has_flat_positions(const FlatTile& tile) {
-    const Points2& positions = tile.flattening.positions;
-    return positions.rows() == tile.tile.mesh.vertex_count() && positions.rows() > 0 && positions.allFinite();
-}
-
 std::vector<PatternPiece> make_pieces(const CutPlan& plan, const PieceOptions& options, int threads) {
     const std::vector<PieceOutline> outlines = make_outlines(plan, options.chord_error);
     const std::vector<std::vector<PieceNotch>> notches = make_notches(plan, outlines, options.notches);
@@ -156,7 +152,7 @@ std::vector<PatternPiece> make_pieces(const CutPlan& plan, const PieceOptions& o
     std::vector<PatternPiece> all(plan.tiles.size());
     parallel_for(static_cast<int>(plan.tiles.size()), threads, [&](int t) {
         const auto i = static_cast<std::size_t>(t);
-        if (!has_flat_positions(plan.tiles[i])) return;
+        if (!plan.tiles[i].is_flat()) return;
         PatternPiece& piece = all[i];
         name_piece(piece, plan, plan.tiles[i].tile, options);
         piece.quantity = quantity[i].same;

@@ -22,9 +22,6 @@ struct PieceOptions {
 /// The colour of a tile: its attribute `colour`, `color` or `material`; empty if it has none.
 std::string colour_of(const Tile& tile);
 
-/// True if every vertex of the tile has a finite flat position. False after a failed flattening.
-bool has_flat_positions(const FlatTile& tile);
-
 /// The piece of every tile that has flat positions, in the order of the plan and in the coordinates of its
 /// flattening.
 ///

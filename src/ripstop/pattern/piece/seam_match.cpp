@@ -1,53 +1,36 @@
 #include "ripstop/pattern/piece/seam_match.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "ripstop/base/union_find.h"
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/model/plan/seam_place.h"
-#include "ripstop/model/tile/seam_sheets.h"
 #include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/tile/seam_place.h"
+#include "ripstop/tile/seam_sheets.h"
 
 namespace ripstop {
 namespace {
 
 constexpr double same_end = 1e-3;  // [m]
 
-/// Union-find over seams. Each seam knows whether its direction is opposite to that of its group's root.
-class Groups {
+/// The directions of seams' marks. Union-find over the seams, each as it runs (2 s) and reversed (2 s + 1); a tie
+/// says that two seams run in equal or in opposite directions.
+class Directions {
   public:
-    explicit Groups(std::size_t seams) : to_(seams), against_(seams, false), torn_(seams, false) {
-        std::iota(to_.begin(), to_.end(), 0);
-    }
+    explicit Directions(std::size_t seams) : sets_(2 * seams) {}
     void tie(int a, int b, bool reversed) {
-        const auto [first, first_against] = root(static_cast<std::size_t>(a));
-        const auto [other, other_against] = root(static_cast<std::size_t>(b));
-        const bool against = (first_against != other_against) != reversed;
-        if (first == other) {
-            torn_[first] = torn_[first] || against;
-            return;
-        }
-        const std::size_t low = std::min(first, other), high = std::max(first, other);
-        to_[high] = low;
-        against_[high] = against;
-        torn_[low] = torn_[low] || torn_[high];
+        sets_.join(2 * a, 2 * b + (reversed ? 1 : 0));
+        sets_.join(2 * a + 1, 2 * b + (reversed ? 0 : 1));
     }
-    MarkDirection direction(std::size_t seam) {
-        const auto [first, against] = root(seam);
-        return torn_[first] ? MarkDirection::none : against ? MarkDirection::from_end : MarkDirection::from_start;
+    /// The direction relative to the first seam that it is tied to; none if the ties contradict each other.
+    MarkDirection of(int seam) {
+        const int root = sets_.root(2 * seam);
+        if (root == sets_.root(2 * seam + 1)) return MarkDirection::none;
+        return root % 2 == 0 ? MarkDirection::from_start : MarkDirection::from_end;
     }
 
   private:
-    std::pair<std::size_t, bool> root(std::size_t seam) {
-        if (to_[seam] == seam) return {seam, false};
-        const auto [first, against] = root(to_[seam]);
-        against_[seam] = against_[seam] != against;
-        to_[seam] = first;
-        return {first, against_[seam]};
-    }
-
-    std::vector<std::size_t> to_;
-    std::vector<bool> against_, torn_;
+    UnionFind sets_;
 };
 
 }  // namespace
@@ -55,11 +38,11 @@ class Groups {
 SeamEnds::SeamEnds(const CutPlan& plan) : runs_(plan.tiles.size()) {
     std::vector<Vec2> middles(plan.tiles.size(), Vec2::Zero());
     for (std::size_t t = 0; t < plan.tiles.size(); ++t)
-        if (has_flat_positions(plan.tiles[t]))
+        if (plan.tiles[t].is_flat())
             middles[t] = area_centroid(plan.tiles[t].flattening.positions(plan.tiles[t].tile.boundary, Eigen::all));
     const auto add = [&](const SeamSheet& sheet, const SeamSheet& other) {
         const auto t = static_cast<std::size_t>(sheet.side->tile);
-        if (!has_flat_positions(plan.tiles[t])) return;
+        if (!plan.tiles[t].is_flat()) return;
         const auto at = [&](double along) {
             along = std::clamp(other.record->along_skin(along), sheet.from, sheet.to);
             return Vec2(flat_point(plan.tiles[t], place_on_sheet(plan.tiles, sheet, along)) - middles[t]);
@@ -99,17 +82,17 @@ std::optional<std::vector<SeamMatch>> SeamEnds::match(std::size_t tile, std::siz
 
 std::vector<MarkDirection> mark_directions(const CutPlan& plan) {
     const SeamEnds ends(plan);
-    Groups groups(plan.seams.size());
+    Directions found(plan.seams.size());
     for (std::size_t t = 0; t < plan.tiles.size(); ++t) {
         const FlatTile& tile = plan.tiles[t];
         if (tile.equal_to < 0) continue;
         if (const auto matches = ends.match(t, static_cast<std::size_t>(tile.equal_to), tile.mirrored))
-            for (const SeamMatch& match : *matches) groups.tie(match.seam, match.pattern_seam, match.reversed);
+            for (const SeamMatch& match : *matches) found.tie(match.seam, match.pattern_seam, match.reversed);
     }
     for (std::size_t s = 0; s < plan.seams.size(); ++s)  // all sheets of a seam have its marks
-        if (const auto& into = plan.seams[s].into) groups.tie(static_cast<int>(s), into->seam, into->backwards);
+        if (const auto& into = plan.seams[s].into) found.tie(static_cast<int>(s), into->seam, into->backwards);
     std::vector<MarkDirection> directions;
-    for (std::size_t s = 0; s < plan.seams.size(); ++s) directions.push_back(groups.direction(s));
+    for (std::size_t s = 0; s < plan.seams.size(); ++s) directions.push_back(found.of(static_cast<int>(s)));
     return directions;
 }
 

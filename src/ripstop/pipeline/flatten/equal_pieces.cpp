@@ -6,10 +6,10 @@
 #include <map>
 
 #include "ripstop/geometry/polygon.h"
-#include "ripstop/model/plan/allowance.h"
 #include "ripstop/pattern/piece/drawn_lines.h"
 #include "ripstop/pattern/piece/pieces.h"
 #include "ripstop/pattern/piece/seam_match.h"
+#include "ripstop/tile/allowance.h"
 
 namespace ripstop {
 namespace {
@@ -61,7 +61,7 @@ bool same_allowances(const Points2& a, const Points2& b, const Eigen::VectorXd& 
 /// The lines drawn on a piece, about the middle of its outline.
 std::vector<DrawnLine> centred_lines(const FlatTile& tile) {
     constexpr double exactly = 1e-9;
-    if (tile.tile.lines.empty() || !has_flat_positions(tile)) return {};
+    if (tile.tile.lines.empty() || !tile.is_flat()) return {};
     std::vector<DrawnLine> lines = draw_lines(tile, exactly);
     const Vec2 middle = area_centroid(tile.flattening.positions(tile.tile.boundary, Eigen::all));
     for (DrawnLine& line : lines) line.points.rowwise() -= middle.transpose();
@@ -85,7 +85,7 @@ bool cut_alike(const std::array<const FlatTile*, 2>& tiles, const std::array<con
                const Eigen::RowVector2d& signs, double tolerance) {
     if (colour_of(tiles[0]->tile) != colour_of(tiles[1]->tile)) return false;
     for (const FlatTile* tile : tiles)
-        if (!has_flat_positions(*tile)) return false;
+        if (!tile->is_flat()) return false;
     const Points2 a = centred_outline(*tiles[0]) * signs.asDiagonal(), b = centred_outline(*tiles[1]);
     return within(a, b, tolerance) && within(b, a, tolerance) && same_allowances(a, b, *allowances[0], *allowances[1]);
 }

@@ -5,6 +5,7 @@
 #include "ripstop/base/parallel.h"
 #include "ripstop/measure/distortion.h"
 #include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 
@@ -12,7 +13,7 @@ std::vector<StrainMap> measure_strain_maps(const CutPlan& plan, int threads) {
     std::vector<StrainMap> maps(plan.tiles.size());
     parallel_for(static_cast<int>(plan.tiles.size()), threads, [&](int i) {
         const FlatTile& tile = plan.tiles[static_cast<std::size_t>(i)];
-        if (!has_flat_positions(tile)) return;
+        if (!tile.is_flat()) return;
         const std::vector<TriangleDistortion> triangles =
             measure_distortion(target_triangles(tile.tile), tile.tile.mesh.triangles, tile.flattening.positions);
         StrainMap& map = maps[static_cast<std::size_t>(i)];

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

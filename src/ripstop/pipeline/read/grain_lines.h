@@ -5,6 +5,7 @@
 
 #include "ripstop/model/tile/cad_model.h"
 #include "ripstop/model/tile/tile.h"
+#include "ripstop/tile/make_tile.h"
 
 namespace ripstop {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ripstop/io/json/project_json.h"
+#include "ripstop/model/project/project.h"
 #include "ripstop/model/tile/cad_model.h"
 
 namespace ripstop {

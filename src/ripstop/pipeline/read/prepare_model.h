@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/io/json/project_json.h"
 #include "ripstop/model/plan/envelope_check.h"
+#include "ripstop/model/project/project.h"
 #include "ripstop/model/tile/cad_model.h"
 
 namespace ripstop {

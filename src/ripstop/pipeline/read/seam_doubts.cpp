@@ -4,6 +4,7 @@
 
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/measure/judge_seams.h"
+#include "ripstop/tile/find_zigzags.h"
 
 namespace ripstop {
 namespace {

@@ -3,8 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "ripstop/io/json/project_seams.h"
 #include "ripstop/io/text/text.h"
-#include "ripstop/model/plan/allowance.h"
+#include "ripstop/tile/allowance.h"
 
 namespace ripstop {
 namespace {
@@ -141,7 +142,7 @@ std::vector<std::string> unused_entries(const Project& project, const Envelope& 
     const std::vector<Eigen::VectorXd> left = free_lengths(envelope);
     for (const SeamRule& rule : project.seams)
         if (!is_used(rule, envelope, left, edges))
-            sentences.push_back(project.file + ": there is no " + rule.text() +
+            sentences.push_back(project.file + ": there is no " + seam_rule_text(rule) +
                                 (rule.direction == EdgeDirection::any          ? ""
                                  : rule.direction == EdgeDirection::along_warp ? " along the warp"
                                                                                : " across the warp"));

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ripstop/io/json/project_json.h"
+#include "ripstop/model/project/project.h"
 #include "ripstop/model/tile/envelope.h"
 
 namespace ripstop {

@@ -4,6 +4,9 @@
 #include <optional>
 #include <set>
 
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/make_tile.h"
+
 namespace ripstop {
 namespace {
 

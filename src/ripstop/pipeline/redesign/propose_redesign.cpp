@@ -16,6 +16,7 @@
 #include "ripstop/model/plan/better_verdict.h"
 #include "ripstop/pipeline/redesign/half_tile.h"
 #include "ripstop/pipeline/redesign/weld_tiles.h"
+#include "ripstop/tile/find_zigzags.h"
 
 namespace ripstop {
 namespace {
@@ -109,9 +110,7 @@ std::tuple<int, std::size_t, std::size_t, double> rank(const SplitProposal& prop
 }
 
 bool is_sound(const FlatTile& tile) {
-    const Points2& flat = tile.flattening.positions;
-    return tile.flattening.summary.usable() && tile.accuracy.flipped == 0 &&
-           flat.rows() == tile.tile.mesh.vertex_count() && flat.allFinite();
+    return tile.flattening.summary.usable() && tile.accuracy.flipped == 0 && tile.is_flat();
 }
 
 /// Where the proposal lies on a tile that is the first one moved, perhaps mirrored.

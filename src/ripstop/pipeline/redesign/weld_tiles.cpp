@@ -3,6 +3,9 @@
 #include <cmath>
 
 #include "ripstop/base/text/units.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {

@@ -14,9 +14,12 @@
 #include "ripstop/flatten/map/dirichlet.h"
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/mesh/change/delaunay.h"
 #include "ripstop/model/tile/corner_turn.h"
 #include "ripstop/model/tile/zigzag.h"
+#include "ripstop/tile/find_zigzags.h"
+#include "ripstop/tile/make_tile.h"
 
 namespace ripstop {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "ripstop/assembly/seams/seam_lengths.h"
 #include "ripstop/assembly/seams/seam_runs.h"
-#include "ripstop/model/tile/seam_sheets.h"
 #include "ripstop/pipeline/remesh/curve_division.h"
+#include "ripstop/tile/seam_sheets.h"
 
 namespace ripstop {
 namespace {

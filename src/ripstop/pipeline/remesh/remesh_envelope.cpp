@@ -12,12 +12,13 @@
 #include "ripstop/base/parallel.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/measure/equal_tiles.h"
-#include "ripstop/model/tile/seam_sheets.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/pipeline/remesh/copied_mesh.h"
 #include "ripstop/pipeline/remesh/new_boundaries.h"
 #include "ripstop/remesh/facet_row.h"
 #include "ripstop/remesh/mesh_state.h"
 #include "ripstop/remesh/remesh_tile.h"
+#include "ripstop/tile/seam_sheets.h"
 
 namespace ripstop {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "ripstop/base/text/lower_case.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/io/text/escape.h"
 
@@ -40,22 +41,11 @@ std::string failing_codes(const Verdict& verdict) {
     return text;
 }
 
-bool is_drawable(const FlatTile& tile) {
-    const Points2& positions = tile.flattening.positions;
-    return positions.rows() == tile.tile.mesh.vertex_count() && positions.rows() > 0 && positions.allFinite();
-}
-
 namespace {
-
-std::string lower(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
 
 /// Windows reserves these names for devices, with any extension.
 bool is_device(const std::string& name) {
-    const std::string small = lower(name);
+    const std::string small = lower_case(name);
     for (const char* const device : {"con", "prn", "aux", "nul"})
         if (small == device) return true;
     const bool is_port = small.size() == 4 && (small.starts_with("com") || small.starts_with("lpt"));
@@ -78,7 +68,7 @@ std::vector<std::string> file_stems(const std::vector<std::string>& names) {
         const std::size_t name_end = std::min(base.find('.'), base.size());
         if (is_device(base.substr(0, name_end))) base.insert(name_end, "_");
         std::string stem = base;
-        for (int n = 2; !used.insert(lower(stem)).second; ++n) stem = base + "_" + std::to_string(n);
+        for (int n = 2; !used.insert(lower_case(stem)).second; ++n) stem = base + "_" + std::to_string(n);
         stems.push_back(stem);
     }
     return stems;

@@ -18,9 +18,6 @@ double worst_chain_error(const Accuracy& accuracy);
 /// the tile can be made.
 std::string failing_codes(const Verdict& verdict);
 
-/// True if every vertex has a finite place on the cloth, so that the tile can be drawn.
-bool is_drawable(const FlatTile& tile);
-
 /// A file name stem for each name: ASCII letters, digits, `.`, `_`, `-`; other characters become `_`. A stem has
 /// no leading dot or dash, has 1 to 80 characters, and is unique even if case is ignored (`_2`, `_3`, … in order).
 /// None is `seams`, the picture of the seams, or a device of Windows: `con.a` gives `con_.a`.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "ripstop/base/text/lower_case.h"
 #include "ripstop/io/svg/style/svg_document.h"
 #include "ripstop/io/svg/values/svg_path.h"
 #include "ripstop/io/text/text.h"
@@ -21,13 +22,6 @@ bool is_css_blank(char c) {
 bool is_letter_of_name(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
            static_cast<unsigned char>(c) >= 128;
-}
-
-std::string small_letters(std::string_view text) {
-    std::string small(text);
-    for (char& c : small)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return small;
 }
 
 std::string without_comments(std::string_view text) {
@@ -207,7 +201,7 @@ class SelectorReader {
                                                       "after",  "focus-within", "any-link"};
         take();
         if (!rest_.empty() && rest_.front() == ':') take();
-        const std::string found = small_letters(name());
+        const std::string found = lower_case(name());
         if (!rest_.empty() && rest_.front() == '(') return false;
         specificity_ += 256;
         if (never.contains(found)) {
@@ -250,7 +244,7 @@ class SheetReader {
 
   private:
     void read_at(std::string_view head, std::string_view block, const std::string& doubt, int depth) {
-        const std::string text = small_letters(head);
+        const std::string text = lower_case(head);
         std::string_view rest = text;
         const std::string_view name = svg_next_word(rest);
         const std::string_view condition = svg_trimmed(rest);
@@ -293,10 +287,11 @@ std::vector<CssDeclaration> css_declarations(std::string_view block) {
     for (const std::string_view part : parts(bare, ';')) {
         const std::size_t colon = part.find(':');
         if (colon == std::string_view::npos) continue;
-        CssDeclaration declaration{small_letters(svg_trimmed(part.substr(0, colon))), {}, false};
+        CssDeclaration declaration{lower_case(svg_trimmed(part.substr(0, colon))), {}, false};
         std::string_view value = svg_trimmed(part.substr(colon + 1));
         const std::size_t mark = value.rfind('!');
-        if (mark != std::string_view::npos && small_letters(svg_trimmed(value.substr(mark + 1))) == "important") {
+        if (mark != std::string_view::npos &&
+            lower_case(svg_trimmed(value.substr(mark + 1))) == "important") {
             declaration.is_important = true;
             value = svg_trimmed(value.substr(0, mark));
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ripstop/base/text/lower_case.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/io/svg/values/svg_path.h"
 #include "ripstop/io/svg/values/svg_view.h"
@@ -39,10 +40,7 @@ constexpr std::array<std::string_view, 8> worded{"display",       "fill",   "fon
                                                  "transform-box", "stroke", "transform-origin", "visibility"};
 
 std::string worded_value(std::string_view property, std::string value) {
-    if (std::find(worded.begin(), worded.end(), property) == worded.end()) return value;
-    for (char& c : value)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return value;
+    return std::find(worded.begin(), worded.end(), property) == worded.end() ? value : lower_case(value);
 }
 
 bool is_wide_word(std::string_view value) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "ripstop/base/text/lower_case.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/io/svg/values/svg_path.h"
@@ -25,10 +26,7 @@ std::optional<Measure> measure(std::string_view text) {
     const std::size_t end = svg_number_end(text);
     const std::optional<double> number = parse_double(text.substr(0, end));
     if (!number) return std::nullopt;
-    std::string unit(text.substr(end));
-    for (char& c : unit)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return Measure{*number, unit};
+    return Measure{*number, lower_case(text.substr(end))};
 }
 
 std::optional<double> absolute_unit(std::string_view unit) {
