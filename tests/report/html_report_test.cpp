@@ -13,6 +13,7 @@
 #include "ripstop/report/json/report_json.h"
 #include "ripstop/report/page/page_shapes.h"
 #include "ripstop/report/page/page_template.h"
+#include "ripstop/tile/targets.h"
 #include "support/flat_tiles.h"
 #include "support/inflated.h"
 

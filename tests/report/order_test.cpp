@@ -47,7 +47,7 @@ TEST(Bom, HasWhatTheMarkersTake) {
     Marker marker{"isotropic", "", 1.5, 2};
     marker.net_area = 2;
     const Markers markers{{marker}, {}};
-    EXPECT_THAT(bom_csv(set, &markers), HasSubstr("cloth,,isotropic,,2,,2,3,2,1500,33.3333333333,,,\n"));
+    EXPECT_THAT(bom_csv(set, &markers), HasSubstr("cloth,,isotropic,,2,,2,3,2,1500,33.33333,,,\n"));
     const Markers lacking{{marker}, {{"B", "is too wide"}}};
     EXPECT_THAT(bom_csv(set, &lacking), HasSubstr("cloth,,isotropic,,2,,2,,,,,,,\n"));
 }

@@ -1,19 +1,22 @@
-// What report.html's own modules say of a plan, as JSON, for the tests to compare with:
-// node page_oracle.mjs APPS_REPORT_SRC FILE. FILE holds {report, limits: [{strain, shear} a tile],
-// tension: [[N a boundary edge] a tile], shares: [values to colour]}.
+// Prints what report.html's own modules make of a plan's data, as JSON, so that the tests can compare it with the
+// pictures: node page_oracle.mjs APPS_REPORT_SRC REPORT_JSON SHAPES SHARES_JSON. SHAPES holds the bytes of
+// `page_shapes`, SHARES the values to colour and to write.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-const [source, file] = process.argv.slice(2);
-const { report, limits, tension, shares } = JSON.parse(readFileSync(file, 'utf8'));
+const [source, reportFile, shapesFile, sharesFile] = process.argv.slice(2);
+const report = JSON.parse(readFileSync(reportFile, 'utf8')),
+    shares = JSON.parse(readFileSync(sharesFile, 'utf8'));
 const load = (name) => import(pathToFileURL(join(source, name)));
-const [palette, maps, format] = await Promise.all(['view/palette.js', 'view/maps.js', 'view/format.js'].map(load));
+const [palette, maps, format, data] = await Promise.all(
+    ['palette', 'maps', 'format', 'data'].map((name) => load(`view/${name}.js`)),
+);
 
-// As much of a document as the verdict is written into.
+// The parts of a document that verdict and legend are written into.
 class Element {
     constructor(tag) {
-        Object.assign(this, { tag, children: [] });
+        Object.assign(this, { tag, children: [], classList: { add() {} } });
     }
     append(child) {
         this.children.push(child);
@@ -29,21 +32,11 @@ class Element {
     }
 }
 globalThis.document = { createElement: (tag) => new Element(tag) };
-const { verdictView } = await load('tables/verdict.js');
+const [{ verdictView }, { legendView }] = await Promise.all([load('tables/verdict.js'), load('view/legend.js')]);
 
-const model = {
-    report,
-    tiles: report.tiles.map((said, i) => ({
-        said,
-        name: said.name,
-        ok: said.verdict.manufacturable,
-        findings: said.verdict.findings,
-        limits: limits[i],
-        tension: tension[i].length > 0 ? { values: tension[i], step: 1 } : null,
-        maps: {},
-    })),
-    seams: report.seams.map((said) => ({ said, id: said.id, ok: said.ok })),
-};
+const bytes = readFileSync(shapesFile);
+const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length);
+const model = data.modelOf(report, buffer, null);
 const view = verdictView(model, { onTile() {}, onSeam() {} });
 const lists = Object.fromEntries(
     view.all('section').map((section) => [
@@ -51,23 +44,38 @@ const lists = Object.fromEntries(
         section.all('li').map((line) => line.textContent),
     ]),
 );
+
+function painted(map, scale) {
+    const look = maps.lookOf(model, { map: map.id, scale: scale?.id, palette: 'safe' });
+    return {
+        cloth: model.tiles.map((tile) => [...maps.clothPlaces(tile, look)]),
+        edges: model.tiles.map((tile) => [...(maps.rimPlaces(tile, look) ?? [])]),
+        legend: legendView(look)
+            .all('span')
+            .filter((span) => span.all('span').length === 1)
+            .map((span) => span.textContent.trim())
+            .filter(Boolean),
+        note: legendView(look)
+            .all('small')
+            .map((small) => small.textContent)
+            .join(),
+    };
+}
+
 console.log(
     JSON.stringify({
         headline: view.all('h1')[0].textContent,
         why: lists.Why ?? [],
         redesign: lists['What to redesign'] ?? [],
-        colours: [...palette.paletteTable('safe')],
-        places: shares.map((share) => palette.placeOf(share ?? NaN)),
+        first: model.first,
+        colours: model.palettes.map(({ table }) => [...table]),
+        places: [true, false].map((beyond) => shares.map((share) => palette.placeOf(share ?? NaN, beyond))),
         figures: shares.map((share) => [format.figure(share, 2, true), format.short(1000 * (share ?? NaN))]),
-        maps: maps.maps.filter(({ inFlight }) => !inFlight).map((map) => {
-            const { low, high, note, pinned } = maps.legend(model, map);
-            return {
-                id: map.id,
-                words: [map.name, map.negative, map.positive],
-                kinds: [Boolean(map.cloth), Boolean(map.rim), Boolean(map.unsigned)],
-                legend: [low, high, note],
-                pinned,
-            };
-        }),
+        maps: model.maps.map((map) => ({
+            id: map.id,
+            name: map.name,
+            first: painted(map), // with the initial scale
+            scales: map.scales.map((scale) => painted(map, scale)),
+        })),
     }),
 );

@@ -1,15 +1,19 @@
-/// What the PNG pictures share with report.html is said twice, in C++ and in JavaScript: both must say the same.
+/// The page paints what the program decided: its colours and words must match the PNG pictures.
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "ripstop/pattern/piece/pieces.h"
+#include "ripstop/pipeline/flatten/strain_maps.h"
 #include "ripstop/report/json/report_json.h"
+#include "ripstop/report/page/page_shapes.h"
+#include "ripstop/report/view/map_view.h"
 #include "ripstop/report/view/page_colours.h"
-#include "ripstop/report/view/page_maps.h"
 #include "ripstop/report/words/page_words.h"
 #include "support/flat_tiles.h"
+#include "support/inflated.h"
 #include "support/outside.h"
 #include "support/seams.h"
 
@@ -24,18 +28,14 @@ const std::vector<double> shares{-2.0, -1.0001, -1.0, -0.999, -0.5,  -1e-9,   0.
 /// What the page says about a plan; null without Node.js.
 json page_says(const CutPlan& plan) {
     if (testing::run_command("node --version").code != 0) return {};
-    json input = {{"report", json::parse(report_json(plan, true))}, {"shares", shares}};
-    for (const FlatTile& tile : plan.tiles) {
-        const Tolerances limits = plan.tolerances_of(tile.tile);
-        input["limits"].push_back({{"strain", limits.strain}, {"shear", limits.shear}});
-        const Eigen::VectorXd& tension = tile.flattening.seam_tension;
-        input["tension"].push_back(std::vector<double>(tension.begin(), tension.end()));
-    }
     const testing::ScratchDirectory scratch;
-    testing::write_text(scratch.path("plan.json"), input.dump());
+    testing::write_text(scratch.path("report.json"), report_json(plan, true));
+    testing::write_text(scratch.path("shapes"), page_shapes(plan, make_pieces(plan), measure_strain_maps(plan)));
+    testing::write_text(scratch.path("shares.json"), json(shares).dump());
     const std::string source = RIPSTOP_SOURCE_DIR;
     const auto run = testing::run_command("node " + source + "/tests/report/page_oracle.mjs " + source +
-                                          "/apps/report/src " + scratch.path("plan.json"));
+                                          "/apps/report/src " + scratch.path("report.json") + " " +
+                                          scratch.path("shapes") + " " + scratch.path("shares.json"));
     EXPECT_EQ(run.code, 0) << run.output;
     return run.code == 0 ? json::parse(run.output) : json();
 }
@@ -62,10 +62,17 @@ CutPlan plan_of_two_fabrics() {
 
 TEST(ThePageAndThePictures, HaveTheSameColours) {
     RIPSTOP_REQUIRE_PAGE(said, testing::two_tile_plan());
-    for (std::size_t place = 0; place < page_places::count; ++place)
-        for (std::size_t k = 0; k < 3; ++k)
-            EXPECT_EQ(page_colours()[place] >> (16 - 8 * k) & 0xff, said["colours"][4 * place + k]) << place;
-    for (std::size_t i = 0; i < shares.size(); ++i) EXPECT_EQ(page_place(shares[i]), said["places"][i]) << shares[i];
+    ASSERT_EQ(said["colours"].size(), page_palettes().size());
+    for (std::size_t palette = 0; palette < page_palettes().size(); ++palette)
+        for (std::size_t place = 0; place < page_places::count; ++place)
+            for (std::size_t k = 0; k < 3; ++k)
+                EXPECT_EQ(page_palettes()[palette].colours[place] >> (16 - 8 * k) & 0xff,
+                          said["colours"][palette][4 * place + k])
+                    << palette << " " << place;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        EXPECT_EQ(page_place(shares[i]), said["places"][0][i]) << shares[i];
+        EXPECT_EQ(page_place(shares[i], false), said["places"][1][i]) << shares[i];
+    }
 }
 
 TEST(ThePageAndThePictures, WriteFiguresAlike) {
@@ -76,21 +83,48 @@ TEST(ThePageAndThePictures, WriteFiguresAlike) {
     }
 }
 
-TEST(ThePageAndThePictures, HaveTheSameMapsAndLegends) {
-    for (const CutPlan& plan : {testing::two_tile_plan(), plan_of_two_fabrics()}) {
+/// Expects values within one step of the palette, because values are rounded for the page.
+void expect_same_places(const std::vector<std::uint16_t>& picture, const json& page, const std::string& what) {
+    ASSERT_EQ(picture.size(), page.size()) << what;
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+        const int place = picture[i], other = page[i].get<int>();
+        EXPECT_LE(std::abs(place - other), place > page_places::above || other > page_places::above ? 0 : 1)
+            << what << ", number " << i;
+    }
+}
+
+void expect_same_view(const CutPlan& plan, const MapView& view, std::size_t scale, const json& page) {
+    const std::string what = std::string(view.map->id) + " " + std::string(view.scales[scale].id) + ", tile ";
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        expect_same_places(cloth_places(plan, view, i, scale), page["cloth"][i], what + std::to_string(i));
+        expect_same_places(edge_places(view, i, scale), page["edges"][i], what + std::to_string(i) + ", edges");
+    }
+    EXPECT_EQ(page["note"], view.scales[scale].note);
+    for (const std::string& end : {view.scales[scale].low, view.scales[scale].middle, view.scales[scale].high})
+        if (!end.empty()) EXPECT_THAT(page["legend"], ::testing::Contains(end)) << what;
+    const auto beyond = ::testing::Contains("beyond");
+    if (view.scales[scale].has_beyond)
+        EXPECT_THAT(page["legend"], beyond) << what;
+    else
+        EXPECT_THAT(page["legend"], ::testing::Not(beyond)) << what;
+}
+
+TEST(ThePageAndThePictures, PaintTheSameInEveryMapAndScale) {
+    for (const CutPlan& plan : {testing::two_tile_plan(), plan_of_two_fabrics(), testing::sewn_plan(),
+                                testing::unevenly_meshed_plan(), testing::inflated_plan()}) {
         RIPSTOP_REQUIRE_PAGE(said, plan);
-        ASSERT_EQ(page_maps().size(), said["maps"].size());
-        for (std::size_t i = 0; i < page_maps().size(); ++i) {
-            const PageMap& map = page_maps()[i];
+        const std::vector<StrainMap> strains = measure_strain_maps(plan);
+        const std::vector<MapView> views = map_views(plan, strains);
+        EXPECT_EQ(said["first"]["map"], first_map(plan, strains));
+        ASSERT_EQ(views.size(), said["maps"].size());
+        for (std::size_t i = 0; i < views.size(); ++i) {
             const json& page = said["maps"][i];
-            EXPECT_EQ(map.id, page["id"]);
-            EXPECT_EQ(json::array({map.name, map.negative, map.positive}), page["words"]);
-            EXPECT_EQ(json::array({map.is_of_cloth, map.is_of_edges, map.is_unsigned}), page["kinds"]) << map.id;
-            const PageLegend legend = page_legend(plan, map);
-            if (map.id == "tension" && plan.tiles.back().flattening.seam_tension.size() == 0)
-                continue;  // nothing to show
-            EXPECT_EQ(json::array({legend.low, legend.high, legend.note}), page["legend"]) << map.id;
-            EXPECT_EQ(legend.is_pinned, page["pinned"]) << map.id;
+            EXPECT_EQ(page["id"], views[i].map->id);
+            EXPECT_EQ(page["name"], views[i].map->name);
+            expect_same_view(plan, views[i], 0, page["first"]);
+            ASSERT_EQ(page["scales"].size(), views[i].scales.size());
+            for (std::size_t scale = 0; scale < views[i].scales.size(); ++scale)
+                expect_same_view(plan, views[i], scale, page["scales"][scale]);
         }
     }
 }

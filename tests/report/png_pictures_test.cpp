@@ -14,6 +14,7 @@
 #include "ripstop/report/view/page_colours.h"
 #include "ripstop/report/view/piece_view.h"
 #include "support/flat_tiles.h"
+#include "support/inflated.h"
 #include "support/outside.h"
 #include "support/raster.h"
 #include "support/seams.h"
@@ -95,15 +96,23 @@ TEST(PngPictures, OfTheEnvelopeOpenWithTheMapThePageOpensWith) {
     EXPECT_EQ(poor.at("envelope.png"), poor.at("envelope-warp.png"));
     const Pictures sewn = pictures_of(testing::sewn_plan());
     EXPECT_EQ(sewn.at("envelope.png"), sewn.at("envelope-mismatch.png")) << "only seams fail";
+    CutPlan good = testing::inflated_plan();
+    for (SeamWalk& walk : good.walks) walk.ok = true;
+    for (FlatTile& tile : good.tiles) tile.verdict.judged = true;
+    const Pictures flying = pictures_of(good);
+    EXPECT_EQ(flying.at("envelope.png"), flying.at("envelope-deviation.png")) << "it can be made, and was inflated";
 }
 
 TEST(PngPictures, ShowTheClothInTheColourOfItsStrain) {
-    // Both views have their middles at 400 and 1200, and the cloth there. The stops of the legend are at -1, -1/2, 0,
-    // 1/2 and 1.
+    // Both views have their middles, and cloth there, at 400 and 1200. The stops of the legend are at -1, -1/2, 0,
+    // 1/2 and 1 of the end of the scale, which is the largest value, rounded up, or the limit of 2 % if that is
+    // exceeded.
     for (const auto& [strain, red, green, blue] : {std::tuple{0.0, 0xf7, 0xf5, 0xef},
-                                                   {0.01, 0xf6, 0xb2, 0x6b},
+                                                   {1e-6, 0xf7, 0xf5, 0xee},
+                                                   {0.005, 0xe0, 0x6c, 0x00},
+                                                   {0.01, 0xe0, 0x6c, 0x00},
                                                    {0.02, 0xe0, 0x6c, 0x00},
-                                                   {-0.01, 0x8f, 0xbb, 0xe8},
+                                                   {-0.01, 0x1f, 0x5f, 0xbf},
                                                    {0.021, 0x5c, 0x0a, 0x1e},
                                                    {-0.5, 0x10, 0x1c, 0x4a},
                                                    {std::nan(""), 0, 0, 0}}) {
@@ -197,7 +206,9 @@ TEST(PngPictures, OfAPieceHaveEachPlaceInTheColourOfItsTriangle) {
     const std::vector<PatternPiece> pieces = make_pieces(plan);
     const std::vector<StrainMap> strains = measure_strain_maps(plan);
     const FlatTile& tile = plan.tiles[1];
-    const PieceView view = piece_view({plan, 1, &pieces[1], strains[1], page_map("warp")}, {28, 100}, {972, 660});
+    const MapView map = map_view(plan, strains, page_map("warp"));
+    const double end = map.scales.front().cloth[1];
+    const PieceView view = piece_view({plan, 1, &pieces[1], map}, {28, 100}, {972, 660});
     ASSERT_EQ(view.pixels.size(), 1u);
     const PlacedPixels& placed = view.pixels[0];
     for (int t = 0; t < tile.tile.mesh.triangle_count(); ++t) {
@@ -206,16 +217,25 @@ TEST(PngPictures, OfAPieceHaveEachPlaceInTheColourOfItsTriangle) {
         const Vec2 at = placed.per_unit * (view.to_page.at(middle) - placed.at);
         const auto place = static_cast<std::size_t>(at.y()) * static_cast<std::size_t>(placed.pixels.width) +
                            static_cast<std::size_t>(at.x());
-        EXPECT_EQ(placed.pixels.colours.at(place), page_colours()[page_place(strains[1].warp[t] / 0.02)]) << t;
+        EXPECT_EQ(placed.pixels.colours.at(place),
+                  page_colours()[page_place(strains[1].warp[t] / end, map.scales.front().has_beyond)])
+            << t;
     }
 }
 
 TEST(PngPictures, OfAPieceShowTheMapOfWhatIsWrong) {
-    FlatTile tile = testing::flat_cylinder("G01");
-    EXPECT_EQ(telling_map(tile, strain_of(0)[0]).id, "warp");
-    EXPECT_EQ(telling_map(tile, {}).id, "edges");
-    tile.verdict.findings = {{"outline", "", Vec3::Zero(), 0, 0}, {"weft_strain", "", Vec3::Zero(), 3, 2}};
-    EXPECT_EQ(telling_map(tile, strain_of(0)[0]).id, "weft");
+    CutPlan plan;
+    plan.tiles = {testing::flat_cylinder("G01")};
+    const std::vector<const PatternPiece*> pieces{nullptr};
+    const auto telling = [&](const std::vector<StrainMap>& strains) {
+        const std::vector<MapView> maps = map_views(plan, strains);
+        return telling_map({plan, pieces, maps}, 0).map->id;
+    };
+    EXPECT_EQ(telling(measure_strain_maps(plan)), "warp");
+    EXPECT_EQ(telling({}), "edges");
+    plan.tiles[0].verdict.findings = {{"outline", "", Vec3::Zero(), 0, 0}, {"weft_strain", "", Vec3::Zero(), 3, 2}};
+    EXPECT_EQ(telling(measure_strain_maps(plan)), "weft");
+    EXPECT_EQ(telling({}), "edges") << "nothing is known of the weft";
 }
 
 TEST(EnvelopeView, ShowsWhatIsNearestAndHidesTheLinesBehindIt) {

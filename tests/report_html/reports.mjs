@@ -1,4 +1,4 @@
-// The reports that are looked at, written by the program once a run.
+// The reports under test, which the program writes once per run.
 import { spawnSync } from 'node:child_process';
 import { existsSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -10,7 +10,7 @@ function ripstop(...args) {
     if (![0, 1].includes(run.status)) throw new Error(`ripstop ${args.join(' ')}: ${run.stderr}`);
 }
 
-// The same with its pieces on the roll.
+// The same with its pieces laid on the roll.
 export function nested(page) {
     ripstop('nest', dirname(page), '--effort', '2', '--force', '--quiet');
     return page;
@@ -25,7 +25,7 @@ function flattened(name, input, ...options) {
 const dress = join(shared, 'dress', 'dress_knife_drape_3d.obj');
 
 export const reports = {
-    // The designed balloon: 24 gores of 15 panels, all of them good.
+    // The designed balloon: 24 gores of 15 panels, all manufacturable.
     designed() {
         if (!existsSync(join(work, 'balloon.obj')))
             ripstop('design', 'natural', '-o', 'balloon.obj', '--gores', '24', '--panels', '15');
@@ -42,11 +42,22 @@ export const reports = {
         }
         return existsSync(page) ? page : null;
     },
-    // A draped dress: panels that cannot be made, with seams proposed.
+    // A draped dress: panels that cannot be made, with proposed seams.
     dress: () => (existsSync(dress) ? flattened('dress', dress, '--unit', 'm') : null),
-    // The same by a method that leaves seams unequal.
+    // The same by a method that does not make the sides of seams equal.
     unequal: () => (existsSync(dress) ? flattened('unequal', dress, '--unit', 'm', '--method', 'lscm') : null),
-    // Two squares sewn together whose names are markup.
+    // Two tiles of five triangles, one of which is a disk that is not flat. Their seam has edges of 100 and 900
+    // mm.
+    uneven() {
+        const corners = ['0 0 0', '1 0 0', '1 0.1 0', '1 1 0', '0 1 0', '0.5 0.5 0.3'];
+        const others = ['1 0 0', '2 0 0', '2 1 0', '1 1 0', '1 0.1 0', '1.5 0.5 0'];
+        const fan = (first) => [0, 1, 2, 3, 4].map((i) => `f ${first + i} ${first + ((i + 1) % 5)} ${first + 5}`);
+        const vertices = (points) => points.map((point) => `v ${point}`);
+        const lines = ['o left', ...vertices(corners), ...fan(1), 'o right', ...vertices(others), ...fan(7), ''];
+        writeFileSync(join(work, 'uneven.obj'), lines.join('\n'));
+        return flattened('uneven', 'uneven.obj', '--unit', 'm', '--method', 'lscm', '--remesh', 'never');
+    },
+    // Two squares sewn together, whose names are markup.
     hostile(names) {
         const text = `o ${names[0]}\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\no ${names[1]}\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 5 6 7 8\n`;
         writeFileSync(join(work, 'hostile.obj'), text);

@@ -14,7 +14,7 @@ import { seamTable, tileTable } from './tables/tables.js';
 import { failingSeams, failingTiles, verdictView } from './tables/verdict.js';
 import { makeChooser } from './view/chooser.js';
 import { readModel } from './view/data.js';
-import { firstMap, mapOf, mapsOf } from './view/maps.js';
+import { lookOf } from './view/maps.js';
 import { layOut, makePlaces, sayItCannotBeShown } from './view/page.js';
 import { makeState } from './view/state.js';
 import { makeTip } from './view/tip.js';
@@ -22,13 +22,13 @@ import { makeTools } from './view/tools.js';
 
 function start(model) {
     const shape = makeEnvelopeShape(model);
-    const maps = mapsOf(model);
-    const first = firstMap(model, maps);
+    const { map, tile } = model.first;
     const state = makeState({
-        map: first.id,
-        palette: 'safe',
-        chosen: null,
-        pose: first.inFlight ? 1 : 0, // of the way from drawn to inflated
+        map,
+        scale: null, // the map's own
+        palette: model.palettes[0].id,
+        chosen: tile < 0 ? null : { kind: 'tile', index: tile },
+        pose: model.maps.find(({ id }) => id === map).in_flight ? 1 : 0, // of the way from drawn to inflated
         times: 1, // by how much what differs is enlarged
     });
     shape.pose(state.now.pose);
@@ -36,8 +36,8 @@ function start(model) {
     const { onTile, onSeam } = chooser;
     const tip = makeTip(),
         places = makePlaces();
-    const context = () => ({ map: mapOf(state.now.map), palette: state.now.palette, onTile, onSeam, hover: null });
-    const panel = makePanel(shape, state, tip, context);
+    const context = () => ({ look: lookOf(model, state.now), onTile, onSeam, hover: null });
+    const panel = makePanel(model, state, tip, context);
     const tiles = tileTable(model, onTile),
         seams = seamTable(model, onSeam),
         roll = rollView(model, state, onTile);
@@ -46,7 +46,7 @@ function start(model) {
     layOut(places, {
         verdict: verdictView(model, { onTile, onSeam }),
         list: list.element,
-        above: [makeTools(model, maps, state, chooser, () => picture.home()), poseTools(shape, state)],
+        above: [makeTools(model, state, chooser, () => picture.home()), poseTools(shape, state)],
         panel: panel.element,
         below: [
             flightView(model, onTile),
@@ -70,7 +70,7 @@ function start(model) {
     });
     panel.show();
     steer(picture, { step: list.step, showTip: tip.show, onFound: chooser.onFound });
-    printWhole(shape, picture, [tiles, seams, roll].filter(Boolean), places.printed, context);
+    printWhole(model, picture, [tiles, seams, roll].filter(Boolean), places.printed, context);
     requestAnimationFrame(() => requestAnimationFrame(() => performance.mark('first-picture')));
 }
 

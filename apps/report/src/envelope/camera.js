@@ -49,7 +49,7 @@ export function makeSteering(shape, camera, canvas, frames) {
         frames.request();
     };
     const wholeDistance = () =>
-        (shape.radius * 1.08) / Math.sin(((camera.fov / 2) * Math.PI) / 180) / Math.min(1, camera.aspect);
+        (shape.radius * 1.02) / Math.sin(((camera.fov / 2) * Math.PI) / 180) / Math.min(1, camera.aspect);
     const ask = () => {
         controls.update();
         frames.request();

@@ -3,7 +3,8 @@ import { clothArrays, clothMesh, paletteTexture, rimArrays, setShades, turnFacin
 import { coarseMesh } from './coarse_mesh.js';
 import { shadesOf } from './shape.js';
 
-export function makeCloth(shape, group, uniforms) {
+export function makeCloth(shape, group) {
+    const uniforms = { palette: { value: null } };
     const arrays = clothArrays(shape);
     const cloth = clothMesh(arrays, uniforms, 4);
     const rim = clothMesh(rimArrays(shape.rim), uniforms, 1);
@@ -23,10 +24,10 @@ export function makeCloth(shape, group, uniforms) {
             coarseShape?.place();
             for (const mesh of meshes) turnFacings(mesh.geometry);
         },
-        recolour(map, palette) {
+        recolour(look) {
             uniforms.palette.value?.dispose();
-            uniforms.palette.value = paletteTexture(palette);
-            const shades = shadesOf(shape, map);
+            uniforms.palette.value = paletteTexture(look.table);
+            const shades = shadesOf(shape, look);
             setShades(cloth, shades.cloth);
             setShades(rim, shades.rim);
             if (coarse)

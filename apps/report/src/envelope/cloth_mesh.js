@@ -1,21 +1,19 @@
-// The cloth as a mesh of WebGL: a colour, a tile and a normal a triangle, from a palette that is a texture.
+// The cloth as a mesh of WebGL: a colour and a normal a triangle, from a palette that is a texture.
 import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, GLSL3, Mesh, RawShaderMaterial } from 'three';
-import { paletteTable, places } from '../view/palette.js';
+import { places } from '../view/palette.js';
 import { withOwnCorners } from './shared_corners.js';
 
 const vertexShader = `
 precision highp float;
 uniform mat4 modelViewMatrix, projectionMatrix;
 uniform sampler2D palette;
-uniform vec2 focus;
 in vec3 position, facing;
-in float shade, tile;
+in float shade;
 flat out vec3 vColour;
 void main() {
     vec4 view = modelViewMatrix * vec4(position, 1.0);
     vec3 normal = mat3(modelViewMatrix) * facing;
     vec3 cloth = texelFetch(palette, ivec2(int(shade + 0.5), 0), 0).rgb;
-    if (focus.x >= 0.0 && tile != focus.x && tile != focus.y) cloth = mix(cloth, vec3(0.93), 0.5);
     // A little light from the viewer, so that shape can be seen and colours can still be read.
     vColour = cloth * (0.76 + 0.24 * abs(dot(normal, normalize(view.xyz))));
     gl_Position = projectionMatrix * view;
@@ -29,8 +27,8 @@ void main() {
     colour = vec4(vColour, 1.0);
 }`;
 
-export function paletteTexture(id) {
-    const texture = new DataTexture(paletteTable(id), places.count, 1);
+export function paletteTexture(table) {
+    const texture = new DataTexture(table, places.count, 1);
     texture.needsUpdate = true;
     return texture;
 }
@@ -61,18 +59,14 @@ export function turnFacings({ attributes, index: { array: index } }) {
     attributes.position.needsUpdate = attributes.facing.needsUpdate = true;
 }
 
-// Colour, tile and normal of a triangle stand at its last corner.
-export function clothMesh({ positions, index, ids }, uniforms, offset) {
+// Colour and normal of a triangle stand at its last corner.
+export function clothMesh({ positions, index }, uniforms, offset) {
     const geometry = new BufferGeometry();
     const count = positions.length / 3;
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
-    geometry.setAttribute('tile', new BufferAttribute(new Uint16Array(count), 1));
     geometry.setAttribute('shade', new BufferAttribute(new Uint16Array(count), 1));
     geometry.setIndex(new BufferAttribute(index, 1));
     geometry.setAttribute('facing', new BufferAttribute(new Int8Array(3 * count), 3, true));
-    ids.forEach((id, t) => {
-        geometry.attributes.tile.array[index[3 * t + 2]] = id;
-    });
     turnFacings(geometry);
     const material = new RawShaderMaterial({
         glslVersion: GLSL3,
@@ -110,12 +104,11 @@ export function clothArrays(shape) {
         });
         first += part.copies.length;
     });
-    return { positions, index, ids: shape.ids, place };
+    return { positions, index, place };
 }
 
-export const rimArrays = ({ positions, ids }) => ({
+export const rimArrays = ({ positions }) => ({
     positions,
-    ids,
     index: Uint32Array.from({ length: positions.length / 3 }, (_, i) => i),
 });
 

@@ -28,7 +28,7 @@ function meansOf(positions, { cells, count }) {
     return means.map((sum, i) => sum / members[Math.floor(i / 3)]);
 }
 
-// Three corners a triangle and its tile, as the shape has them, and `of`: which of the shape's triangles each is; `place`, to be called
+// Three corners a triangle, as the shape has them, and `of`: which of the shape's triangles each is; `place`, to be called
 // once the shape's places have changed, moves the corners with them. Null where the shape is small enough as it is.
 export function coarseMesh({ positions, ids, radius }) {
     if (ids.length <= mostTriangles) return null;
@@ -42,7 +42,6 @@ export function coarseMesh({ positions, ids, radius }) {
     }
     const coarse = {
         positions: new Float32Array(9 * of.length),
-        ids: Uint16Array.from(of, (t) => ids[t]),
         of,
         place() {
             const means = meansOf(positions, clusters);

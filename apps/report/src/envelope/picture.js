@@ -1,8 +1,8 @@
 // The picture of the envelope follows the state: what is chosen, the colours, the pose.
-import { mapOf } from '../view/maps.js';
 import { legendView } from '../view/legend.js';
+import { lookOf } from '../view/maps.js';
 import { poseWords } from './pose.js';
-import { placeOfChosen } from './shape.js';
+import { isSeenFromHome, placeOfChosen } from './shape.js';
 import { makeEnvelopeView } from './view.js';
 
 // Once a picture, however often the slider says that it was moved.
@@ -26,19 +26,29 @@ export function makePicture(shape, state, places, chosen) {
     if (view.isPlain) places.hint.prepend('This browser has no WebGL: the envelope is drawn more plainly. ');
     const repose = makeRepose(shape, view, state, places.pose);
     const recolour = () => {
-        view.recolour(mapOf(state.now.map), state.now.palette);
-        places.legend.replaceChildren(legendView(shape.model, state.now));
+        const look = lookOf(shape.model, state.now);
+        view.recolour(look);
+        places.legend.replaceChildren(legendView(look));
+    };
+    const lookAtChosen = () => view.lookAt(placeOfChosen(shape.model, ...chosen()));
+    // What is chosen at first is on this side, unless it is alone of its kind and behind.
+    const [[first]] = chosen();
+    let showFirst = () => {
+        if (first && !isSeenFromHome(first)) lookAtChosen();
+        showFirst = () => {};
     };
     state.listen((now, before) => {
         if (now.pose !== before.pose || now.times !== before.times) repose();
-        if (now.map !== before.map || now.palette !== before.palette) recolour();
+        if (['map', 'scale', 'palette'].some((key) => now[key] !== before[key])) recolour();
         if (now.chosen !== before.chosen) view.choose(...chosen());
     });
     recolour();
+    view.choose(...chosen());
     places.pose.textContent = poseWords(state.now);
     new ResizeObserver(() => {
         const { clientWidth, clientHeight } = places.holder;
         if (clientWidth > 0 && !matchMedia('print').matches) view.resize(clientWidth, clientHeight);
+        showFirst();
     }).observe(places.holder);
-    return { ...view, lookAtChosen: () => view.lookAt(placeOfChosen(shape.model, ...chosen())) };
+    return { ...view, lookAtChosen };
 }

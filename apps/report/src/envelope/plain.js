@@ -1,5 +1,4 @@
 // The envelope without WebGL, with the same functions as by WebGL (scene.js).
-import { paletteTable } from '../view/palette.js';
 import { outlineOf, proposalLine, seamLine } from './lines.js';
 import { paintCloth, stroke, visible } from './plain_picture.js';
 import { makeProjection } from './projection.js';
@@ -82,8 +81,8 @@ export function makeEnvelopePlain(shape, canvas) {
         repose: then(marks.place), // after `shape.pose`
         choose: then(marks.choose),
         mark: then(marks.mark),
-        recolour: then((map, palette) => {
-            colours = { shades: shadesOf(shape, map), table: paletteTable(palette) };
+        recolour: then((look) => {
+            colours = { shades: shadesOf(shape, look), table: look.table };
         }),
         pointed: (x, y) => pointedAt(shape, rayThrough(x, y), [x, y], project),
         resize: then((width, height) => {

@@ -1,5 +1,5 @@
 // The envelope in 3D, by WebGL: drawn when something changes and not otherwise.
-import { Group, Scene, Vector2, WebGLRenderer } from 'three';
+import { Group, Scene, WebGLRenderer } from 'three';
 import { makeCamera, makeSight, makeSteering } from './camera.js';
 import { makeCloth } from './cloth.js';
 import { makeFrames } from './frames.js';
@@ -15,8 +15,7 @@ export function makeEnvelopeScene(shape, canvas) {
         group = new Group(),
         camera = makeCamera(shape);
     scene.add(group);
-    const uniforms = { palette: { value: null }, focus: { value: new Vector2(-1, -1) } };
-    const cloth = makeCloth(shape, group, uniforms);
+    const cloth = makeCloth(shape, group);
     const thin = thinLines(shape.model);
     group.add(thin.lines);
     const marks = makeMarks(shape, group);
@@ -36,12 +35,11 @@ export function makeEnvelopeScene(shape, canvas) {
             marks.place();
             frames.request();
         },
-        recolour(map, palette) {
-            cloth.recolour(map, palette);
+        recolour(look) {
+            cloth.recolour(look);
             frames.refresh();
         },
         choose(tiles, seam) {
-            uniforms.focus.value.set(tiles[0]?.index ?? -1, tiles[1]?.index ?? tiles[0]?.index ?? -1);
             marks.choose(tiles, seam);
             frames.refresh();
         },

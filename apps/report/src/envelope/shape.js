@@ -7,14 +7,8 @@ import { makePicking } from './picking.js';
 // From where the whole is seen at first.
 export const homeDirection = [0.55, 0.28, 1];
 
-// Which way is up: z, unless the shape is much taller along y and so was drawn the other way.
-function upAxis(lower, upper) {
-    const size = upper.map((value, k) => value - lower[k]);
-    return size[1] > 1.3 * size[2] && size[1] > 1.3 * size[0] ? 'y' : 'z';
-}
-
 // From the input's axes to those of the screen: y up, seen from the front.
-const turned = { y: (p) => p, z: ([x, y, z]) => [x, z, -y] };
+const turnOf = ({ isYUp }) => (isYUp ? (p) => p : ([x, y, z]) => [x, z, -y]);
 
 function tileFrame(tile) {
     const middle = [0, 0, 0];
@@ -95,6 +89,9 @@ function placeTiles(shape) {
     shape.picking = null;
 }
 
+export const isSeenFromHome = ({ frame: { normal } }) =>
+    normal.reduce((sum, value, k) => sum + value * homeDirection[k], 0) > 0;
+
 // Where a tile or a seam lies, which way it faces and how large it is.
 export function placeOfChosen(model, tiles, seam) {
     if (!seam) return tiles[0].frame;
@@ -129,7 +126,7 @@ export function makeEnvelopeShape(model) {
             lower[i % 3] = Math.min(lower[i % 3], tile.space[i]);
             upper[i % 3] = Math.max(upper[i % 3], tile.space[i]);
         }
-    const turn = turned[upAxis(lower, upper)];
+    const turn = turnOf(model);
     const ids = new Uint16Array(triangleCount);
     const box = [turn(lower), turn(upper)];
     let first = 0;
@@ -167,14 +164,14 @@ export function makeEnvelopeShape(model) {
 }
 
 // The place in the palette of each of the shape's triangles, and of the band's.
-export function shadesOf(shape, map) {
+export function shadesOf(shape, look) {
     const { model } = shape;
     const cloth = new Uint16Array(shape.ids.length);
-    const rim = map.rim ? new Uint16Array(shape.rim.ids.length) : null;
+    const rim = look.map.of_edges ? new Uint16Array(shape.rim.ids.length) : null;
     let edge = 0;
     for (const tile of model.tiles) {
-        cloth.set(clothPlaces(model, tile, map), tile.firstTriangle);
-        if (rim) for (const place of rimPlaces(model, tile, map)) rim.fill(place, 2 * edge, 2 * ++edge);
+        cloth.set(clothPlaces(tile, look), tile.firstTriangle);
+        if (rim) for (const place of rimPlaces(tile, look)) rim.fill(place, 2 * edge, 2 * ++edge);
     }
     return { cloth, rim };
 }

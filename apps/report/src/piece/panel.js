@@ -34,11 +34,10 @@ function nothingChosen(model) {
     ];
 }
 
-function panelContent(shape, chosen, context) {
-    const { model } = shape;
+function panelContent(model, chosen, context) {
     if (!chosen) return nothingChosen(model);
-    if (chosen.kind === 'tile') return tilePanel(shape, model.tiles[chosen.index], context);
-    return seamPanel(shape, model.seams[chosen.index], context);
+    if (chosen.kind === 'tile') return tilePanel(model, model.tiles[chosen.index], context);
+    return seamPanel(model, model.seams[chosen.index], context);
 }
 
 // One sentence for those who hear and do not see.
@@ -60,9 +59,8 @@ function watchKeys() {
     return watch;
 }
 
-// `context()`: map, palette, onTile, onSeam. `show` shows what is chosen, `reveal` brings it where it is seen.
-export function makePanel(shape, state, tip, context) {
-    const { model } = shape;
+// `context()`: look, onTile, onSeam. `show` shows what is chosen, `reveal` brings it where it is seen.
+export function makePanel(model, state, tip, context) {
     const watch = watchKeys();
     const element = html('section', { class: 'panel', 'aria-label': 'The piece', tabindex: '0' });
     element.addEventListener('pointerleave', () => tip.show(null));
@@ -73,7 +71,7 @@ export function makePanel(shape, state, tip, context) {
             const tile = chosen?.kind === 'tile' ? model.tiles[chosen.index] : null;
             const hover =
                 tile && ((triangle, event) => tip.show(triangle < 0 ? null : hoverWords({ tile, triangle }), event));
-            const content = panelContent(shape, chosen, { ...context(), hover });
+            const content = panelContent(model, chosen, { ...context(), hover });
             element.replaceChildren(...[content].flat(Infinity).filter(Boolean));
         },
         // It may be off the screen: on a telephone, or from the tables.

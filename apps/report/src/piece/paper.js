@@ -6,8 +6,7 @@ import { failingTiles } from '../tables/verdict.js';
 
 const mostPieces = 24;
 
-function printedPieces(shape, context) {
-    const { model } = shape;
+function printedPieces(model, context) {
     const failing = failingTiles(model);
     const wanted = (failing.length > 0 ? failing : model.tiles).filter(
         ({ flat, said }) => flat && !said.equal_to && !said.mirror_of,
@@ -26,7 +25,7 @@ function printedPieces(shape, context) {
                 html(
                     'figure',
                     {},
-                    pieceView(shape, tile, context()),
+                    pieceView(model, tile, context()),
                     html('figcaption', {}, tile.name, copies(tile) > 1 && ` × ${copies(tile)}`),
                 ),
             ),
@@ -35,12 +34,12 @@ function printedPieces(shape, context) {
 }
 
 // `whole`: what has a showWhole(isWhole).
-export function printWhole(shape, view, whole, printed, context) {
+export function printWhole(model, view, whole, printed, context) {
     const picture = html('img', { class: 'envelope-printed', alt: 'The envelope' });
     window.addEventListener('beforeprint', () => {
         for (const part of whole) part.showWhole(true);
         for (const details of document.querySelectorAll('details')) details.open = true;
-        printed.replaceChildren(...printedPieces(shape, context));
+        printed.replaceChildren(...printedPieces(model, context));
         // A picture of the canvas: browsers print canvases amiss, or over what is above them.
         view.drawNow();
         view.canvas.after(picture);

@@ -3,7 +3,7 @@ import { sidePoints } from '../view/data.js';
 import { html, svg } from '../view/dom.js';
 import { figure, millimetres } from '../view/format.js';
 import { clothPlaces, rimPlaces } from '../view/maps.js';
-import { cssColour, paletteTable, places } from '../view/palette.js';
+import { cssColour, places } from '../view/palette.js';
 import { withButtons } from './piece_zoom.js';
 import { fillTriangle, makeImage } from '../view/raster.js';
 
@@ -22,16 +22,16 @@ function frameOf(tile) {
     return { x: box[0], y: box[1], width: box[2] - box[0] || 1, height: box[3] - box[1] || 1 };
 }
 
-function clothPixels(model, tile, map, palette, frame, longer) {
+function clothPixels(tile, look, frame, longer) {
     const scale = longer / Math.max(frame.width, frame.height);
     const canvas = html('canvas', { width: Math.ceil(frame.width * scale), height: Math.ceil(frame.height * scale) });
     const context = canvas.getContext('2d');
     const image = makeImage(context);
-    const colours = new Uint32Array(paletteTable(palette).buffer);
+    const colours = new Uint32Array(look.table.buffer);
     const { flat, triangles } = tile;
     const x = [0, 0, 0],
         y = [0, 0, 0];
-    clothPlaces(model, tile, map).forEach((place, t) => {
+    clothPlaces(tile, look).forEach((place, t) => {
         for (let k = 0; k < 3; ++k) {
             const vertex = 2 * triangles[3 * t + k];
             x[k] = (flat[vertex] * 1000 - frame.x) * scale;
@@ -63,10 +63,9 @@ function pathOf(points, isClosed) {
 
 const inMillimetres = (points) => points.flatMap(([x, y]) => [x * 1000, y * 1000]);
 
-function rimPicture(model, tile, map, palette) {
-    const shades = rimPlaces(model, tile, map);
+function rimPicture(tile, look) {
+    const shades = rimPlaces(tile, look);
     if (!shades) return [];
-    const table = paletteTable(palette);
     const paths = new Map();
     shades.forEach((place, i) => {
         const ends = [tile.loop[i], tile.loop[(i + 1) % tile.loop.length]];
@@ -82,7 +81,7 @@ function rimPicture(model, tile, map, palette) {
             svg('path', {
                 class: `rim${place === places.above || place === places.below ? ' beyond' : ''}`,
                 d,
-                stroke: cssColour(table, place),
+                stroke: cssColour(look.table, place),
             }),
         ),
     ];
@@ -108,14 +107,16 @@ function grainArrow(grain) {
     );
 }
 
-function labels(piece) {
+// As high as they are cut, but not so that they hide the piece.
+function labels(piece, frame) {
+    const highest = 0.045 * Math.max(frame.width, frame.height);
     return piece.labels.map(({ text, at_mm: [x, y], height_mm: height, turn_deg: turn }) =>
         svg(
             'text',
             {
                 x,
                 y: -y,
-                'font-size': height * 1.35,
+                'font-size': Math.min(highest, height * 1.35),
                 'text-anchor': 'middle',
                 'dominant-baseline': 'central',
                 transform: `rotate(${-turn} ${x} ${-y})`,
@@ -125,65 +126,24 @@ function labels(piece) {
     );
 }
 
-// The ends of a proposed seam on the cloth: the places of the outline that lie nearest to them in space.
-function proposedSeam(shape, tile) {
-    const line = tile.said.proposal?.line_mm;
-    if (!line) return null;
-    const ends = [line[0], line.at(-1)].map((end) => {
-        const place = shape.turn(end.map((value) => value / 1000));
-        let nearest = Infinity,
-            found = [0, 0];
-        tile.loop.forEach((vertex, i) => {
-            const next = tile.loop[(i + 1) % tile.loop.length];
-            const a = tile.drawn.subarray(3 * vertex, 3 * vertex + 3),
-                b = tile.drawn.subarray(3 * next, 3 * next + 3);
-            const along = [0, 1, 2].map((k) => b[k] - a[k]),
-                from = [0, 1, 2].map((k) => place[k] - a[k]);
-            const dot = (one, other) => one.reduce((sum, value, k) => sum + value * other[k], 0);
-            const share = Math.min(1, Math.max(0, dot(along, from) / (dot(along, along) || 1e-12)));
-            const away = Math.hypot(...from.map((value, k) => value - share * along[k]));
-            if (away < nearest) {
-                nearest = away;
-                found = [0, 1].map(
-                    (k) =>
-                        1000 *
-                        (tile.flat[2 * vertex + k] + share * (tile.flat[2 * next + k] - tile.flat[2 * vertex + k])),
-                );
-            }
-        });
-        return found;
-    });
-    return svg(
+const proposedSeam = (tile) =>
+    tile.proposed &&
+    svg(
         'path',
-        { class: 'proposed', d: pathOf(ends.flat(), false) },
+        { class: 'proposed', d: pathOf(tile.proposed, false) },
         svg('title', {}, 'A seam that would help here'),
     );
-}
 
-// A ring where something is wrong: at the vertex nearest to the place.
-function rings(shape, tile, frame) {
+// A ring where something is wrong.
+function rings(tile, frame) {
     const radius = 0.018 * Math.max(frame.width, frame.height);
-    const seen = new Set();
-    return tile.findings.map((finding) => {
-        const place = shape.turn(finding.at_mm.map((value) => value / 1000));
-        let nearest = Infinity,
-            vertex = 0;
-        for (let v = 0; 3 * v < tile.drawn.length; ++v) {
-            const away = Math.hypot(
-                tile.drawn[3 * v] - place[0],
-                tile.drawn[3 * v + 1] - place[1],
-                tile.drawn[3 * v + 2] - place[2],
-            );
-            if (away < nearest) [nearest, vertex] = [away, v];
-        }
-        if (!Number.isFinite(nearest) || seen.has(vertex)) return null;
-        seen.add(vertex);
-        return svg(
+    return tile.rings.map(([vertex, finding]) =>
+        svg(
             'circle',
             { class: 'ring', cx: tile.flat[2 * vertex] * 1000, cy: -tile.flat[2 * vertex + 1] * 1000, r: radius },
-            svg('title', {}, finding.message),
-        );
-    });
+            svg('title', {}, tile.findings[finding].message),
+        ),
+    );
 }
 
 function seamPaths(model, tile, chosenSeam, onSeam, radius) {
@@ -244,13 +204,12 @@ export function triangleAt(tile, x, y) {
 }
 
 // `hover(triangle, event)`: -1 where there is no cloth.
-export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover, atScaleOf }) {
-    const { model } = shape;
+export function pieceView(model, tile, { look, chosenSeam, onSeam, hover, atScaleOf }) {
     if (!tile.flat) return html('p', { class: 'nothing' }, 'This tile could not be laid flat, so there is no piece.');
     const frame = frameOf(tile);
     const home = homeOf(frame, atScaleOf ?? [tile]);
     const { piece } = tile;
-    const cloth = clothPicture(model, tile, map, palette, frame);
+    const cloth = clothPicture(tile, look, frame);
     const drawing = svg(
         'svg',
         {
@@ -262,7 +221,7 @@ export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover
         },
         piece && svg('path', { class: 'allowance', d: pathOf(piece.cut, true) }),
         cloth.picture,
-        rimPicture(model, tile, map, palette),
+        rimPicture(tile, look),
         piece && [
             svg('path', { class: 'cut', d: pathOf(piece.cut, true) }),
             svg('path', { class: 'sew', d: pathOf(piece.sew, true) }),
@@ -271,10 +230,10 @@ export function pieceView(shape, tile, { map, palette, chosenSeam, onSeam, hover
                 svg('path', { class: 'drawn', d: pathOf(line.points, false) }, svg('title', {}, line.name)),
             ),
             grainArrow(piece.grain),
-            labels(piece),
+            labels(piece, frame),
         ],
-        proposedSeam(shape, tile),
-        !chosenSeam && rings(shape, tile, frame),
+        proposedSeam(tile),
+        !chosenSeam && rings(tile, frame),
         seamPaths(model, tile, chosenSeam, onSeam, home[2] / 70),
     );
     if (hover)

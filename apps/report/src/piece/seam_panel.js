@@ -42,8 +42,7 @@ function tapeFigures(said) {
     );
 }
 
-export function seamPanel(shape, seam, context) {
-    const { model } = shape;
+export function seamPanel(model, seam, context) {
     const { said } = seam;
     const tiles = [...new Set(seam.sides.map((side) => model.tiles[side.tile]))]; // one where it is sewn to itself
     const link = (tile) => html('button', { class: 'link', onclick: () => context.onTile(tile) }, tile.name);
@@ -73,7 +72,7 @@ export function seamPanel(shape, seam, context) {
                     'figure',
                     {},
                     html('figcaption', {}, tile.name),
-                    pieceView(shape, tile, { ...context, chosenSeam: seam, atScaleOf: tiles }),
+                    pieceView(model, tile, { ...context, chosenSeam: seam, atScaleOf: tiles }),
                 ),
             ),
         ),

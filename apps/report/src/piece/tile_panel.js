@@ -84,6 +84,12 @@ function drawnMesh(said) {
     );
 }
 
+// From the least to the most, where there is anything to tell.
+function rangeWords(least, most) {
+    if (Math.max(Math.abs(least), Math.abs(most)) < 0.005) return 'below 0.01\u00a0%';
+    return `${percent(least)} to ${percent(most)}`;
+}
+
 function pieceFigures(model, tile) {
     const { said, limits } = tile;
     const { strain } = said;
@@ -94,12 +100,8 @@ function pieceFigures(model, tile) {
         pair('Area', squareMetres(said.area_m2, said.area_m2 < 1 ? 4 : 2), onCloth(said.area_error_pct)),
         pair('Outline', millimetres(said.perimeter_mm), onCloth(said.perimeter_error_pct)),
         said.remeshed && drawnMesh(said),
-        pair('Warp strain', `${percent(strain.warp_min_pct)} to ${percent(strain.warp_max_pct)}`, strainLimit),
-        pair(
-            'Weft strain',
-            `${percent(strain.weft_min_pct)} to ${percent(strain.weft_max_pct)}`,
-            strainLimit.cloneNode(true),
-        ),
+        pair('Warp strain', rangeWords(strain.warp_min_pct, strain.warp_max_pct), strainLimit),
+        pair('Weft strain', rangeWords(strain.weft_min_pct, strain.weft_max_pct), strainLimit.cloneNode(true)),
         pair(
             'Shear',
             `up to ${degrees(strain.shear_max_deg, 2)}`,
@@ -138,8 +140,7 @@ function madeOf(said) {
     return `${said.fabric}; grain: ${said.grain.source}; ${mesh}; ${said.method}`;
 }
 
-export function tilePanel(shape, tile, context) {
-    const { model } = shape;
+export function tilePanel(model, tile, context) {
     const { said, findings } = tile;
     return [
         judgedHeading(tile.ok, tile.name, verdictWord(tile)),
@@ -150,7 +151,7 @@ export function tilePanel(shape, tile, context) {
                 findings.map((finding) => html('li', {}, finding.message)),
             ),
         proposalWords(model, tile, context.onTile),
-        pieceView(shape, tile, context),
+        pieceView(model, tile, context),
         pieceFigures(model, tile),
         flightFigures(said),
         html('h3', {}, 'Sewn edges'),

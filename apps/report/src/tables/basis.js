@@ -1,6 +1,6 @@
 // What it was judged by and made of.
 import { html } from '../view/dom.js';
-import { count, figure } from '../view/format.js';
+import { count, figure, short } from '../view/format.js';
 
 const row = (...cells) =>
     html(
@@ -22,18 +22,18 @@ export function basis(model) {
             html(
                 'tbody',
                 {},
-                row('Area of a piece', `within ±${tolerances.area_pct} %`),
-                row('Length of an edge, fit of a seam', `within ±${tolerances.length_pct} %`),
+                row('Area of a piece', `within ±${short(tolerances.area_pct)} %`),
+                row('Length of an edge, fit of a seam', `within ±${short(tolerances.length_pct)} %`),
                 report.fabrics.map((fabric) =>
                     row(
                         `Fabric ${fabric.name}`,
-                        `strain within ±${fabric.strain_limit_pct} %, shear up to ${figure(fabric.shear_limit_deg, 1)}°; ${count(fabric.tiles, 'tile')}, ${figure(fabric.area_m2, 2)} m²${fabric.description ? `; ${fabric.description}` : ''}`,
+                        `strain within ±${short(fabric.strain_limit_pct)} %, shear up to ${figure(fabric.shear_limit_deg, 1)}°; ${count(fabric.tiles, 'tile')}, ${figure(fabric.area_m2, 2)} m²${fabric.description ? `; ${fabric.description}` : ''}`,
                     ),
                 ),
                 report.seam_types.map((type) =>
                     row(
                         `Sewn ${type.type}`,
-                        `allowance ${type.allowance_mm} mm; ${count(type.seams, 'seam')}, ${count(type.free_edges, 'free edge')}, ${figure(type.length_mm / 1000, 1)} m`,
+                        `allowance ${short(type.allowance_mm)} mm; ${count(type.seams, 'seam')}, ${count(type.free_edges, 'free edge')}, ${figure(type.length_mm / 1000, 1)} m`,
                     ),
                 ),
                 row('Input', `${input.file}, unit ${input.unit}, SHA-256 ${input.sha256}`),

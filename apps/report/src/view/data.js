@@ -1,5 +1,7 @@
-// What the program put into the page, unpacked: report.json as it is, the shapes (src/ripstop/report/page_shapes.h) and, once `nest` was
+// What the program put into the page, unpacked: report.json as it is, the shapes (src/ripstop/report/page/page_shapes.h) and, once `nest` was
 // run, marker.json.
+import { paletteTable } from './palette.js';
+
 function bytesOf(id) {
     const text = document.getElementById(id).textContent.trim();
     if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
@@ -46,8 +48,12 @@ class Arrays {
         return points;
     }
 
-    map(map) {
-        return map && { values: this.of(Int16Array, map.array), step: map.step };
+    maps(maps) {
+        const entries = Object.entries(maps).map(([id, { array, step }]) => [
+            id,
+            { values: this.of(Int16Array, array), step },
+        ]);
+        return Object.fromEntries(entries);
     }
 
     line(number) {
@@ -58,10 +64,6 @@ class Arrays {
 
 function tileOf(index, said, shape, arrays, fabrics) {
     const Vertex = shape.space && arrays.places[shape.space.array][1] / 6 < 65536 ? Uint16Array : Uint32Array;
-    const maps = {};
-    for (const [name, map] of Object.entries(shape.maps ?? {})) maps[name] = arrays.map(map);
-    const triangles = arrays.summed(Vertex, shape.triangles, 3);
-    const flight = shape.flight ? flightOf(shape.flight, triangles, arrays, maps) : null;
     return {
         index,
         said,
@@ -69,40 +71,20 @@ function tileOf(index, said, shape, arrays, fabrics) {
         ok: said.verdict.manufacturable,
         findings: said.verdict.findings,
         fabric: fabrics.get(said.fabric),
-        space: arrays.grid(shape.space, 3), // where it is shown: as drawn, in flight or between (envelope_shape.js)
-        flight, // where its vertices are in flight; null where it was not inflated
+        space: arrays.grid(shape.space, 3), // where it is shown: as drawn, in flight or between (envelope/shape.js)
+        flight: shape.flight ? arrays.grid(shape.flight.space, 3) : null, // where its vertices are in flight
         flat: shape.flat ? arrays.grid(shape.flat, 2) : null,
-        triangles,
+        triangles: arrays.summed(Vertex, shape.triangles, 3),
         loop: arrays.summed(Vertex, shape.loop, 1),
         chains: shape.chains,
-        maps,
-        edgeError: arrays.map(shape.edge_error),
-        tension: arrays.map(shape.tension),
+        maps: arrays.maps(shape.maps), // by the maps' ids: a number a triangle
+        edges: arrays.maps(shape.edges), // a number a boundary edge
         limits: { strain: shape.strain_limit, shear: shape.shear_limit },
+        rings: shape.rings ?? [], // where findings are marked: [vertex, finding]
+        proposed: shape.proposed === undefined ? null : arrays.line(shape.proposed),
         sides: [], // the seams along it: { seam, side }
         piece: null,
     };
-}
-
-// In flight, its figures beside the maps of the cloth: `flightTension` and the like. Of the deviation the mean of the corners.
-function flightOf(shape, triangles, arrays, maps) {
-    const { array, step } = shape.deviation;
-    const atVertices = arrays.of(Int16Array, array);
-    const deviation = new Int16Array(triangles.length / 3);
-    for (let t = 0; t < deviation.length; ++t) {
-        const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
-        deviation[t] = Math.round((atVertices[a] + atVertices[b] + atVertices[c]) / 3);
-    }
-    maps.flightDeviation = { values: deviation, step };
-    maps.flightTension = arrays.map(shape.tension);
-    maps.flightWarp = arrays.map(shape.warp);
-    maps.flightWeft = arrays.map(shape.weft);
-    maps.flightShear = arrays.map(shape.shear);
-    maps.flightStrainWarp = arrays.map(shape.strain_warp);
-    maps.flightStrainWeft = arrays.map(shape.strain_weft);
-    maps.flightStrainShear = arrays.map(shape.strain_shear);
-    maps.flightState = arrays.map(shape.state);
-    return arrays.grid(shape.space, 3);
 }
 
 function pieceOf(shape, arrays) {
@@ -116,31 +98,38 @@ function pieceOf(shape, arrays) {
     };
 }
 
-export async function readModel() {
-    const [reportBuffer, buffer] = await Promise.all([unpacked('ripstop-report'), unpacked('ripstop-shapes')]);
-    const report = JSON.parse(new TextDecoder().decode(reportBuffer));
+function seamOf(index, said, shape, tiles) {
+    const seam = { index, said, id: said.id, ok: said.ok, sides: [] };
+    for (const name of ['a', 'b']) {
+        if (!shape?.[name]) continue;
+        const side = { ...shape[name], name, seam };
+        seam.sides.push(side);
+        tiles[side.tile].sides.push(side);
+    }
+    return seam;
+}
+
+const textOf = (buffer, start, length) => new TextDecoder().decode(new Uint8Array(buffer, start, length));
+
+// `buffer`: the bytes of `page_shapes`.
+export function modelOf(report, buffer, roll) {
     const textLength = new DataView(buffer).getUint32(4, true);
-    const shapes = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 8, textLength)));
+    const shapes = JSON.parse(textOf(buffer, 8, textLength));
     const arrays = new Arrays(buffer, 8 + textLength, shapes.arrays);
     const fabrics = new Map(report.fabrics.map((fabric) => [fabric.name, fabric]));
     const tiles = report.tiles.map((said, i) => tileOf(i, said, shapes.tiles[i], arrays, fabrics));
-    const seams = report.seams.map((said, index) => {
-        const seam = { index, said, id: said.id, ok: said.ok, sides: [] };
-        for (const name of ['a', 'b']) {
-            const run = shapes.seams[index]?.[name];
-            if (!run) continue;
-            const side = { ...run, name, seam };
-            seam.sides.push(side);
-            tiles[run.tile].sides.push(side);
-        }
-        return seam;
-    });
+    const seams = report.seams.map((said, i) => seamOf(i, said, shapes.seams[i], tiles));
     for (const tile of tiles) tile.sides.sort((one, other) => one.first - other.first);
     for (const shape of shapes.pieces) tiles[shape.tile].piece = pieceOf(shape, arrays);
-    const roll = document.getElementById('ripstop-roll').textContent
-        ? JSON.parse(new TextDecoder().decode(await unpacked('ripstop-roll')))
-        : null;
-    return { report, tiles, seams, roll };
+    const palettes = shapes.palettes.map((palette) => ({ ...palette, table: paletteTable(palette.colours) }));
+    return { report, tiles, seams, roll, palettes, maps: shapes.maps, first: shapes.first, isYUp: shapes.is_y_up };
+}
+
+export async function readModel() {
+    const [report, buffer] = await Promise.all([unpacked('ripstop-report'), unpacked('ripstop-shapes')]);
+    const roll = document.getElementById('ripstop-roll').textContent ? await unpacked('ripstop-roll') : null;
+    const jsonOf = (bytes) => JSON.parse(new TextDecoder().decode(bytes));
+    return modelOf(jsonOf(report), buffer, roll && jsonOf(roll));
 }
 
 // The points of a side of a seam along its tile's boundary: `columns` numbers each, out of `positions`.

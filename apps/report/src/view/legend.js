@@ -1,7 +1,6 @@
 // The colours with their numbers.
 import { html } from './dom.js';
-import { legend, mapOf } from './maps.js';
-import { cssColour, paletteTable, places } from './palette.js';
+import { cssColour, places } from './palette.js';
 
 function ramp(table, from) {
     const stops = Array.from({ length: 17 }, (_, i) =>
@@ -10,44 +9,47 @@ function ramp(table, from) {
     return html('i', { class: 'ramp', style: `background:linear-gradient(90deg, ${stops.join(', ')})` });
 }
 
-function scale(map, { low, high, pinned }, table, swatch) {
+const ends = (...words) =>
+    html(
+        'span',
+        { class: 'ends' },
+        words.map((word) => html('span', {}, word)),
+    );
+
+function scaleBar({ map, scale, table }, swatch) {
+    const meaning = ends(map.negative, map.positive);
+    meaning.classList.add('meaning');
     return html(
         'div',
         { class: 'scale' },
-        pinned && !map.unsigned && html('span', {}, swatch(places.below), ' beyond'),
+        scale.beyond && !map.unsigned && html('span', {}, swatch(places.below), ' beyond'),
         html(
             'span',
             { class: 'bar' },
             ramp(table, map.unsigned ? 0.5 : 0),
-            html(
-                'span',
-                { class: 'ends' },
-                html('span', {}, map.unsigned ? '0' : low),
-                !map.unsigned && html('span', {}, '0'),
-                html('span', {}, map.unsigned ? high.replace('+', '') : high),
-            ),
-            html('span', { class: 'ends meaning' }, html('span', {}, map.negative), html('span', {}, map.positive)),
+            map.unsigned ? ends(scale.low, scale.high) : ends(scale.low, scale.middle, scale.high),
+            meaning,
         ),
-        pinned && html('span', {}, 'beyond ', swatch(places.above)),
+        scale.beyond && html('span', {}, 'beyond ', swatch(places.above)),
     );
 }
 
-export function legendView(model, { map: id, palette }) {
-    const map = mapOf(id);
-    const words = legend(model, map);
-    const table = paletteTable(palette);
+const stateBar = ({ states }, swatch) =>
+    html(
+        'div',
+        { class: 'scale' },
+        states.map((state, i) => html('span', {}, swatch(places.states + i), ` ${state}`)),
+    );
+
+// `look` as lookOf gives it.
+export function legendView(look) {
+    const { map, scale, table } = look;
     const swatch = (place) => html('i', { class: 'swatch', style: `background:${cssColour(table, place)}` });
     return html(
         'div',
         { class: 'legend' },
         html('b', {}, map.name),
-        words.kinds
-            ? html(
-                  'div',
-                  { class: 'scale' },
-                  words.kinds.map((kind) => html('span', {}, swatch(places[kind]), ` ${kind}`)),
-              )
-            : scale(map, words, table, swatch),
-        words.note && html('small', {}, words.note),
+        map.states.length > 0 ? stateBar(map, swatch) : scaleBar(look, swatch),
+        scale.note && html('small', {}, scale.note),
     );
 }

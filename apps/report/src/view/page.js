@@ -1,8 +1,7 @@
 // Where everything stands on the page.
 import { html } from './dom.js';
 
-const hintWords =
-    'Click a tile or a seam. Drag turns; once clicked, the wheel zooms (before, with Ctrl). Keys: arrows go from tile to tile, with shift they turn; + and − zoom; Home shows all.';
+const hintWords = 'Click a tile or a seam. Drag turns; once clicked, the wheel zooms. Keys: arrows, + − and Home.';
 
 // The places whose content changes: the picture, its colours with their numbers, how it is posed, what is printed and spoken.
 export function makePlaces() {

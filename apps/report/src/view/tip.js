@@ -17,12 +17,12 @@ export function hoverWords({ tile, triangle, seam }) {
                 `shear ${degrees((value('shear') * 180) / Math.PI, 2)}, area ${percent(value('area') * 100)}`,
             ),
         );
-    if (value('flightTension') !== undefined)
+    if (value('flight-tension') !== undefined)
         words.push(
             html(
                 'div',
                 {},
-                `in flight ${signedMillimetres(value('flightDeviation') * 1000, 1)} off, ${figure(value('flightTension'), 1)}\u00a0N/m, ${['taut', 'wrinkled', 'slack'][value('flightState')]}`,
+                `in flight ${signedMillimetres(value('deviation') * 1000, 1)} off, ${figure(value('flight-tension'), 1)}\u00a0N/m, ${['taut', 'wrinkled', 'slack'][value('state')]}`,
             ),
         );
     if (seam?.said.tape_force_max_n !== undefined)

@@ -1,15 +1,15 @@
 // What stands above the picture: which colours, in which palette, and what is shown.
 import { failingSeams, failingTiles } from '../tables/verdict.js';
 import { html } from './dom.js';
-import { paletteNames } from './palette.js';
+import { lookOf } from './maps.js';
 
 const optionElement = ({ id, name }) => html('option', { value: id }, name);
 
 // The maps of the pieces and those of the flight apart, where there are both.
 function mapGroups(available) {
     const groups = [
-        { name: 'As cut', options: available.filter((map) => !map.inFlight) },
-        { name: 'In flight', options: available.filter((map) => map.inFlight) },
+        { name: 'As cut', options: available.filter((map) => !map.in_flight) },
+        { name: 'In flight', options: available.filter((map) => map.in_flight) },
     ];
     return groups.every((group) => group.options.length > 0) ? groups : available;
 }
@@ -28,14 +28,32 @@ function selectBox(label, options, value, onchange) {
     return html('label', { class: 'choice' }, html('span', {}, label), box);
 }
 
+// How far the colours go: by what there is, or by what is allowed; hidden where the map knows but one.
+function scaleChoice(model, state) {
+    const names = { there: 'to what is there', tolerance: 'to tolerance' };
+    const buttons = Object.entries(names).map(([id, name]) =>
+        html('button', { 'data-scale': id, onclick: () => state.change({ scale: id }) }, name),
+    );
+    const element = html('span', { class: 'choice', role: 'group', 'aria-label': 'Colours scaled' }, 'scaled', buttons);
+    const tell = () => {
+        const { map, scale } = lookOf(model, state.now);
+        element.hidden = map.scales.length < 2;
+        for (const button of buttons) button.setAttribute('aria-pressed', String(button.dataset.scale === scale.id));
+    };
+    state.listen(tell);
+    tell();
+    return element;
+}
+
 // `home` shows the whole envelope.
-export function makeTools(model, maps, state, chooser, home) {
+export function makeTools(model, state, chooser, home) {
     const { map, palette } = state.now;
     return html(
         'div',
         { class: 'tools' },
-        selectBox('Colours show', mapGroups(maps), map, (id) => state.change({ map: id })),
-        selectBox('Palette', paletteNames, palette, (id) => state.change({ palette: id })),
+        selectBox('Colours show', mapGroups(model.maps), map, (id) => state.change({ map: id })),
+        scaleChoice(model, state),
+        selectBox('Palette', model.palettes, palette, (id) => state.change({ palette: id })),
         html('button', { onclick: home }, 'Whole envelope'),
         html('button', { onclick: chooser.chooseNothing }, 'Choose nothing'),
         failingTiles(model).length + failingSeams(model).length > 0 &&

@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "ripstop/base/text/units.h"
-#include "ripstop/report/figures/cloth_map.h"
 #include "ripstop/report/figures/figures.h"
+#include "ripstop/report/figures/seam_drift.h"
 #include "ripstop/report/page/packed_arrays.h"
+#include "ripstop/report/view/envelope_view.h"
+#include "ripstop/report/view/first_tile.h"
+#include "ripstop/report/view/map_view.h"
+#include "ripstop/report/view/page_colours.h"
+#include "ripstop/report/view/piece_marks.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {
@@ -15,11 +22,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double drawing_step = 0.01 * millimetre;
-constexpr double finest_strain = 1e-5;
-constexpr double finest_edge_error = 1e-6;
-constexpr double finest_tension = 1e-4;    // [N]
-constexpr double finest_deviation = 1e-5;  // [m]
-constexpr double finest_stress = 1e-3;     // [N/m]
 
 Json grid_json(const Eigen::MatrixXd& points, PackedArrays& arrays) {
     const GridPoints grid = on_grid(points);
@@ -30,7 +32,7 @@ Json grid_json(const Eigen::MatrixXd& points, PackedArrays& arrays) {
             {"step_m", grid.step}};
 }
 
-Json map_json(const Eigen::VectorXd& values, double finest, PackedArrays& arrays) {
+Json values_json(const Eigen::VectorXd& values, double finest, PackedArrays& arrays) {
     const SteppedValues map = stepped(values, finest);
     return {{"array", arrays.add(map.values)}, {"step", map.step}};
 }
@@ -51,39 +53,15 @@ Json chain_starts(const Tile& tile) {
     return starts;
 }
 
-void add_maps(Json& json, const FlatTile& tile, const StrainMap& strain, PackedArrays& arrays) {
-    Eigen::VectorXd edges(tile.tile.mesh.triangle_count());
-    for (int t = 0; t < tile.tile.mesh.triangle_count(); ++t) edges[t] = mean_edge_error(tile, t);
-    json["maps"]["edges"] = map_json(edges, finest_strain, arrays);
-    if (strain.warp.size() == edges.size()) {
-        json["maps"]["warp"] = map_json(strain.warp, finest_strain, arrays);
-        json["maps"]["weft"] = map_json(strain.weft, finest_strain, arrays);
-        json["maps"]["shear"] = map_json(strain.shear, finest_strain, arrays);
-        json["maps"]["area"] = map_json(strain.area, finest_strain, arrays);
-    }
-    const Eigen::VectorXd flat = edge_lengths(tile.flattening.positions, closed(tile.tile.boundary));
-    json["edge_error"] =
-        map_json((flat.array() / target_lengths(tile.tile).array() - 1).matrix(), finest_edge_error, arrays);
-    const Eigen::VectorXd& tension = tile.flattening.seam_tension;
-    if (tension.size() == flat.size()) json["tension"] = map_json(tension, finest_tension, arrays);
+int add_line(const Points2& points, PackedArrays& arrays) {
+    std::vector<std::uint32_t> values;
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+        for (Eigen::Index k = 0; k < 2; ++k)
+            values.push_back(static_cast<std::uint32_t>(std::llround(points(i, k) / drawing_step)));
+    return arrays.add_steps(values, 2);
 }
 
-Json flight_json(const InflatedTile& tile, PackedArrays& arrays) {
-    std::vector<std::int16_t> states;
-    for (const ClothState state : tile.state) states.push_back(static_cast<std::int16_t>(state));
-    return {{"space", grid_json(tile.positions, arrays)},
-            {"deviation", map_json(tile.deviation, finest_deviation, arrays)},
-            {"tension", map_json(tile.tension.col(0), finest_stress, arrays)},
-            {"warp", map_json(tile.stress.col(0), finest_stress, arrays)},
-            {"weft", map_json(tile.stress.col(1), finest_stress, arrays)},
-            {"shear", map_json(tile.stress.col(2), finest_stress, arrays)},
-            {"strain_warp", map_json(tile.strain.col(0), finest_strain, arrays)},
-            {"strain_weft", map_json(tile.strain.col(1), finest_strain, arrays)},
-            {"strain_shear", map_json(tile.strain.col(2), finest_strain, arrays)},
-            {"state", {{"array", arrays.add(states)}, {"step", 1}}}};
-}
-
-Json tile_json(const FlatTile& tile, const Tolerances& limits, const StrainMap& strain, PackedArrays& arrays) {
+Json tile_json(const FlatTile& tile, const Tolerances& limits, PackedArrays& arrays) {
     const TriangleMesh& mesh = tile.tile.mesh;
     std::vector<int> corners;
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -93,23 +71,88 @@ Json tile_json(const FlatTile& tile, const Tolerances& limits, const StrainMap& 
                  {"loop", add_vertices(tile.tile.boundary, mesh.vertex_count(), 1, arrays)},
                  {"chains", chain_starts(tile.tile)},
                  {"strain_limit", clean(limits.strain)},
-                 {"shear_limit", clean(limits.shear)}};
-    if (!is_drawable(tile)) return json;
+                 {"shear_limit", clean(limits.shear)},
+                 {"maps", Json::object()},
+                 {"edges", Json::object()}};
+    if (!tile.is_flat()) return json;
     json["flat"] = grid_json(tile.flattening.positions, arrays);
-    add_maps(json, tile, strain, arrays);
+    json["rings"] = Json::array();
+    for (const FindingMark& mark : finding_marks(tile)) json["rings"].push_back({mark.vertex, mark.finding});
+    Points2 ends(0, 2);
+    for (const Vec2& end : proposed_ends(tile)) {
+        ends.conservativeResize(ends.rows() + 1, 2);
+        ends.row(ends.rows() - 1) = end.transpose();
+    }
+    if (ends.rows() > 0) json["proposed"] = add_line(ends, arrays);
     return json;
 }
 
-/// A seam may begin and end within an edge. One that lies within a single edge is taken to lie about its middle.
+Json scale_json(const MapScale& scale) {
+    Json json = {{"id", scale.id}};
+    if (!scale.cloth.empty()) {
+        json["cloth"] = scale.cloth;
+        const bool is_one =
+            std::adjacent_find(scale.cloth.begin(), scale.cloth.end(), std::not_equal_to<>()) == scale.cloth.end();
+        if (is_one) json["cloth"] = scale.cloth.front();
+    }
+    json.update({{"edges", scale.edges},
+                 {"beyond", scale.has_beyond},
+                 {"low", scale.low},
+                 {"middle", scale.middle},
+                 {"high", scale.high},
+                 {"note", scale.note}});
+    return json;
+}
+
+Json map_json(const MapView& view) {
+    const PageMap& map = *view.map;
+    Json json = {{"id", map.id},
+                 {"name", map.name},
+                 {"negative", map.negative},
+                 {"positive", map.positive},
+                 {"unsigned", map.is_unsigned},
+                 {"in_flight", map.is_in_flight},
+                 {"of_edges", map.is_of_edges()},
+                 {"states", Json::array()},
+                 {"scales", Json::array()}};
+    if (map.is_of_states()) json["states"] = cloth_states;
+    for (const MapScale& scale : view.scales) json["scales"].push_back(scale_json(scale));
+    return json;
+}
+
+/// As fine as one can see it in the finest scale.
+double finest_step(double end) {
+    constexpr double steps = 1000;
+    return end / steps;
+}
+
+/// The values of a map, in each tile's `maps` and `edges`.
+void add_values(Json& tiles, const MapView& view, PackedArrays& arrays) {
+    const auto there =
+        std::find_if(view.scales.begin(), view.scales.end(), [](const MapScale& scale) { return scale.id == "there"; });
+    const std::string id(view.map->id);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        if (view.cloth[i].size() > 0)
+            tiles[i]["maps"][id] =
+                values_json(view.cloth[i], there->cloth.empty() ? 1 : finest_step(there->cloth[i]), arrays);
+        if (!view.edges.empty()) tiles[i]["edges"][id] = values_json(view.edges[i], finest_step(there->edges), arrays);
+    }
+}
+
+Json palettes_json() {
+    Json palettes = Json::array();
+    for (const PagePalette& palette : page_palettes())
+        palettes.push_back({{"id", palette.id}, {"name", palette.name}, {"colours", colours_text(palette.colours)}});
+    return palettes;
+}
+
 Json side_json(const SeamSide& side, const Eigen::VectorXd& drawn) {
-    const auto share = [&](const SeamPart& part) { return std::min(1.0, part.length / drawn[part.edge]); };
-    const double first = share(side.parts.front()), last = share(side.parts.back());
-    const bool is_one = side.parts.size() == 1;
+    const std::size_t last = side.parts.size() - 1;
     return {{"tile", side.tile},
             {"first", side.parts.front().edge},
             {"count", side.parts.size()},
-            {"from", clean(is_one ? (1 - first) / 2 : 1 - first)},
-            {"to", clean(is_one ? (1 + last) / 2 : last)}};
+            {"from", clean(share_of_edge(side, 0, drawn[side.parts.front().edge])[0])},
+            {"to", clean(share_of_edge(side, last, drawn[side.parts.back().edge])[1])}};
 }
 
 Json seams_json(const CutPlan& plan) {
@@ -124,14 +167,6 @@ Json seams_json(const CutPlan& plan) {
         seams.push_back(json);
     }
     return seams;
-}
-
-int add_line(const Points2& points, PackedArrays& arrays) {
-    std::vector<std::uint32_t> values;
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-        for (Eigen::Index k = 0; k < 2; ++k)
-            values.push_back(static_cast<std::uint32_t>(std::llround(points(i, k) / drawing_step)));
-    return arrays.add_steps(values, 2);
 }
 
 Json in_millimetres(const Vec2& at) {
@@ -178,13 +213,26 @@ Json pieces_json(const CutPlan& plan, const std::vector<PatternPiece>& pieces, P
 std::string page_shapes(const CutPlan& plan, const std::vector<PatternPiece>& pieces,
                         const std::vector<StrainMap>& strains) {
     PackedArrays arrays;
-    Json tiles = Json::array();
+    Json tiles = Json::array(), maps = Json::array();
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
-        tiles.push_back(tile_json(plan.tiles[i], plan.tolerances_of(plan.tiles[i].tile),
-                                  i < strains.size() ? strains[i] : StrainMap(), arrays));
-        if (plan.inflated) tiles.back()["flight"] = flight_json(plan.inflated->tiles[i], arrays);
+        tiles.push_back(tile_json(plan.tiles[i], plan.tolerances_of(plan.tiles[i].tile), arrays));
+        if (plan.inflated) tiles.back()["flight"] = {{"space", grid_json(plan.inflated->tiles[i].positions, arrays)}};
     }
-    Json json = {{"tiles", tiles}, {"seams", seams_json(plan)}, {"pieces", pieces_json(plan, pieces, arrays)}};
+    const std::string_view first = first_map(plan, strains);
+    int chosen = -1;
+    for (const std::string_view id : maps_of(plan, strains)) {
+        const MapView view = map_view(plan, strains, page_map(id));
+        maps.push_back(map_json(view));
+        add_values(tiles, view, arrays);
+        if (id == first) chosen = first_tile(plan, view);
+    }
+    Json json = {{"palettes", palettes_json()},
+                 {"maps", maps},
+                 {"first", {{"map", first}, {"tile", chosen}}},
+                 {"is_y_up", envelope_shape(plan).is_y_up},
+                 {"tiles", tiles},
+                 {"seams", seams_json(plan)},
+                 {"pieces", pieces_json(plan, pieces, arrays)}};
     json["arrays"] = Json::array();
     for (const PackedArrays::Place& place : arrays.places()) json["arrays"].push_back({place.start, place.length});
     std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -107,41 +107,35 @@ std::string key(const Vec2& at, const CutPlan& plan) {
 
 }  // namespace
 
-EnvelopeSights see_envelope(const CutPlan& plan, int threads) {
-    const EnvelopeShape shape = envelope_shape(plan);
-    EnvelopeSights sights;
-    const std::array directions{Vec3(0.55, 0.28, 1), Vec3(-0.55, 0.28, -1)};
-    for (std::size_t k = 0; k < 2; ++k) sights.views[k] = aimed_view(shape, directions[k], pixels_per_unit * view_side);
+EnvelopeSights see_envelope(const CutPlan& plan, int threads, bool is_inflated) {
+    EnvelopeSights sights{envelope_shape(plan, is_inflated), {}};
+    const std::array directions{home_direction, Vec3(-home_direction.x(), home_direction.y(), -home_direction.z())};
+    for (std::size_t k = 0; k < 2; ++k)
+        sights.views[k] = aimed_view(sights.shape, directions[k], pixels_per_unit * view_side);
     const double scale = std::min(sights.views[0].pixels_per_metre, sights.views[1].pixels_per_metre);
     parallel_for(2, threads, [&](int i) {
         EnvelopeView& view = sights.views[static_cast<std::size_t>(i)];
         view.pixels_per_metre = scale;
-        paint_envelope(view, plan, shape, pixels_per_unit);
+        paint_envelope(view, plan, sights.shape, pixels_per_unit);
     });
     return sights;
 }
 
-std::string envelope_png(const CutPlan& plan, const EnvelopeSights& sights, const std::vector<StrainMap>& strains,
-                         const PageMap& map) {
+std::string envelope_png(const CutPlan& plan, const EnvelopeSights& sights, const MapView& map) {
     const PageWords words = page_words(plan);
     const Layout layout = lay_out(words);
-    const EnvelopeShape shape = envelope_shape(plan);
-    std::vector<std::vector<std::uint16_t>> cloth;
-    for (std::size_t i = 0; i < plan.tiles.size(); ++i)
-        cloth.push_back(cloth_places(plan, i, i < strains.size() ? strains[i] : StrainMap(), map));
-    const std::vector<std::vector<std::uint16_t>> edges = edge_places(plan, map);
     std::string svg = head(plan, words);
     std::vector<PlacedPixels> pixels;
     for (const bool is_back : {false, true}) {
         const EnvelopeView& view = sights.views[is_back ? 1 : 0];
         const double gap = (page_width - 2 * view_side) / 4;
         const Vec2 corner(gap + (is_back ? page_width / 2 : 0), layout.views);
-        pixels.push_back({coloured(view, cloth, edges), corner, pixels_per_unit});
+        pixels.push_back({coloured(view, plan, map), corner, pixels_per_unit});
         svg += svg_text(corner + Vec2(view_side / 2.0, view_side + 18), is_back ? "from the back" : "from the front",
                         {13, "middle", page_soft});
-        svg += names(plan, shape, view, corner);
+        svg += names(plan, sights.shape, view, corner);
     }
-    svg += map_legend({page_width / 2, layout.foot}, plan, map);
+    svg += map_legend({page_width / 2, layout.foot}, map);
     svg += scale_bar({side, layout.foot + 34}, sights.views[0].pixels_per_metre / pixels_per_unit, 300);
     svg += key({page_width - 330, layout.foot + 18}, plan);
     const Eigen::Vector2i size(static_cast<int>(page_width), static_cast<int>(layout.height));

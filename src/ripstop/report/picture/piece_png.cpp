@@ -89,9 +89,12 @@ std::vector<std::string> sewn_edges(const CutPlan& plan, std::size_t tile) {
     return lines;
 }
 
-const StrainMap& strain_of(const PieceSource& source, std::size_t tile) {
-    static const StrainMap none;
-    return tile < source.strains.size() ? source.strains[tile] : none;
+/// The map `id`, or the edge error where there are no strains.
+const MapView& strain_view(const PieceSource& source, std::size_t tile, std::string_view id) {
+    const auto warp =
+        std::find_if(source.maps.begin(), source.maps.end(), [](const auto& view) { return view.map->id == "warp"; });
+    const bool is_strained = warp != source.maps.end() && warp->cloth[tile].size() > 0;
+    return view_of(source.maps, is_strained ? id : "edges");
 }
 
 /// How high a piece is drawn that may be `width` wide and at most `tallest` high.
@@ -153,20 +156,19 @@ std::vector<std::string> seam_figures(const CutPlan& plan, std::size_t i) {
 
 }  // namespace
 
-const PageMap& telling_map(const FlatTile& tile, const StrainMap& strain) {
-    if (strain.warp.size() == 0) return page_map("edges");
-    for (const Finding& finding : tile.verdict.findings)
+const MapView& telling_map(const PieceSource& source, std::size_t tile) {
+    for (const Finding& finding : source.plan.tiles[tile].verdict.findings)
         for (const auto& [code, map] : {std::pair{"warp_strain", "warp"},
                                         {"weft_strain", "weft"},
                                         {"shear", "shear"},
                                         {"area", "area"},
                                         {"chain", "edges"},
                                         {"perimeter", "edges"}})
-            if (finding.code == code) return page_map(map);
-    return page_map("warp");
+            if (finding.code == code) return strain_view(source, tile, map);
+    return strain_view(source, tile, "warp");
 }
 
-std::string tile_png(const PieceSource& source, std::size_t i, const std::vector<std::vector<std::uint16_t>>& edges) {
+std::string tile_png(const PieceSource& source, std::size_t i) {
     constexpr double width = 1000, tallest = 560, room = width - 2 * card_margin;
     constexpr std::size_t most_findings = 3, rows = 4;
     const FlatTile& tile = source.plan.tiles[i];
@@ -180,15 +182,14 @@ std::string tile_png(const PieceSource& source, std::size_t i, const std::vector
     svg += text_lines({card_margin, y}, figures(source, i), 3, room, {12.5, "start", page_soft});
     y += 3 * 12.5 * line_step;
 
-    const PageMap& map = telling_map(tile, strain_of(source, i));
-    PieceSight sight{source.plan, i, source.pieces[i], strain_of(source, i), map};
-    if (i < edges.size()) sight.edges = edges[i];
+    const MapView& map = telling_map(source, i);
+    const PieceSight sight{source.plan, i, source.pieces[i], map};
     const double height = drawn_height(piece_extent(tile, source.pieces[i]).size(), room - 32, tallest);
     const PieceView view = piece_view(sight, {card_margin, y}, {width - card_margin, y + height});
     svg += view.svg;
     y += height + 14;
     if (!view.pixels.empty())
-        svg += map_legend({width / 2, y}, source.plan, map) + scale_bar({card_margin, y + 34}, view.to_page.scale, 160);
+        svg += map_legend({width / 2, y}, map) + scale_bar({card_margin, y + 34}, view.to_page.scale, 160);
     y += legend_size.y() + 20;
 
     const std::vector<std::string> sewn = sewn_edges(source.plan, i);
@@ -224,10 +225,11 @@ std::string seam_png(const PieceSource& source, std::size_t i) {
         scale = std::min(scale, fitting_scale(extent, {each - 14, drawn_height(extent, each - 60, tallest)}));
     }
     std::vector<PlacedPixels> pixels;
-    const PageMap& map = page_map(strain_of(source, tiles[0]).warp.size() > 0 ? "warp" : "edges");
+    const MapView& map = strain_view(source, tiles[0], "warp");
     for (std::size_t k = 0; k < tiles.size(); ++k) {
         const double left = card_margin + static_cast<double>(k) * each;
-        PieceSight sight{plan, tiles[k], source.pieces[tiles[k]], strain_of(source, tiles[k]), map};
+        PieceSight sight{plan, tiles[k], source.pieces[tiles[k]], map};
+        sight.has_band = false;
         sight.seam = static_cast<int>(i);
         sight.scale = scale;
         const PieceView view = piece_view(sight, {left, top}, {left + each - 14, top + height});
@@ -237,7 +239,7 @@ std::string seam_png(const PieceSource& source, std::size_t i) {
                view.svg;
     }
     if (!pixels.empty()) svg += scale_bar({card_margin, top + height + 48}, scale, 160);
-    svg += map_legend({width / 2, top + height + 14}, plan, map);
+    svg += map_legend({width / 2, top + height + 14}, map);
     const Eigen::Vector2i size(static_cast<int>(width), static_cast<int>(top + height + legend_size.y() + 24));
     return png_picture(page_svg(size, svg), pixels);
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ripstop/base/parallel.h"
+#include "ripstop/base/text/lower_case.h"
 #include "ripstop/io/text/output_file.h"
 #include "ripstop/io/text/png.h"
 #include "ripstop/report/figures/figures.h"
@@ -30,14 +31,8 @@ std::vector<const PatternPiece*> pieces_of_tiles(const CutPlan& plan, const std:
     return found;
 }
 
-std::string lower(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
-
 std::string picture_stem(const std::string& stem) {
-    const std::string small = lower(stem);
+    const std::string small = lower_case(stem);
     const bool is_taken = small.starts_with("envelope") || small.starts_with("seam-") || small.starts_with("tile-");
     return is_taken ? "tile-" + stem : stem;
 }
@@ -68,28 +63,24 @@ std::vector<std::size_t> pictured_seams(const CutPlan& plan) {
 void write_png_pictures(const fs::path& folder, const CutPlan& plan, const std::vector<PatternPiece>& pieces,
                         const std::vector<StrainMap>& strains, int threads) {
     const std::vector<const PatternPiece*> of_tiles = pieces_of_tiles(plan, pieces);
-    const PieceSource source{plan, of_tiles, strains};
-    const EnvelopeSights sights = see_envelope(plan, threads);
-    const std::vector<std::vector<std::uint16_t>> edge_errors = edge_places(plan, page_map("edges"));
+    const std::vector<MapView> maps = map_views(plan, strains);
+    const PieceSource source{plan, of_tiles, maps};
+    const EnvelopeSights drawn = see_envelope(plan, threads);
+    const EnvelopeSights inflated = plan.inflated ? see_envelope(plan, threads, true) : EnvelopeSights();
     std::vector<std::function<void()>> tasks;
     const std::string_view first = first_map(plan, strains);
-    for (const std::string_view id : maps_of(plan, strains))
-        tasks.emplace_back([&, id] {
-            const std::string picture = envelope_png(plan, sights, strains, page_map(id));
-            write_file(folder / ("envelope-" + std::string(id) + ".png"), picture);
-            if (id == first) write_file(folder / "envelope.png", picture);
+    for (const MapView& map : maps)
+        tasks.emplace_back([&] {
+            const std::string picture = envelope_png(plan, map.map->is_in_flight ? inflated : drawn, map);
+            write_file(folder / ("envelope-" + std::string(map.map->id) + ".png"), picture);
+            if (map.map->id == first) write_file(folder / "envelope.png", picture);
         });
     if (!plan.walks.empty())
         tasks.emplace_back([&] { write_file(folder / "seams.png", png_picture(seam_picture(plan))); });
     const std::vector<std::string> stems = file_stems(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         if (!has_picture(plan, plan.tiles[i])) continue;
-        tasks.emplace_back([&, i] {
-            const StrainMap none;
-            const bool by_edges = telling_map(plan.tiles[i], i < strains.size() ? strains[i] : none).is_of_edges;
-            write_file(folder / (picture_stem(stems[i]) + ".png"),
-                       tile_png(source, i, by_edges ? edge_errors : decltype(edge_errors)()));
-        });
+        tasks.emplace_back([&, i] { write_file(folder / (picture_stem(stems[i]) + ".png"), tile_png(source, i)); });
     }
     std::vector<std::string> ids;
     for (const Seam& seam : plan.seams) ids.push_back(seam.id);

@@ -1,10 +1,10 @@
 #include "ripstop/report/tables/csv.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
 #include "ripstop/base/text/number_text.h"
-#include "ripstop/report/figures/figures.h"
 
 namespace ripstop {
 namespace {
@@ -32,7 +32,16 @@ void add_csv_line(std::string& text, const std::vector<std::string>& fields) {
 }
 
 std::string csv_figure(double value) {
-    return std::isfinite(value) ? format_shortest(clean(value)) : "";
+    if (!std::isfinite(value)) return "";
+    constexpr int decimals = 6, digits = 7;
+    const double size = std::abs(value);
+    const int before_point = size >= 10 ? static_cast<int>(std::log10(size)) : 0;
+    const int shown = std::clamp(digits - 1 - before_point, 0, decimals);
+    std::string text = format_fixed(value, shown);
+    if (text.find('.') == std::string::npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
 }
 
 }  // namespace ripstop

@@ -10,8 +10,8 @@ namespace ripstop {
 /// front.
 void add_csv_line(std::string& text, const std::vector<std::string>& fields);
 
-/// A figure for such a file, with a decimal point: at most seven digits and a millionth of its unit, without
-/// trailing zeros, which is finer than cloth can be cut; 0 below. Empty if it is not finite.
+/// A figure for such a file, with a decimal point. It has at most seven digits, at most six of them decimals,
+/// without trailing zeros, which is finer than cloth can be cut. Empty if it is not finite.
 std::string csv_figure(double value);
 
 }  // namespace ripstop

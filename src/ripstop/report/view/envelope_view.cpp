@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/report/figures/seam_drift.h"
 #include "ripstop/report/view/page_colours.h"
 #include "ripstop/report/view/raster.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {
@@ -188,8 +190,8 @@ void paint_band(Painter& painter, const Tile& tile, const Points3& positions, in
 
 }  // namespace
 
-EnvelopeShape envelope_shape(const CutPlan& plan) {
-    Eigen::AlignedBox3d box;
+EnvelopeShape envelope_shape(const CutPlan& plan, bool is_inflated) {
+    Eigen::AlignedBox3d box;  // as drawn: what is up does not change in flight
     for (const FlatTile& tile : plan.tiles)
         for (const auto& row : tile.tile.mesh.positions.rowwise()) box.extend(Vec3(row));
     EnvelopeShape shape;
@@ -198,8 +200,8 @@ EnvelopeShape envelope_shape(const CutPlan& plan) {
     shape.is_y_up = size.y() > 1.3 * size.z() && size.y() > 1.3 * size.x();
     shape.centre = shape.turned(box.center());
     double radius = 0;
-    for (const FlatTile& tile : plan.tiles) {
-        Points3 positions = tile.tile.mesh.positions;
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        Points3 positions = is_inflated ? plan.inflated->tiles[i].positions : plan.tiles[i].tile.mesh.positions;
         for (Eigen::Index v = 0; v < positions.rows(); ++v) {
             positions.row(v) = shape.turned(positions.row(v)).transpose();
             radius = std::max(radius, (Vec3(positions.row(v)) - shape.centre).norm());
@@ -250,11 +252,13 @@ void paint_envelope(EnvelopeView& view, const CutPlan& plan, const EnvelopeShape
     for (const Line& line : lines_of(plan, shape, line_width)) painter.line(line);
 }
 
-Pixels coloured(const EnvelopeView& view, const std::vector<std::vector<std::uint16_t>>& cloth,
-                const std::vector<std::vector<std::uint16_t>>& edges) {
+Pixels coloured(const EnvelopeView& view, const CutPlan& plan, const MapView& map) {
     std::vector<std::uint16_t> of_cloth, of_edges;
-    for (const auto& places : cloth) of_cloth.insert(of_cloth.end(), places.begin(), places.end());
-    for (const auto& places : edges) of_edges.insert(of_edges.end(), places.begin(), places.end());
+    for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
+        const std::vector<std::uint16_t> cloth = cloth_places(plan, map, i), edges = edge_places(map, i);
+        of_cloth.insert(of_cloth.end(), cloth.begin(), cloth.end());
+        of_edges.insert(of_edges.end(), edges.begin(), edges.end());
+    }
     Pixels pixels{view.side, view.side, std::vector<std::uint32_t>(view.cloth.size(), 0xffffff)};
     for (std::size_t i = 0; i < view.cloth.size(); ++i) {
         std::uint32_t& colour = pixels.colours[i];

@@ -7,11 +7,14 @@
 
 #include "ripstop/io/text/png.h"
 #include "ripstop/model/plan/cut_plan.h"
-#include "ripstop/report/view/page_maps.h"
+#include "ripstop/report/view/map_view.h"
 
 namespace ripstop {
 
-/// The tiles as report.html places them (apps/report/src/envelope_shape.js): x to the right, y up, z towards the
+/// From where the page sees the whole at first (apps/report/src/envelope/shape.js), in turned axes.
+inline const Vec3 home_direction(0.55, 0.28, 1);
+
+/// The tiles as report.html places them (apps/report/src/envelope/shape.js): x to the right, y up, z towards the
 /// viewer. The input's z is up, or its y where the shape is much taller along it.
 struct EnvelopeShape {
     std::vector<Points3> positions;  ///< of each tile's vertices [m]
@@ -21,7 +24,8 @@ struct EnvelopeShape {
 
     Vec3 turned(const Vec3& p) const { return is_y_up ? p : Vec3(p.x(), p.z(), -p.y()); }
 };
-EnvelopeShape envelope_shape(const CutPlan& plan);
+/// As drawn, or as inflated, which needs `plan.inflated`.
+EnvelopeShape envelope_shape(const CutPlan& plan, bool is_inflated = false);
 
 /// The envelope seen from afar in a square of pixels, before it is coloured: what is nearest in each of them. In front
 /// of the cloth lie the band along the edges, thin outlines of the tiles, red ones of what fails, dashes for proposed
@@ -46,8 +50,7 @@ EnvelopeView aimed_view(const EnvelopeShape& shape, const Vec3& direction, int s
 /// Paints it. `line_width`: of the thin outlines [pixels]. Cost: O(triangles + pixels).
 void paint_envelope(EnvelopeView& view, const CutPlan& plan, const EnvelopeShape& shape, double line_width);
 
-/// The pixels of a view in the colours of a map. `cloth`: of each tile's triangles (`cloth_places`).
-Pixels coloured(const EnvelopeView& view, const std::vector<std::vector<std::uint16_t>>& cloth,
-                const std::vector<std::vector<std::uint16_t>>& edges);
+/// The pixels of a view in the colours of a map, in the scale it is shown in.
+Pixels coloured(const EnvelopeView& view, const CutPlan& plan, const MapView& map);
 
 }  // namespace ripstop

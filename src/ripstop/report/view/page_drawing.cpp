@@ -30,6 +30,36 @@ std::string ramp(const Vec2& at, double width, double from) {
            "\" width=\"" + svg_number(width) + "\" height=\"12\" stroke=\"#77838f\" fill=\"url(#ramp)\"/>\n";
 }
 
+/// `at`: the upper middle.
+std::string state_swatches(const Vec2& at) {
+    std::string svg;
+    for (std::size_t i = 0; i < cloth_states.size(); ++i) {
+        const Vec2 corner = at + Vec2(100 * static_cast<double>(i) - 130, 0);
+        svg += swatch(corner, static_cast<std::uint16_t>(page_places::taut + i)) +
+               svg_text(corner + Vec2(20, 11), std::string(cloth_states[i]), {13, "start", page_ink});
+    }
+    return svg;
+}
+
+/// `at`: the upper middle.
+std::string ramp_with_ends(const Vec2& at, const MapView& view) {
+    constexpr double width = 320;
+    const PageMap& map = *view.map;
+    const MapScale& scale = view.scales.front();
+    const double left = at.x() - width / 2, right = at.x() + width / 2, top = at.y();
+    const TextStyle start{13, "start", page_ink}, middle{13, "middle", page_ink}, end{13, "end", page_ink};
+    std::string svg = ramp({left, top}, width, map.is_unsigned ? 0.5 : 0);
+    if (scale.has_beyond && !map.is_unsigned)
+        svg += swatch({left - 84, top}, page_places::below) + svg_text({left - 64, top + 11}, "beyond", start);
+    if (scale.has_beyond)
+        svg += svg_text({right + 14, top + 11}, "beyond", start) + swatch({right + 70, top}, page_places::above);
+    svg += svg_text({left, top + 28}, scale.low, start) + svg_text({at.x(), top + 28}, scale.middle, middle) +
+           svg_text({right, top + 28}, scale.high, end);
+    const TextStyle soft_start{12, "start", page_soft}, soft_end{12, "end", page_soft};
+    svg += svg_text({left, top + 44}, std::string(map.negative), soft_start);
+    return svg + svg_text({right, top + 44}, std::string(map.positive), soft_end);
+}
+
 }  // namespace
 
 std::string page_svg(const Eigen::Vector2i& size, const std::string& content) {
@@ -82,26 +112,12 @@ std::string verdict_mark(const Vec2& at, bool is_good) {
            "l8 8l-8 8l-8-8z\"/>\n";
 }
 
-std::string map_legend(const Vec2& at, const CutPlan& plan, const PageMap& map) {
-    constexpr double width = 320;
-    const PageLegend legend = page_legend(plan, map);
-    const double left = at.x() - width / 2, right = at.x() + width / 2, top = at.y() + 22;
-    const TextStyle start{13, "start", page_ink}, middle{13, "middle", page_ink}, end{13, "end", page_ink};
-    std::string svg = svg_text(at + Vec2(0, 12), std::string(map.name), {14, "middle", page_ink, true});
-    svg += ramp({left, top}, width, map.is_unsigned ? 0.5 : 0);
-    if (legend.is_pinned && !map.is_unsigned)
-        svg += swatch({left - 84, top}, page_places::below) + svg_text({left - 64, top + 11}, "beyond", start);
-    if (legend.is_pinned)
-        svg += svg_text({right + 14, top + 11}, "beyond", start) + swatch({right + 70, top}, page_places::above);
-    // What the ends of one fabric and another do not share is too long for them to stand at the ends alone.
-    svg += svg_text({left, top + 28}, map.is_unsigned ? "0" : legend.low, start);
-    if (!map.is_unsigned) svg += svg_text({at.x(), top + 28}, "0", middle);
-    const std::string high = map.is_unsigned ? legend.high.substr(legend.high.find('+') + 1) : legend.high;
-    svg += svg_text({right, top + 28}, high, end);
-    const TextStyle soft_start{12, "start", page_soft}, soft_end{12, "end", page_soft};
-    svg += svg_text({left, top + 44}, std::string(map.negative), soft_start);
-    svg += svg_text({right, top + 44}, std::string(map.positive), soft_end);
-    return svg + text_within({at.x(), top + 60}, legend.note, legend_size.x(), {12, "middle", page_soft});
+std::string map_legend(const Vec2& at, const MapView& view) {
+    const PageMap& map = *view.map;
+    const std::string svg =
+        svg_text(at + Vec2(0, 12), std::string(map.name), {14, "middle", page_ink, true}) +
+        text_within({at.x(), at.y() + 82}, view.scales.front().note, legend_size.x(), {12, "middle", page_soft});
+    return svg + (map.is_of_states() ? state_swatches(at + Vec2(0, 22)) : ramp_with_ends(at + Vec2(0, 22), view));
 }
 
 std::string path_of(const std::vector<Vec2>& points, bool is_closed) {

@@ -5,7 +5,7 @@
 
 #include "ripstop/geometry/types.h"
 #include "ripstop/report/view/drawing.h"
-#include "ripstop/report/view/page_maps.h"
+#include "ripstop/report/view/map_view.h"
 
 /// What the PNG pictures have in common, as SVG; places in units of the page, y down. Ink and colours are the page's.
 namespace ripstop {
@@ -33,8 +33,9 @@ inline constexpr double line_step = 1.4;  ///< from line to line, in sizes of th
 /// A green dot, or a red lozenge where something is wrong, left of a text at `at`.
 std::string verdict_mark(const Vec2& at, bool is_good);
 
-/// The colours of a map with their numbers and words; `at`: the upper middle. `legend_size` of the page.
-std::string map_legend(const Vec2& at, const CutPlan& plan, const PageMap& map);
+/// The colours of a map, in the scale it is shown in, with their numbers and words; `at`: the upper middle.
+/// `legend_size` of the page.
+std::string map_legend(const Vec2& at, const MapView& view);
 inline const Vec2 legend_size(640, 84);
 
 /// `M x y L x y …`, closed if asked for.

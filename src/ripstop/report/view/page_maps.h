@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,39 +10,33 @@
 
 namespace ripstop {
 
-/// A colour map of report.html (apps/report/src/maps.js; a test holds both to the same words): what of the cloth's
-/// triangles and of the edges is shown, as shares of what is allowed.
+/// A colour map of the page and of the PNG pictures: what of the cloth's triangles and of the boundary edges is shown.
 struct PageMap {
-    std::string_view id;    ///< warp, weft, shear, area, edges, mismatch, tension
+    enum class Place { cloth, edges, both };
+    std::string_view id;    ///< warp, weft, shear, area, edges, mismatch, tension, and those in flight
     std::string_view name;  ///< in words
-    std::string_view negative = {}, positive = {};
-    bool is_of_cloth = false, is_of_edges = false;
+    Place place = Place::cloth;
+    std::string_view negative = {}, positive = {};  ///< what either sign means
     bool is_unsigned = false;
+    bool is_in_flight = false;  ///< of the inflated envelope
+
+    bool is_of_cloth() const { return place != Place::edges; }
+    bool is_of_edges() const { return place != Place::cloth; }
+    bool is_of_states() const { return id == "state"; }  ///< taut, wrinkled, slack: no figures
 };
 
-/// Every map, in the page's order.
+/// What cloth in flight can be, in the order of `ClothState`.
+inline constexpr std::array<std::string_view, 3> cloth_states{"taut", "wrinkled", "slack"};
+
+/// Every map, in the order in which it is offered.
 const std::vector<PageMap>& page_maps();
+const PageMap& page_map(std::string_view id);
 
 /// Those there is something to show of, by their ids; `edges` where there is nothing at all.
 std::vector<std::string_view> maps_of(const CutPlan& plan, const std::vector<StrainMap>& strains);
-const PageMap& page_map(std::string_view id);
 
-/// The one the page opens with: seam mismatch where only seams fail, else the strain along the warp, else the first.
+/// The one that is shown first: the deviation of an inflated envelope that can be made, seam mismatch where only seams
+/// fail, else the strain along the warp, else the first there is.
 std::string_view first_map(const CutPlan& plan, const std::vector<StrainMap>& strains);
-
-/// The place (`page_place`) of each triangle of a tile. `strain` without values: unknown.
-std::vector<std::uint16_t> cloth_places(const CutPlan& plan, std::size_t tile, const StrainMap& strain,
-                                        const PageMap& map);
-
-/// The place of each boundary edge of each tile (#tiles, #boundary each); none for a map of the cloth alone. The
-/// mismatch of an edge that belongs to two seams is the later one's.
-std::vector<std::vector<std::uint16_t>> edge_places(const CutPlan& plan, const PageMap& map);
-
-/// What stands beside the colours.
-struct PageLegend {
-    std::string low, high, note;
-    bool is_pinned = true;  ///< to a tolerance, so that there is something beyond it
-};
-PageLegend page_legend(const CutPlan& plan, const PageMap& map);
 
 }  // namespace ripstop

@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <set>
 
 #include "ripstop/base/text/units.h"
 #include "ripstop/io/text/escape.h"
 #include "ripstop/io/text/sheet.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/report/figures/figures.h"
 #include "ripstop/report/figures/seam_drift.h"
 #include "ripstop/report/view/page_colours.h"
 #include "ripstop/report/view/page_drawing.h"
+#include "ripstop/report/view/piece_marks.h"
 #include "ripstop/report/view/raster.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {
@@ -29,7 +30,7 @@ Pixels cloth_pixels(const PieceSight& sight, const PageView& view, const Vec2& u
     pixels.width = static_cast<int>(std::ceil(pixels_per_unit * size.x()));
     pixels.height = static_cast<int>(std::ceil(pixels_per_unit * size.y()));
     pixels.colours.assign(static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height), 0xffffff);
-    const std::vector<std::uint16_t> places = cloth_places(sight.plan, sight.tile, sight.strain, sight.map);
+    const std::vector<std::uint16_t> places = cloth_places(sight.plan, sight.map, sight.tile);
     for (std::size_t t = 0; t < places.size(); ++t) {
         std::array<Vec3, 3> corners;
         for (int k = 0; k < 3; ++k) {
@@ -58,11 +59,12 @@ std::string stroke(const std::string& path, const std::string& colour, double wi
 
 std::string edge_band(const PieceSight& sight, const PageView& view) {
     const FlatTile& tile = sight.plan.tiles[sight.tile];
+    if (!sight.has_band || sight.map.edges.empty()) return {};
+    const std::vector<std::uint16_t> edges = edge_places(sight.map, sight.tile);
     const std::vector<int> loop = closed(tile.tile.boundary);
-    if (sight.edges.size() + 1 != loop.size()) return {};
     const std::vector<Vec2> points = on_page(tile.flattening.positions(loop, Eigen::all), view);
     std::map<std::uint16_t, std::string> paths;
-    for (std::size_t i = 0; i < sight.edges.size(); ++i) paths[sight.edges[i]] += path_of({points[i], points[i + 1]});
+    for (std::size_t i = 0; i < edges.size(); ++i) paths[edges[i]] += path_of({points[i], points[i + 1]});
     std::string svg = stroke(path_of(points), page_ink, 9);
     for (const auto& [place, path] : paths) {
         const bool is_beyond = place == page_places::above || place == page_places::below;
@@ -105,42 +107,17 @@ std::string piece_lines(const PatternPiece& piece, const PageView& view) {
     return svg;
 }
 
-/// The place of the flat outline that lies nearest to a place in space.
-Vec2 nearest_on_outline(const FlatTile& tile, const Vec3& place) {
-    const std::vector<int> loop = closed(tile.tile.boundary);
-    double nearest = std::numeric_limits<double>::infinity();
-    Vec2 found = Vec2::Zero();
-    for (std::size_t i = 0; i + 1 < loop.size(); ++i) {
-        const Vec3 a = tile.tile.mesh.positions.row(loop[i]),
-                   step = Vec3(tile.tile.mesh.positions.row(loop[i + 1])) - a;
-        const double share = std::clamp(step.dot(place - a) / std::max(step.squaredNorm(), 1e-24), 0.0, 1.0);
-        const double away = (place - a - share * step).norm();
-        if (away >= nearest) continue;
-        nearest = away;
-        const Vec2 p = tile.flattening.positions.row(loop[i]), q = tile.flattening.positions.row(loop[i + 1]);
-        found = p + share * (q - p);
-    }
-    return found;
-}
-
 std::string proposed_seam(const FlatTile& tile, const PageView& view) {
-    if (!tile.proposal || tile.proposal->line.size() < 2) return {};
-    const std::vector<Vec3>& line = tile.proposal->line;
-    const std::string path =
-        path_of({view.at(nearest_on_outline(tile, line.front())), view.at(nearest_on_outline(tile, line.back()))});
+    std::vector<Vec2> ends = proposed_ends(tile);
+    for (Vec2& end : ends) end = view.at(end);
+    const std::string path = path_of(ends);
     return stroke(path, "#ffffff", 6) + stroke(path, "#111111", 3, "stroke-dasharray=\"9 5\"");
 }
 
-/// Findings lie on the surface; each is marked at the vertex nearest to it.
 std::string rings(const FlatTile& tile, const PageView& view) {
-    std::set<Eigen::Index> marked;
     std::string svg;
-    for (const Finding& finding : tile.verdict.findings) {
-        if (!finding.at.allFinite()) continue;
-        Eigen::Index vertex = 0;
-        (tile.tile.mesh.positions.rowwise() - finding.at.transpose()).rowwise().squaredNorm().minCoeff(&vertex);
-        if (!marked.insert(vertex).second) continue;
-        const Vec2 p = view.at(tile.flattening.positions.row(vertex));
+    for (const FindingMark& mark : finding_marks(tile)) {
+        const Vec2 p = view.at(tile.flattening.positions.row(mark.vertex));
         for (const auto& [colour, width] : {std::pair{"#ffffff", "6"}, std::pair{page_bad, "2.5"}})
             svg += "<circle cx=\"" + svg_number(p.x()) + "\" cy=\"" + svg_number(p.y()) +
                    "\" r=\"12\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + width + "\"/>\n";
@@ -178,7 +155,7 @@ std::string chosen_seam(const PieceSight& sight, const PageView& view) {
 
 PieceExtent piece_extent(const FlatTile& tile, const PatternPiece* piece) {
     PieceExtent extent;
-    if (is_drawable(tile))
+    if (tile.is_flat())
         extent = {tile.flattening.positions.colwise().minCoeff(), tile.flattening.positions.colwise().maxCoeff()};
     if (piece && piece->outline().rows() > 0) {
         extent.lower = extent.lower.cwiseMin(piece->lower());
@@ -195,7 +172,7 @@ PieceView piece_view(const PieceSight& sight, const Vec2& upper_left, const Vec2
     const FlatTile& tile = sight.plan.tiles[sight.tile];
     const Vec2 middle = (upper_left + lower_right) / 2;
     PieceView view;
-    if (!is_drawable(tile)) {
+    if (!tile.is_flat()) {
         view.svg = text_within(middle, "This tile could not be laid flat, so there is no piece.",
                                lower_right.x() - upper_left.x(), {16, "middle", page_bad});
         return view;

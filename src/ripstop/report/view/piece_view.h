@@ -6,9 +6,8 @@
 #include "ripstop/io/text/png.h"
 #include "ripstop/model/piece/pattern_piece.h"
 #include "ripstop/model/plan/cut_plan.h"
-#include "ripstop/model/plan/strain_map.h"
 #include "ripstop/report/figures/cloth_map.h"
-#include "ripstop/report/view/page_maps.h"
+#include "ripstop/report/view/map_view.h"
 
 namespace ripstop {
 
@@ -17,11 +16,10 @@ struct PieceSight {
     const CutPlan& plan;
     std::size_t tile = 0;
     const PatternPiece* piece = nullptr;  ///< none: the flat tile alone
-    const StrainMap& strain;
-    const PageMap& map;
-    std::vector<std::uint16_t> edges = {};  ///< of `edge_places`; none: no band along the edges
-    int seam = -1;                          ///< in `CutPlan::seams`: drawn green; then no finding has a ring
-    double scale = 0;                       ///< units of the page a metre; 0: `fitting_scale`
+    const MapView& map;
+    bool has_band = true;  ///< along the edges, where the map is of them
+    int seam = -1;         ///< in `CutPlan::seams`: drawn green; then no finding has a ring
+    double scale = 0;      ///< units of the page a metre; 0: `fitting_scale`
 };
 
 /// Lower left and upper right of what is cut, and of the cloth [m].
@@ -34,7 +32,7 @@ PieceExtent piece_extent(const FlatTile& tile, const PatternPiece* piece);
 /// Units of the page a metre at which a piece of this size [m] fits into a room of the page, with a margin for rings.
 double fitting_scale(const Vec2& size, const Vec2& room);
 
-/// A piece as report.html shows it (apps/report/src/piece_view.js), in the middle between two corners of the page
+/// A piece as report.html shows it (apps/report/src/piece/piece_view.js), in the middle between two corners of the page
 /// (upper left, lower right): the triangles in the colours of the map as pixels, and over them, as SVG, cut line
 /// (solid), sew line (dashed), notches, lines, grain, labels that can be read, a proposed seam (dashed) and a ring
 /// about each finding.
