@@ -16,11 +16,8 @@ class FaceSizes {
   public:
     FaceSizes(const TopoDS_Face& face, const EdgeSizes& sizes, double finer);
 
-    double at(const Vec2& uv) const;  ///< [mm], interpolated in the grid
-    double triangles() const {
-        return triangles_;
-    }                                                 ///< about the number of equilateral triangles of these sizes
-                                                      ///< on the face
+    double at(const Vec2& uv) const;                  ///< [mm], interpolated in the grid
+    double triangles() const { return triangles_; }   ///< about the number of equilateral triangles of these sizes
     const Vec2& stretch() const { return stretch_; }  ///< mean stretch of the surface along u and v [mm]
     const Vec2& low() const { return low_; }          ///< lower corner of the face in u and v
     const Vec2& high() const { return high_; }

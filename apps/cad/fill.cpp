@@ -41,9 +41,7 @@ class Filler {
           sizes_(sizes),
           mesh_((sizes.low() + sizes.high()).cwiseProduct(sizes.stretch()) / 2,
                 (sizes.high() - sizes.low()).cwiseProduct(sizes.stretch()).norm()) {
-        for (int i = 0; i < 3; ++i)
-            take(Vec2(0, 0), {Vec3(0, 0, 0), Vec3(0, 0, 0)}, -1);  // the corners of the
-                                                                   // outer triangle
+        for (int i = 0; i < 3; ++i) take(Vec2(0, 0), {Vec3(0, 0, 0), Vec3(0, 0, 0)}, -1);  // the outer triangle
         sound_ = add_borders(loops, points);
         most_ = std::min(most, most_by_size * (sizes.triangles() + static_cast<double>(first_inner_)) + free_triangles);
     }
@@ -206,9 +204,7 @@ class Filler {
             for (std::size_t i = 0; i < line.size(); ++i) {
                 const int a = line[i], b = line[(i + 1) % line.size()];
                 const UvMesh::Side before = mesh_.side_of(a, b);
-                if (a == b || (before.triangle >= 0 && mesh_.is_fixed(before)))
-                    return false;  // back and forth
-                                   // along one edge
+                if (a == b || (before.triangle >= 0 && mesh_.is_fixed(before))) return false;  // there and back
                 if (!mesh_.fix(a, b)) return false;
             }
         mesh_.keep_inside();

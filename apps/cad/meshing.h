@@ -24,8 +24,7 @@ struct EdgeSizes {
     double chord_error = 0;             ///< infinite: no limit
     double shortest = 0;                ///< lower limit, whatever the curvature
     std::vector<double> finer = {};     ///< factors on the lengths of each face, except `longest`; empty: 1
-    std::vector<double> most = {};      ///< limit on the triangles of each face, unless its border has more
-                                        ///< pieces; empty: no limit
+    std::vector<double> most = {};      ///< limit on a face's triangles, unless its border has more pieces; empty: none
     double border = 1;                  ///< factor on the lengths of the faces' edges
     double at(double curvature) const;  ///< the length for a curvature [1/mm]
 };

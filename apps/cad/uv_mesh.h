@@ -30,8 +30,7 @@ class UvMesh {
     /// Inserts a node into a side; it may lie anywhere between the side's ends. False if a triangle would not turn
     /// left.
     bool split(const Side& side, int node);
-    bool flip(const Side& side);  ///< false if the two triangles do not form a convex quadrilateral, or if the
-                                  ///< side is fixed
+    bool flip(const Side& side);  ///< false if the triangles form no convex quadrilateral or the side is fixed
 
     /// Makes a -> b a side and fixes it. False if another fixed side or a node is in the way.
     bool fix(int a, int b);
@@ -44,8 +43,7 @@ class UvMesh {
     std::vector<int> settle_all(const std::function<bool(const Side&)>& wants);  ///< starting with all triangles
 
     std::array<int, 2> ends(const Side& side) const;  ///< in the direction of the side's triangle
-    Side across(const Side& side) const;              ///< the side as seen from the neighbour; triangle -1 if
-                                                      ///< there is none
+    Side across(const Side& side) const;              ///< the neighbour's view of the side; triangle -1: none
     bool is_fixed(const Side& side) const { return fixed_[index(side.triangle)][index(side.corner)]; }
     Side side_of(int a, int b) const;         ///< the side from a to b in its triangle; triangle -1 if there is none
     std::vector<int> around(int node) const;  ///< the triangles of a node that is not on a border

@@ -1,4 +1,4 @@
-/// `ripstop check` as a user runs it.
+/// `ripstop check` on the command line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -25,8 +25,7 @@ struct Variant {
     bool remesh = false;      ///< `--remesh auto`, else never
     bool is_moved = false;    ///< rotated and shifted in space
     unsigned order = 0;       ///< seed that shuffles tiles and vertices; 0: unshuffled
-    std::string unit = "";    ///< passed as an OBJ file in this unit, with the decimals that a CAD writes; empty:
-                              ///< in memory
+    std::string unit = "";    ///< passed as an OBJ file in this unit, with a CAD's decimals; empty: in memory
     std::string fabric = "";  ///< a preset; empty: the default fabric
 };
 

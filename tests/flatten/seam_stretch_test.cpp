@@ -75,8 +75,7 @@ TEST(SeamStretch, DoesNotCareWhichSideIsNamedFirst) {
     ASSERT_EQ(one.count, other.count);
     for (std::size_t t = 0; t < one.tiles.size(); ++t) {
         const Eigen::MatrixXd a = one.tiles[t].reach, b = other.tiles[t].reach;
-        EXPECT_LT((a * a.transpose() - b * b.transpose()).norm(), 1e-13);  // equal except for the numbering of the
-                                                                           // intervals
+        EXPECT_LT((a * a.transpose() - b * b.transpose()).norm(), 1e-13);  // equal up to the intervals' numbering
     }
 }
 

@@ -65,7 +65,7 @@ struct Comma : std::numpunct<char> {
 TEST_P(EveryPieceFormat, DoesNotCareForTheLocale) {
     const std::string expected = written(testing::odd_pieces());
     const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
-    std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // for what does not go through streams, where the system has it
+    std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // for code that does not use streams, if the system has the locale
     const std::string bytes = written(testing::odd_pieces());
     std::setlocale(LC_NUMERIC, "C");
     std::locale::global(before);

@@ -79,8 +79,7 @@ TEST(DelaunayInside, GivesNothingWhereAnEdgeOfTheOutlineIsMissing) {
     points << 0, 0, 4, 0, 4, 4, 0, 4, 2, 0.01;
     EXPECT_EQ(delaunay_inside(points, 4).rows(), 4);
     Points2 crossed(6, 2);
-    crossed << 0, 0, 4, 0, 4, 4, 2, 0.5, 0, 4, 2, -0.4;  // the last point lies beyond the outline and makes it
-                                                         // cross itself
+    crossed << 0, 0, 4, 0, 4, 4, 2, 0.5, 0, 4, 2, -0.4;  // the last point makes the outline cross itself
     EXPECT_EQ(delaunay_inside(crossed, 5).rows(), 0);
 }
 

@@ -46,8 +46,7 @@ TEST(Walk, IsAHelixOnAPrism) {
     const int facets = 12;
     const double angle = 1.2;
     const UnfoldedSurface surface(testing::cylinder(1, angle, 2, facets, 16));
-    const double width = 2 * std::sin(angle / 2 / facets);  // of a facet; laid flat, the prism is a rectangle of
-                                                            // 12 facets
+    const double width = 2 * std::sin(angle / 2 / facets);  // of a facet; laid flat, the prism has 12 facets
     const auto on_prism = [&](double x, double z) {
         const double facet = std::floor(x / width);
         const auto edge = [&](double k) {

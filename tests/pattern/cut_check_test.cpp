@@ -22,7 +22,7 @@ std::vector<std::string> faults_of(const PatternPiece& piece) {
     return messages;
 }
 
-/// Tests the properties of any cut line, independently of the code that makes or checks it.
+/// Tests what must hold for any cut line, independently of the code that makes or checks it.
 void expect_cut_round(const PatternPiece& piece, const std::string& what) {
     EXPECT_EQ(self_intersections(piece.cut_line).count, 0) << what;
     EXPECT_GT(signed_area(piece.cut_line), 0) << what;

@@ -100,8 +100,7 @@ TEST(SeamOfThree, HasItsNotchesAtTheSamePlacesOnAllThree) {
         const std::vector<PatternPiece> pieces = make_pieces(plan);
         for (const std::vector<SeamSheet>& sheets : sheets_of_seams(plan.seams)) {
             if (sheets.size() < 3) continue;
-            std::map<int, std::set<std::pair<double, int>>> marks;  // for each tile: the places, and the number of
-                                                                    // strokes
+            std::map<int, std::set<std::pair<double, int>>> marks;  // for each tile: places and numbers of strokes
             for (const SeamSheet& sheet : sheets)
                 for (const PieceNotch& notch : pieces[static_cast<std::size_t>(sheet.side->tile)].notches)
                     if (notch.seam == plan.seams[0].id || notch.seam == sheets[0].record->id)

@@ -369,8 +369,7 @@ TEST_F(Remeshing, FindsTheCornersInABrickWall) {
     for (std::size_t t = 0; t < before.tiles.size(); ++t) {
         const std::vector<double> was = chain_lengths(before.tiles[t]), is = chain_lengths(envelope.tiles[t]);
         for (std::size_t c = 0; c < was.size(); ++c)
-            EXPECT_NEAR(is[c], was[c], 2 * millimetre) << before.tiles[t].name;  // open edges: smooth curve
-                                                                                 // instead of a polyline
+            EXPECT_NEAR(is[c], was[c], 2 * millimetre) << before.tiles[t].name;  // smooth curve, not polyline
     }
 }
 

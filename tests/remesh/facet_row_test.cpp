@@ -108,8 +108,7 @@ TEST(FacetRow, OfSkewQuadsIsRuledBetweenBothSides) {
             double nearest = 1;
             for (const double v : {v0, v1})
                 for (const double s : {t, 1.6 - t}) nearest = std::min(nearest, (at - on(s, v)).norm());
-            EXPECT_LT(nearest, 2e-3) << along << " " << across;  // t^4 divided by a small number: the chords are
-                                                                 // 5e-3 off
+            EXPECT_LT(nearest, 2e-3) << along << " " << across;  // t^4 divided by some; the chords are 5e-3 off
         }
     }
 }

@@ -37,8 +37,7 @@ class Workshop {
 };
 
 NamedMesh flat_tile(const std::string& name = "plane");     ///< 2 m x 1 m along x and y
-NamedMesh curved_tile(const std::string& name = "sphere");  ///< a 90 degree lune of the unit sphere, which cannot
-                                                            ///< be made
+NamedMesh curved_tile(const std::string& name = "sphere");  ///< a 90 degree lune of the unit sphere: cannot be made
 NamedMesh bent_tile(const std::string& name = "cylinder");  ///< 1.2 m x 1 m, developable
 
 }  // namespace ripstop::testing

@@ -48,14 +48,14 @@ std::string method_of(const InputArguments& given);
 /// Reads a project file; nothing if `file` is empty. Throws InputError.
 std::optional<Project> project_of(const std::string& file, const std::string& unit);
 
-/// What the arguments and the project file say together, `completed`; the command line goes before the project. Throws
+/// The job from the arguments and the project file, `completed`; arguments override the project. Throws
 /// InputError.
 Job job_of(const InputArguments& given);
 
 /// Reads the input file. Writes its remarks, and at once any doubt about its unit, to stderr. Throws InputError.
 EnvelopeInput read(const InputArguments& given, const Job& job, bool quiet);
 
-/// The remarks of an input on stderr, the first of them where there are many.
+/// Writes the remarks of an input to stderr; only the first ones if there are many.
 void tell_remarks(const EnvelopeInput& input);
 
 /// The issues of the envelope as given, for `check` and `flatten` alike (`judge_input`).

@@ -39,8 +39,7 @@ class ContactTable {
     };
     struct Pair {
         int below = 0;                         ///< rows that the second shape may lie below the first
-        std::vector<int> first;                ///< index of each row's first interval, plus the end; empty if each
-                                               ///< row has one interval
+        std::vector<int> first;                ///< of each row's intervals, plus the end; empty if each row has one
         std::vector<ShortInterval> intervals;  ///< of all rows
     };
 

@@ -13,8 +13,7 @@ struct LaidShape {
     int kind = 0;
     double turn = 0;             ///< [rad]
     bool face_down = false;      ///< with the inside of the cloth up
-    Vec2 corner = Vec2::Zero();  ///< lower left corner of the turned and mirrored outline, before it was moved to
-                                 ///< the origin
+    Vec2 corner = Vec2::Zero();  ///< lower left corner of the turned and mirrored outline before moving
     double lift = 0;             ///< height of its lower left corner above the row it lies on [m]
     Vec2 size = Vec2::Zero();    ///< along the roll, across the roll [m]
     double area = 0;             ///< of the outline [m²]

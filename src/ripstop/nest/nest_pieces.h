@@ -14,8 +14,7 @@ struct NestOptions {
     std::optional<double> roll_width = {};  ///< [m]; default: each fabric's own width
     double gap = 0.005;                     ///< between outlines [m]
     double grain_tolerance = 0;             ///< a piece may also be turned by up to this angle, either way [rad]
-    bool may_turn = true;                   ///< by 180 degrees; set false for cloth with a nap or a print, so that
-                                            ///< all pieces point to +x
+    bool may_turn = true;                   ///< by 180 degrees; false for a nap or a print: all pieces point to +x
     bool may_flip = false;                  ///< the cloth looks the same on both sides
     std::vector<double> part_lengths = {};  ///< lengths of cloth without a join, in order; the last one repeats [m]
     int rounds = 40;                        ///< of the search for a short marker; the run time is proportional

@@ -37,8 +37,7 @@ struct Strip {
     int reach = 16;
     Joins joins;
     std::vector<LaidShape> shapes;
-    std::vector<int> first_shape;  ///< index of each kind's first shape, plus the end; the shapes of a kind are
-                                   ///< adjacent
+    std::vector<int> first_shape;  ///< index of each kind's first shape, plus the end; a kind's are adjacent
 
     const LaidShape& shape(const LaidItem& item) const { return shapes[static_cast<std::size_t>(item.shape)]; }
     double end(const PlacedItem& item) const { return item.x + shape(item).size.x(); }

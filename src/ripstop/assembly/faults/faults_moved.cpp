@@ -19,8 +19,7 @@ constexpr int most_fitted = 40;  // tiles tried in the holes per pass; with more
 constexpr double hole_openness = 0.01;
 constexpr double most_scale = 100;      // larger ratios are accepted only if they are those of two units
 constexpr double close_to_unit = 0.05;  // relative error of a ratio of two units
-constexpr double most_residual = 0.02;  // share of the placed tile's extent; it rejects a tile that is shrunk onto
-                                        // an edge
+constexpr double most_residual = 0.02;  // share of the placed tile's extent; rejects a tile that shrank onto an edge
 constexpr double least_of_edge = 0.05;  // smallest extent, as a share of the edge's: a panel beside a gore in one piece
 constexpr double least_of_hole = 0.5;   // smallest extent, as a share of the hole's
 constexpr double most_off_hole = 0.25;  // largest relative difference of the outlines' lengths

@@ -166,8 +166,7 @@ FootPoint foot_on_edge(const ChainCurve& curve, int edge, const Vec3& point) {
     const Vec3 chord = Vec3(curve.points.row(edge + 1)) - start;
     double t = std::clamp((point - start).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
     for (int k = 0; k < 20;
-         ++k) {  // Newton's method without the second derivative: the cubic is nearly straight, so each step gains
-                 // a digit
+         ++k) {  // Newton without the second derivative: the cubic is nearly straight, so each step gains a digit
         const Vec3 along = slope(curve, edge, t);
         const double next = std::clamp(t + (point - cubic(curve, edge, t)).dot(along) / along.squaredNorm(), 0.0, 1.0);
         const bool done = std::abs(next - t) < 1e-14;

@@ -21,8 +21,7 @@ namespace {
 constexpr double shortest_chain = 20;   // in tolerances: the median chain of an envelope
 constexpr double same_length = 1e-6;    // [m]
 constexpr std::size_t few_chains = 40;  // envelopes with so few chains are searched at any size
-constexpr double widest_slit = 0.1;     // share of the tile's width; edges of one tile that are farther apart do
-                                        // not miss each other
+constexpr double widest_slit = 0.1;     // share of the tile's width; its own edges do not miss each other farther apart
 
 /// Joins the touches that pass `wanted` into runs, for each pair of chains and direction.
 template <class Wanted>

@@ -28,8 +28,9 @@ struct RunEnds {
 
 /// The result of the search for seams.
 struct FoundSeams {
-    std::vector<Seam> seams;  ///< `S0001`, … ordered by tile a and the place along its boundary; then the further
-                              ///< sheets in them, in the same order
+    /// `S0001`, … ordered by tile a and the place along its boundary; then the further sheets in them, in the same
+    /// order.
+    std::vector<Seam> seams;
     std::vector<Eigen::VectorXd> curve_lengths;  ///< for each tile, as `Tile::curve_lengths`
     std::vector<RunEnds> places;                 ///< for each seam
     std::vector<LooseRun> loose;                 ///< longer than a tolerance, ordered by tile

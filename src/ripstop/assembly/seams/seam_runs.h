@@ -32,15 +32,13 @@ struct Touch {
 struct Run {
     int a = 0, b = 0;
     bool same_way = false;
-    std::vector<Touch> touches;  ///< at_a ascending; at_b descending, or ascending if the chains run in the same
-                                 ///< direction
+    std::vector<Touch> touches;  ///< at_a ascending; at_b descending, or ascending for equal directions
     double start_a() const { return touches.front().at_a; }
     double end_a() const { return touches.back().at_a; }
     double low_b = 0, high_b = 0;
     double length = 0;  ///< of the shorter side [m]
     double gap = 0;     ///< largest distance [m]
-    double turn = 0;    ///< priority among the runs (`order_sheets`): the length of the longest run it competes
-                        ///< with [m]
+    double turn = 0;    ///< priority (`order_sheets`): the length of the longest run it competes with [m]
     double rank = 0;    ///< and among those, lower ranks come first
 };
 

@@ -12,8 +12,8 @@ struct DxfOptions {
     std::string dialect = "cam";  ///< a name of `dxf_dialects`
     std::string style = {};       ///< name of the style (the input) that the pieces belong to
     std::string revision = {};    ///< of the patterns
-    std::string date = {};        ///< of the patterns, YYYY-MM-DD; empty: no date is written, so the file is the
-                                  ///< same every day
+    std::string date = {};        ///< of the patterns, YYYY-MM-DD; empty: not written, so the file is the same
+                                  ///< every day
     std::string grain_axis = {};  ///< axis along which the warp runs, x or y; empty: the dialect's default
 };
 

@@ -20,7 +20,7 @@ constexpr const char *boundary = "1", *turn_point = "2", *curve_point = "3", *no
                      *grain = "7", *internal = "8", *sew = "14", *annotation = "15";
 }
 
-constexpr const char* size_name = "ONE";             // patterns of an envelope come in one size
+constexpr const char* size_name = "ONE";             // patterns of an envelope have one size
 constexpr double system_height = 0.25 * millimetre;  // of texts that programs read and people do not
 constexpr double sampled_turn = 15 * degree;         // a finely sampled curve turns by less than this at each point
 constexpr std::size_t longest_symbol = 31;           // of Release 12

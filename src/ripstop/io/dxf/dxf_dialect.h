@@ -20,8 +20,8 @@ struct DxfDialect {
     std::string name;
     std::string description;         ///< one line for --help
     bool blocks = true;              ///< each piece is a BLOCK on numbered layers; else contours on named layers
-    bool closed_contours = true;     ///< each contour is a closed POLYLINE; else each edge is an open one, which
-                                     ///< begins where the one before it ends
+    bool closed_contours = true;     ///< a closed POLYLINE for each contour; else an open one for each edge, end
+                                     ///< to start
     std::string release = "AC1009";  ///< $ACADVER; empty: the header is empty
     bool tables = true;              ///< write a TABLES section: line type, layers, text style
     bool states_insunits = false;    ///< write $INSUNITS and $MEASUREMENT in the header
@@ -36,8 +36,7 @@ struct DxfDialect {
     bool packs_author = false;       ///< write `vendor ; product ; version` as one text
     NotchMark notch = NotchMark::point;
     double depth_sign = 1;   ///< sign of a sized notch's depth
-    double notch_width = 0;  ///< of a sized notch [m]; 0: not written, because ezdxf 0.18 cannot move a POINT of
-                             ///< width 0
+    double notch_width = 0;  ///< of a sized notch [m]; 0: not written (ezdxf 0.18 cannot move a POINT of width 0)
 };
 
 /// The table of dialects, which the command line, the tests and the documentation iterate.

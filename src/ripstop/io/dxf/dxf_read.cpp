@@ -310,7 +310,7 @@ class Reader {
     std::vector<DxfTag> tags_;
     DxfTagSpan entities_;
     bool has_entities_ = false;
-    std::map<std::string, Block> blocks_;  // by `dxf_key`, as the next two
+    std::map<std::string, Block> blocks_;  // by `dxf_key`; so are the next two
     std::map<std::string, std::string> spellings_;
     std::set<std::string> off_layers_, frozen_layers_;
     PatternDrawing drawing_;

@@ -206,7 +206,7 @@ Json flattening_json(const Flattening& flattening) {
     return object;
 }
 
-/// `into` has its positions already.
+/// `into` must have its positions.
 void read_flattening(const PlanReader& from, Flattening& into) {
     into.summary = summary_of(from.at("summary"));
     into.note = from.text("note");

@@ -16,8 +16,7 @@ void mend_faces(MeshRecords& file);
 struct TriangleList {
     std::vector<std::size_t> corners;
     std::vector<std::size_t> faces;
-    std::map<std::size_t, std::string> faults;  ///< of faces that cannot be fanned properly; these are fanned from
-                                                ///< corner 0
+    std::map<std::size_t, std::string> faults;  ///< of faces that cannot be fanned; they are fanned from corner 0
 };
 
 /// Fans every face into triangles (`fan_corner`). The choice of the fan ignores repeated corners in one place.

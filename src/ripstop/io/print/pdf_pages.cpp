@@ -102,8 +102,7 @@ std::string name_at(int column, int row) {
 void draw_joints(PdfCanvas& canvas, const PageGrid& grid, const PageWindow& window) {
     const Vec2 lower(page_margin, page_margin), upper = grid.page - Vec2(page_margin, page_margin);
     const Vec2 size = upper - lower;
-    const auto joint = [&](int column, int row) {  // between page (column, row) and the one right of it, in this
-                                                   // page's coordinates
+    const auto joint = [&](int column, int row) {  // from page (column, row) to the one right of it
         const double middle = column == window.column ? upper.x() - overlap / 2 : lower.x() + overlap / 2;
         for (const double share : {0.25, 0.75})
             draw_match_mark(canvas, {middle, lower.y() + share * size.y()},

@@ -18,8 +18,8 @@ constexpr RhinoId line_class = rhino_id("4ED7D4DB-E947-11d3-BFE5-0010830122F0"),
                   joined_class = rhino_id("4ED7D4E0-E947-11d3-BFE5-0010830122F0");
 
 constexpr int deepest_curve = 16;       // nesting of joined curves
-constexpr double chord_error = 0.5e-3;  // share of the curve's size; half of what is promised, because only
-                                        // midpoints are tested
+constexpr double chord_error = 0.5e-3;  // share of the curve's size; half of the promise, because only midpoints
+                                        // are tested
 constexpr int most_pieces = 256;        // for each span of a NURBS curve
 constexpr std::size_t most_points = 20000;
 constexpr double most = 1e12;

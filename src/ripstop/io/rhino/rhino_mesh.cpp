@@ -32,8 +32,7 @@ Quads read_faces(RhinoBytes& data, std::size_t count) {
     for (Eigen::Index i = 0; i < faces.size(); ++i) {
         std::uint32_t corner = 0;
         std::memcpy(&corner, bytes.data() + i * width, static_cast<std::size_t>(width));
-        faces.data()[i] = static_cast<int>(corner);  // an index beyond int becomes negative and is refused with
-                                                     // the others
+        faces.data()[i] = static_cast<int>(corner);  // beyond int: negative, and refused like others
     }
     return faces;
 }

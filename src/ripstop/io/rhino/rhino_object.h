@@ -19,8 +19,7 @@ struct RhinoObject {
     bool hidden = false;
     bool in_definition = false;  ///< whether it is part of a block definition and no object of the model
     bool on_page = false;        ///< whether it is on a layout and not in the model
-    Attributes text = {};        ///< user text of the object's attributes and of its geometry; the former
-                                 ///< overrides the latter
+    Attributes text = {};        ///< user text of the object's attributes, then of its geometry; the former wins
 };
 
 RhinoObject read_rhino_object(RhinoBytes record);

@@ -29,11 +29,10 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
 void replace_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
     std::error_code error;
     const bool is_there = std::filesystem::exists(path, error);
-    if (is_there && !std::filesystem::is_regular_file(path, error)) return write_file(path, write);  // a device or
-                                                                                                     // a pipe
-    const std::filesystem::path target = is_there ? std::filesystem::canonical(path) : path;         // keeps a
-                                                                                                     // symbolic
-                                                                                                     // link
+    // A device or a pipe cannot be replaced.
+    if (is_there && !std::filesystem::is_regular_file(path, error)) return write_file(path, write);
+    // A symbolic link stays one; its target is replaced.
+    const std::filesystem::path target = is_there ? std::filesystem::canonical(path) : path;
     Leftover partial(target.string() + ".partial-" + std::to_string(::getpid()));
     write_file(partial.path(), write);
     partial.finish([&] {

@@ -10,8 +10,7 @@ namespace ripstop {
 enum class CornerRule {
     mitre,   ///< the allowances extend until they meet; a sharp corner is cut across at twice the larger allowance
     square,  ///< cut across, at the distance of the larger allowance from the corner
-    fold,    ///< the end of the allowance mirrors the piece about the sew line, so that it matches the piece when
-             ///< folded back
+    fold,    ///< the end of the allowance mirrors the piece about the sew line, so that it matches when folded back
     hem,     ///< as `fold`, with priority: a hem is folded after the seam beside it is sewn
 };
 

@@ -42,8 +42,7 @@ Points2 outside_of(const std::vector<Vec2>& contour) {
         return ClipperLib::Area(a) < ClipperLib::Area(b);
     });
     if (largest == parts.end()) return Points2(0, 2);
-    ClipperLib::CleanPolygon(*largest, 2);  // removes points within 0.2 micrometres of the line through their
-                                            // neighbours
+    ClipperLib::CleanPolygon(*largest, 2);  // removes points within 0.2 micrometres of the line of their neighbours
     Points2 outline(static_cast<Eigen::Index>(largest->size()), 2);
     for (std::size_t i = 0; i < largest->size(); ++i)
         outline.row(static_cast<Eigen::Index>(i)) << static_cast<double>((*largest)[i].X) / steps_per_metre,

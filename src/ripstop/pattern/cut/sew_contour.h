@@ -62,9 +62,10 @@ class SewContour {
     bool turns_outward(std::size_t segment) const;
     double length() const { return length_; }
 
-    /// The pocket between two places: of the two ways along the sew line, the one that surrounds less. O(1).
+    /// The pocket between two places. Of the two ways along the sew line, it takes the one that surrounds less.
+    /// O(1).
     Pocket pocket(const SewPlace& a, const SewPlace& b) const;
-    /// O(1), O(#edges) for short pockets.
+    /// True if the allowances of the two places must not overlap. O(1); O(#edges) for short pockets.
     bool is_apart(const SewPlace& a, const SewPlace& b) const;
     /// False only if no places of the two segments are apart.
     bool may_be_apart(std::size_t a, std::size_t b) const;

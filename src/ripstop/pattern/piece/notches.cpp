@@ -75,8 +75,7 @@ class Collector {
         for (PieceNotch& other : notches) {
             if ((other.on_sew - notch.on_sew).norm() >= same_place) continue;
             if (notch.reach < other.reach)
-                other = std::move(notch);  // the cut line steps here, and the shorter
-                                           // notch is inside both
+                other = std::move(notch);  // the cut line steps here; the shorter one is inside both
             return;
         }
         notches.push_back(std::move(notch));

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view partial_start = ".ripstop-partial-", old_start = ".ripstop-old-",
                            trial_start = ".ripstop-trial-";
 
-/// In the folder of old entries: every old entry is in it, so new ones may move in.
+/// A file in the folder of old entries: every old entry has moved there, so new ones may move in.
 constexpr const char* all_moved = ".all-moved";
 
 std::vector<fs::path> names_in(const fs::path& folder) {
@@ -23,7 +23,7 @@ std::vector<fs::path> names_in(const fs::path& folder) {
     return names;
 }
 
-/// Moves that can be taken back.
+/// Moves that can be undone.
 class Moves {
   public:
     void move(const fs::path& from, const fs::path& to) {
@@ -43,7 +43,8 @@ fs::path old_folder(const fs::path& partial) {
     return partial.parent_path() / (std::string(old_start) + partial.filename().string().substr(partial_start.size()));
 }
 
-/// A kill leaves `partial` alone, `partial` and `old`, or `old` alone, in this order.
+/// Settles an exchange that was killed. By its progress, `partial` exists alone, then `partial` and `old`, then
+/// `old` alone.
 void settle(const fs::path& partial, const fs::path& folder) {
     const fs::path old = old_folder(partial);
     if (fs::exists(old)) {
@@ -73,7 +74,8 @@ void exchange_entries(const fs::path& made, const fs::path& folder,
                       const std::function<bool(const fs::path&)>& is_old) {
     Moves moves;
     fs::path partial = made;
-    // Beside the folder it was made while there was no folder; a kill is settled by what stands in the folder.
+    // If the folder did not exist, `made` is beside it. Move it inside, because a kill is settled by the folder's
+    // entries.
     if (made.parent_path() != folder) {
         partial = exchange_folder(folder, made.filename().string());
         moves.move(made, partial);

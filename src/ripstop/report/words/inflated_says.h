@@ -16,7 +16,7 @@ double deviation_limit(const Inflated& inflated);
 /// True if the patterns were corrected for their deformation in flight.
 bool is_corrected(const CutPlan& plan);
 
-/// Does an inflated plan come to rest, take the drawn shape to `deviation_limit` and bear what it must?
+/// True if an inflated plan is at rest, matches the drawn shape within `deviation_limit`, and is strong enough.
 bool flies_as_drawn(const CutPlan& plan);
 
 /// The verdicts of the inflated shape, one sentence each, in this order. Is it at rest? Is it within

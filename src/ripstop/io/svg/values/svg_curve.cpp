@@ -79,8 +79,7 @@ SvgSegment svg_arc(const Vec2& from, const Vec2& radii, double turn, bool is_lar
     Vec2 r = radii.cwiseAbs();
     if (r.minCoeff() <= 0 || from == to) return arc;
     const Mat22 turned = Eigen::Rotation2Dd(turn).toRotationMatrix();
-    const Vec2 half = turned.transpose() * (from - to) / 2;  // from the middle of the chord to its start, in the
-                                                             // ellipse's axes
+    const Vec2 half = turned.transpose() * (from - to) / 2;  // from the chord's middle to its start, in the axes
     const Vec2 unit = half.cwiseQuotient(r);
     const double reach = unit.squaredNorm();
     if (!std::isfinite(reach)) return arc;
