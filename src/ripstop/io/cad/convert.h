@@ -18,8 +18,8 @@ inline constexpr double turn_of_accuracy = 0.04898979485566356;
 /// How CAD surfaces become meshes and tiles. If neither `chord_error` nor `edge_length` is set, edges turn by at
 /// most `turn_of_accuracy` and a tile is about twelve edges across.
 struct MeshingOptions {
-    std::optional<double> chord_error = {};      ///< largest distance of the surface from its triangles [m]; replaces
-                                                 ///< the limit on the turn
+    std::optional<double> chord_error = {};      ///< largest distance of a surface from its triangles [m];
+                                                 ///< replaces the turn
     std::optional<double> edge_length = {};      ///< longest edge [m]
     double sewing_tolerance = 0.5 * millimetre;  ///< faces are sewn if their edges lie within this distance [m]
     std::optional<double> metres_per_unit = {};  ///< overrides the unit that the file states
@@ -33,7 +33,7 @@ struct MeshingOptions {
 /// Throws InputError if a length is not positive.
 void require_sound(const MeshingOptions& options);
 
-/// The file formats that hold exact surfaces.
+/// File formats with exact surfaces.
 struct CadFormat {
     const char* extension;  ///< in lower case, with its dot
     const char* description;

@@ -121,7 +121,7 @@ std::vector<Vec2> samples_of(const IndexedOutline& outline, std::vector<Cut> cut
     return samples;
 }
 
-/// The sides on which those samples lie that are not on the other's line.
+/// How far the samples lie inside and outside of the other outline; samples on its line do not count.
 struct Sides {
     Reach inside;
     bool is_out = false;
