@@ -141,7 +141,7 @@ function rings(tile, frame) {
         svg(
             'circle',
             { class: 'ring', cx: tile.flat[2 * vertex] * 1000, cy: -tile.flat[2 * vertex + 1] * 1000, r: radius },
-            svg('title', {}, tile.findings[finding].message),
+            svg('title', {}, tile.findings[finding]?.message ?? ''),
         ),
     );
 }
