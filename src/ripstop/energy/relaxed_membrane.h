@@ -16,8 +16,8 @@ struct SpaceElement {
     Mat99 hessian = Mat99::Zero();  ///< [N/m]
 };
 
-/// A membrane triangle from its flat cut shape to space: F = Ds D^-1 (3 x 2), E = (F^T F - I) / 2, energy = A
-/// psi_r(E) with A = det D / 2.
+/// A membrane triangle from its flat cut shape to space: F = Ds D^-1 (3 x 2), E = (F^T F - I) / 2, and
+/// energy = A psi_r(E) with A = det D / 2.
 class RelaxedMembrane {
   public:
     /// `flat`: columns b - a and c - a on the cloth [m]. Requires det > 0.

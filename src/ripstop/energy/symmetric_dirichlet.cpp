@@ -14,8 +14,8 @@ using Eigen::Vector4d;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// J|^2 + |J^-1|^2 - 4, computed as |J - J^-T|^2, which is the sum of (s - 1/s)^2 over the singular values s. The first
-/// form would lose half the digits near rest.
+/// |J|^2 + |J^-1|^2 - 4, computed as |J - J^-T|^2, which is the sum of (s - 1/s)^2 over the singular values s. The
+/// first form would lose half the digits near rest.
 double density(const Mat22& J, const Mat22& cofactor, double det) {
     return (J - cofactor / det).squaredNorm();
 }

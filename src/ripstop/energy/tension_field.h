@@ -19,8 +19,8 @@ struct ClothResponse {
 };
 
 /// Tension field theory for orthotropic St. Venant-Kirchhoff cloth: the relaxed energy of a membrane that wrinkles
-/// instead of carrying compression (Pipkin 1986; Steigmann 1990). With e = (E11, E22, 2 E12), S = C e and psi = e·C e
-/// / 2,
+/// instead of carrying compression (Pipkin 1986; Steigmann 1990). With e = (E11, E22, 2 E12), S = C e and
+/// psi = e·C e / 2,
 ///
 ///     psi_r(e) = min over D >= 0 of psi(e + D) = max over S >= 0 of (S·e - S·C^-1 S / 2)
 ///     taut:      S = C e is positive semi-definite:   psi_r = psi

@@ -18,8 +18,8 @@ struct InflateOptions {
 };
 
 /// Sews the pieces (`sew`), fills the envelope with gas and finds the equilibrium (`find_equilibrium`). Then compares
-/// the shape with the drawing and computes the loads of cloth and tapes. The gauge pressure is p = extra +
-/// b (z - mouth plane) with b of the air (`buoyancy`).
+/// the shape with the drawing and computes the loads of cloth and tapes. The gauge pressure is
+/// p = extra + b (z - mouth plane), where b is the buoyancy of the air (`buoyancy`).
 ///
 /// A numerical failure is reported in `Inflated::summary`, and the figures are those of the last state. Throws
 /// InputError as `sew` and `buoyancy` do.

@@ -33,8 +33,8 @@ struct MendOptions {
 /// (`require_disk`) without needles keeps its vertices and triangles bit by bit, except at tips.
 ///
 /// - An edge below 1e-9 of its triangle's longest edge is collapsed and the triangle is removed, such as at a pole.
-/// - A needle is a triangle with a corner within 1e-6 of the longest edge of that edge. It is removed by an edge flip
-///   with the triangle beyond that edge, or deleted at the boundary.
+/// - A needle is a triangle whose height over its longest edge is below 1e-6 of that edge. It is removed by an edge
+///   flip with the triangle beyond that edge, or deleted at the boundary.
 /// - Triangles given twice, either way up, and unused vertices are removed.
 /// - If the result is not a disk, all vertices at the same place are merged, provided that this gives a disk: a mesh
 ///   in which each triangle, or each patch of texture, has its own vertices.

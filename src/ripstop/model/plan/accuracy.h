@@ -13,8 +13,8 @@ struct ChainAccuracy {
     double error() const { return flat_length / length - 1; }  ///< signed
 };
 
-/// The accuracy of a flattening: lengths [m], areas [m2], errors as ratios (0.001 is 1 mm per metre). In the formulas L'
-/// and A' are on the cloth, L and A on the surface. Sources: [KZ] the paper, [WSY02] Wang, Smith, Yuen 2002.
+/// The accuracy of a flattening: lengths [m], areas [m2], errors as ratios (0.001 is 1 mm per metre). In the formulas
+/// L' and A' are on the cloth, L and A on the surface. Sources: [KZ] the paper, [WSY02] Wang, Smith, Yuen 2002.
 struct Accuracy {
     double area = 0;
     double flat_area = 0;
