@@ -29,8 +29,8 @@ struct Finding {
     std::vector<std::string> tiles = {};  ///< names, if the finding concerns the envelope as given
 };
 
-/// The judgement of a tile: it can be manufactured if and only if there is no finding. The default is not judged,
-/// which does not count as manufacturable.
+/// The judgement of a tile: it can be manufactured if and only if there is no finding. A new verdict is not judged,
+/// and does not count as manufacturable.
 struct Verdict {
     bool judged = false;
     std::vector<Finding> findings;

@@ -11,7 +11,7 @@ struct NearMiss {
     double length = 0;          ///< length of the run [m]
     double distance = 0;        ///< largest distance between the two [m]
     Vec3 place = Vec3::Zero();  ///< place of the largest distance [m]
-    double overlap = 0;  ///< distance by which b lies inside a's edge there, across it; negative: beyond it, a gap [m]
+    double overlap = 0;         ///< how far b lies inside a's edge there, measured across the edge; negative: a gap [m]
 };
 
 }  // namespace ripstop

@@ -31,7 +31,7 @@ struct Grain {
 /// By how much the cloth is cut larger than drawn. Ratios: 0.005 is half a per cent longer. Cloth that shrinks in use
 /// is cut longer, cloth that stretches shorter.
 struct Compensation {
-    double warp = 0, weft = 0;        ///< of the whole cloth along warp and weft, each in (-0.5, 1)
+    double warp = 0, weft = 0;        ///< extra length of the whole cloth along warp and weft, each in (-0.5, 1)
     std::vector<double> chains = {};  ///< of the edges only, in addition to warp and weft, one per chain; missing ones
                                       ///< are 0
     /// #F x 3: the Green strain E11, E22, 2 E12 (warp, weft) in flight. The cloth of each triangle is cut so that it
