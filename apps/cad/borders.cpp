@@ -123,8 +123,8 @@ std::vector<BorderLoop> chained(std::vector<BorderLoop> lines, const FaceSizes& 
     return loops;
 }
 
-/// Closes a loop where one edge ends and the next begins. If both ends coincide, they become one node; if they are
-/// the same point in space only, they are a pole, which gets pieces of its own.
+/// Closes a loop where one edge ends and the next begins. If both ends coincide in u and v, they become one node.
+/// If they coincide in space only, they are a pole, which gets pieces of its own.
 std::optional<BorderLoop> closed(const BorderLoop& all, const TopoDS_Face& face, const FaceSizes& sizes) {
     const Vec2 size = sizes.high() - sizes.low();
     BorderLoop loop;

@@ -99,8 +99,8 @@ Told tell_progress(std::size_t faces) {
     };
 }
 
-/// Meshes the faces. Meshes faces again, and finer, if `drawn` is farther from the mesh than asked for, which is
-/// known only afterwards.
+/// Meshes the faces. The distance of `drawn` from a mesh is known only afterwards; faces with a larger distance
+/// than asked for are meshed again, and finer.
 Measured meshed_and_measured(const std::vector<TopoDS_Face>& faces, const std::vector<TopoDS_Face>& drawn,
                              EdgeSizes sizes, double triangles) {
     std::optional<double> asked;
@@ -160,8 +160,8 @@ void add_bound(ConvertedModel& model, const Bounded& bounded) {
         (bounded.border > 1 ? "" : "their edges are as fine as ever; ") + finer);
 }
 
-/// Converts the lengths asked for to the kernel's millimetres; `scale` of these are one real millimetre. The two
-/// differ if the file states no unit, or if the user overrides it.
+/// Converts lengths from the user's millimetres to the kernel's; `scale` of the latter are one of the former. The
+/// two differ if the file states no unit, or if the user overrides it.
 MeshingOptions in_kernel(MeshingOptions options, double scale) {
     options.sewing_tolerance /= scale;
     if (options.chord_error) *options.chord_error /= scale;

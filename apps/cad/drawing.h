@@ -15,7 +15,8 @@ namespace ripstop::cad {
 /// Largest relative difference between the area of a face rebuilt from NURBS and that of the mesh its CAD stored.
 inline constexpr double area_agreement = 0.03;
 
-/// Relative. Without it the kernel integrates a rational surface with few points and is 0.2 % off on a sphere.
+/// Relative precision of areas. By default the kernel integrates a rational surface with few points and is 0.2 %
+/// off on a sphere.
 inline constexpr double area_precision = 1e-5;
 
 struct DrawnFace {

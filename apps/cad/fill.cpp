@@ -244,7 +244,7 @@ class Filler {
         return {p.dot(q), p.cross(q).norm()};
     }
 
-    /// The ends of a side between two triangles and the corners opposite it: a b c d.
+    /// The ends a, b of a side between two triangles and the corners c, d opposite it, as a b c d.
     std::array<int, 4> around(const UvMesh::Side& side) const {
         const UvMesh::Side other = mesh_.across(side);
         const auto [a, b] = mesh_.ends(side);

@@ -230,7 +230,7 @@ TEST(UncertaintyOfASeam, CoversTheTrueErrorOnArcs) {
             const Seam& seam = found.seams[0];
             const double error = std::abs(seam.length - truth);
             EXPECT_LE(error, seam.uncertainty + 1e-13) << degrees << " " << inside << " " << outside;
-            // it also means something: it is at most twice the error of the coarser polyline
+            // the bound is also tight: at most twice the error of the coarser polyline
             const double turn = degrees * degree / std::min(inside, outside);
             EXPECT_LE(seam.uncertainty, 2 * truth * turn * turn / 24 + 1e-13);
         }

@@ -147,7 +147,7 @@ Twin twin_of(const std::vector<NamedMesh>& gore, bool single) {
 /// Expects equal texts and numbers (to 1e-9 of their size), except for the source of the warp and run times.
 void expect_same(const Json& a, const Json& b, const std::string& place) {
     if (a.is_number() && b.is_number()) {
-        // Places are equal up to rounding, figures up to what the solver makes of that.
+        // Places are equal up to rounding; figures are equal up to the solver's response to that rounding.
         EXPECT_NEAR(a.get<double>(), b.get<double>(), 1e-9 * (1 + std::abs(b.get<double>()))) << place;
         return;
     }

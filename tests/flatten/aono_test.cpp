@@ -37,7 +37,7 @@ TEST(Aono, ThreadsKeepTheirLengthAndShearAsTheSphereDemands) {
 }
 
 TEST(Aono, QuarterSphereHasErrorsOfTheOrderThatThePaperPrints) {
-    // the paper prints, for it: area 1.93 %, shape 14.01 %, by a woven model with little shear resistance; this
+    // for it, the paper prints area 1.93 % and shape 14.01 %, by a woven model with little shear resistance; this
     // one has none
     const Tile tile = make_tile("quarter", testing::lune(std::numbers::pi / 2, 16, 32), {.warp = Vec3::UnitZ()});
     const Points2 flat = flatten_aono(tile).positions;

@@ -24,8 +24,8 @@ TEST(McCartney, LaysDevelopablesExactly) {
 }
 
 TEST(McCartney, OctantComesToTheMinimumOfItsSprings) {
-    // The minimum of edge springs on an octant, computed by others with Newton's method: perimeter +4.1 %, area -1
-    // %.
+    // The minimum of edge springs on an octant, as published by others who used Newton's method: perimeter +4.1 %,
+    // area -1 %.
     const Tile tile = make_tile("octant", testing::octant(16));
     const Flattening flat = flatten_mccartney(tile, Fabric{});
     EXPECT_EQ(flat.summary.termination, Termination::converged) << flat.summary.text();

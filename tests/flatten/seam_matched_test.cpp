@@ -209,8 +209,8 @@ TEST(SeamMatched, SeamsMatchWhereVerticesDifferAndAcrossAJunction) {
     for (const Fabric& fabric : {isotropic, weak}) {
         const Result both = matched(envelope, fabric);
         EXPECT_LT(testing::worst_mismatch(envelope, both.positions), 1e-10);
-        // a quarter of an edge's share of its seam, at most 1/7, times the change of stretch between edges, up to
-        // 0.6 %
+        // the change of stretch between edges, up to 0.6 %, times a quarter of an edge's share of its seam, at
+        // most 1/7
         EXPECT_LT(testing::worst_drift(envelope, both.positions), 2e-4);
         EXPECT_GT(testing::worst_mismatch(envelope, loose(envelope, fabric).positions), 1e-4);
         EXPECT_LT(both.energy, drawn(envelope, fabric).energy);

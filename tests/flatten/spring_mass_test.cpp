@@ -59,7 +59,7 @@ TEST(SpringMass, AdaptiveStepReachesTheSameRestInFewerSteps) {
 }
 
 TEST(SpringMass, InstabilityIsCaughtAndTheStepHalved) {
-    // these masses are far too light for the frequency bound: without it, the first steps would diverge
+    // with this frequency bound the masses are far too light, so the first steps would diverge
     Rolled setup = rolled();
     const SpringMassRun run =
         relax_spring_mass(setup.network, squeezed(setup.exact) * 2.5, {.damping = 1, .step = 1.999});

@@ -169,7 +169,7 @@ TEST_F(Remeshing, OfACoarseOctantComesNearerToTheSphere) {
     // The error of the chains is of sixth order in their turn: (9 degrees)^6 is 1.5e-5, divided by some thousand.
     EXPECT_NEAR(drawn_lengths(tile).sum(), 3 * edge, 3 * edge * 1e-6);
     EXPECT_LT(outline_difference(tile, fine), 0.1 * outline_difference(before, fine));
-    // The middles of the old triangles lie 6e-3 inside the sphere; a tenth of it remains near the corners, where
+    // The middles of the old triangles lie 6e-3 inside the sphere. A tenth of that remains near the corners, where
     // normals are least accurate.
     const Eigen::VectorXd off = tile.mesh.positions.rowwise().norm().array() - 1;
     EXPECT_LT(off.cwiseAbs().maxCoeff(), 6e-4);

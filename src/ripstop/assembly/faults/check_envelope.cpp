@@ -138,8 +138,8 @@ SeamSampling sampling_of(const std::vector<PlacedChain>& chains, const Seam& sea
     return sampling;
 }
 
-/// The number of corners that nothing needs: both chains of the tile there are sewn to one chain of one neighbour,
-/// edge by edge, and nothing else meets there.
+/// The number of superfluous corners. There, both chains of the tile are sewn to one chain of one neighbour, edge
+/// by edge, and no other seam ends.
 int count_odd_corners(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
     struct End {
         int tile, chain, edge;

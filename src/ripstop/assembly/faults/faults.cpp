@@ -147,7 +147,8 @@ bool passes_a_miss(const LooseLoop& loop, const std::vector<NearMiss>& misses) {
                        [&](const NearMiss& miss) { return passes(miss.tile_a) && passes(miss.tile_b); });
 }
 
-/// The tiles without further sheets, whose loose edges would lie around the openings of the skin.
+/// The tiles of the skin. Further sheets are left out, because their loose edges lie around the openings of the
+/// skin.
 std::vector<Tile> skin_without_sheets(const std::vector<Tile>& tiles, const std::vector<Seam>& seams,
                                       std::vector<int>& numbers) {
     const std::vector<char> is_inner = find_inner_sheets(static_cast<int>(tiles.size()), seams);
@@ -255,7 +256,7 @@ std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const Fou
     for (int t = 0; t < count; ++t) members[static_cast<std::size_t>(group[static_cast<std::size_t>(t)])].push_back(t);
     const auto largest = std::max_element(members.begin(), members.end(),
                                           [](const auto& p, const auto& q) { return p.size() < q.size(); });
-    UnionFind near(tiles.size());  // does not report again what a gap already reports
+    UnionFind near(tiles.size());  // groups that a gap already names are not reported again
     for (const NearMiss& miss : found.near_misses) near.join(miss.tile_a, miss.tile_b);
     for (const Seam& seam : found.seams) near.join(seam.a.tile, seam.b.tile);
     std::vector<std::vector<int>> parts;

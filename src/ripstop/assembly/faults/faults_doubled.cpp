@@ -50,8 +50,8 @@ Tile turned_over(const Tile& tile) {
     return turned;
 }
 
-/// The groups to turn over so that all neighbours run against each other: in each connected set, the part with
-/// fewer tiles.
+/// The groups to turn over so that neighbours have opposite directions: in each connected set, the part with fewer
+/// tiles.
 std::vector<bool> groups_to_turn(const std::vector<int>& group, const std::vector<NearMiss>& same_way) {
     const std::size_t count = static_cast<std::size_t>(*std::max_element(group.begin(), group.end()) + 1);
     std::vector<std::vector<int>> beside(count);

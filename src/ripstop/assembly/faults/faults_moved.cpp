@@ -14,7 +14,7 @@
 namespace ripstop {
 namespace {
 
-constexpr int most_passes = 20;  // each pass mends every tile that misses its neighbours independently of others
+constexpr int most_passes = 20;  // each pass mends all tiles that miss their neighbours on their own
 constexpr int most_fitted = 40;  // tiles tried in the holes per pass; with more loose tiles, a hole tells nothing
 constexpr double hole_openness = 0.01;
 constexpr double most_scale = 100;      // larger ratios are accepted only if they are those of two units

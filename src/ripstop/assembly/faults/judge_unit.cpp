@@ -15,7 +15,7 @@ constexpr double model_low = 0.5;                     // [m] of sewn things othe
 constexpr double rounding = 1e-9;                     // relative rounding of a conversion factor
 constexpr double two_allowances = 0.05;               // [m] two allowances of an inch each
 
-/// Rounds to 0.1 m, or to 0.1 mm below a metre.
+/// Rounds to 0.1 m; below one metre, to 0.1 mm.
 std::string size_text(double length) {
     const double digits = length < 1 ? 1e4 : 10;
     return length < 1e4 ? format_shortest(std::round(length * digits) / digits) : format_fixed(length, 0);

@@ -92,8 +92,8 @@ void set_tangents(ChainCurve& curve) {
     }
 }
 
-/// True for a loop whose only corner is an arbitrary start. A real corner has a turn, or is elsewhere than the
-/// boundary's start.
+/// True for a loop without a corner. A corner shows by its turn, or because the chain starts elsewhere than the
+/// boundary.
 bool is_without_corner(const Tile& tile, const Points3& points) {
     if (tile.chains.size() != 1 || tile.chains.front().vertices.front() != tile.boundary.front()) return false;
     const Eigen::Index last = points.rows() - 1;

@@ -16,7 +16,7 @@ constexpr int most_seams = 8;      // seams that a walk may cross
 
 }  // namespace
 
-/// The plane of a walk. Vertices in the plane count as lying on one side, so a walk is always defined.
+/// The plane of a walk. Vertices in the plane count as being on one fixed side, so a walk is always unique.
 struct ClothAcross::WalkPlane {
     Vec3 origin, normal;
     bool zero_is_left = false;

@@ -21,7 +21,7 @@ namespace {
 constexpr double shortest_chain = 20;   // in tolerances: the median chain of an envelope
 constexpr double same_length = 1e-6;    // [m]
 constexpr std::size_t few_chains = 40;  // envelopes with so few chains are searched at any size
-constexpr double widest_slit = 0.1;     // share of the tile's width; its own edges do not miss each other farther apart
+constexpr double widest_slit = 0.1;     // share of the tile's width, for edges of one tile
 
 /// Joins the touches that pass `wanted` into runs, for each pair of chains and direction.
 template <class Wanted>
@@ -103,7 +103,7 @@ bool is_same_place(const Run& p, const Run& q) {
     return place(p) == place(q);
 }
 
-/// The runs that are seams. Also removes from `runs` those that are no seams although nothing is sewn there.
+/// The runs that are seams. Removes runs that merely cross each other from `runs`.
 std::vector<Run> sew(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                      const std::vector<Touch>& touches, std::vector<Run>& runs, double tolerance, RunClaims& claims) {
     const auto no_touch = [&](const Run& run) { return run.length > shortest_run * tolerance; };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int samples = 8;          // triangles sampled per tile
 constexpr int half_sphere = 16;     // directions; their opposites are used too
-constexpr double own_cloth = 1e-4;  // share of the tile's size: nearer hits are the tile itself
+constexpr double own_cloth = 1e-4;  // share of the tile's size: closer hits belong to the tile itself
 
 /// Directions spread evenly over the sphere, along a spiral.
 std::array<Vec3, 2 * half_sphere> directions() {

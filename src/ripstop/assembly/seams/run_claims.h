@@ -31,8 +31,8 @@ class RunClaims {
     bool leave_free(const Run& run) const;
     /// True if nothing is sewn along the run's chain a.
     bool leave_a_unsewn(const Run& run) const;
-    /// The parts of a run that are free. They extend from touch to touch. The parts of a competing run
-    /// (`order_sheets`) extend to the ends of the claimed ones, which may not be at a vertex of either chain.
+    /// The free parts of a run, from touch to touch. Those of a competing run (`order_sheets`) extend to the ends
+    /// of the claimed parts, which may not be at a vertex of either chain.
     std::vector<Run> free_parts(const Run& run) const;
 
   private:

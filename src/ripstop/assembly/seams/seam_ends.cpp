@@ -75,7 +75,7 @@ class EndFinder {
                meets_at_corner(r, which);
     }
 
-    /// True if the chains share every vertex up to this end and none beyond it.
+    /// True if the chains share all vertices up to this end and none beyond it.
     bool parts_at_vertices(const Run& run, std::size_t which) const {
         const Touch& last = which == 0 ? run.touches.front() : run.touches.back();
         return run.gap < one_place * tolerance_ && std::abs(last.at_a - std::round(last.at_a)) < one_vertex &&

@@ -41,8 +41,7 @@ double turn_about(const ChainCurve& curve, int edge) {
                      turn_of_edge(curve, std::min(edge + 1, last))});
 }
 
-/// Sums over the edges of a run: the uncertainty of the length, the error of the polyline, the length of the
-/// polyline.
+/// Three sums over the edges of a run: the uncertainty of their length, the error of the polyline, and its length.
 struct Openness {
     double estimate = 0, sagging = 0, polyline = 0;
     int edges = 0;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double opposed = 0.3;         // cosine: chains closer to perpendicular have neither direction
 constexpr double fold = -0.5;           // cosine: an edge that turns back farther than this is a fold
-constexpr double sagitta_share = 0.25;  // of sagitta times turn: the possible error of a curve with enough vertices
+constexpr double sagitta_share = 0.25;  // share of sagitta times turn: the possible error of a curve with enough
+                                        // vertices
 constexpr double unseen_share = 1.25;   // of the sagitta, for a chain with one edge, which shows no turn itself
 
 struct EdgeRef {

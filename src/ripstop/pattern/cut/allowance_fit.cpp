@@ -12,7 +12,7 @@ namespace {
 
 constexpr double least_slot = 5e-5, half_slot = 5e-4;  // [m] slot between allowances that meet
 constexpr double slot_share = 0.1;                     // share of the room on each side
-constexpr double narrowest_mitre = 0.5;                // cosine of half the turn; sharper corners are cut across
+constexpr double narrowest_mitre = 0.5;                // cosine; sharper corners are cut across at twice the allowance
 constexpr double never = std::numeric_limits<double>::infinity();
 
 struct Ray {

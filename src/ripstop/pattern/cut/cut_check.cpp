@@ -145,8 +145,8 @@ class CutChecker {
                furthest_corner * widest;
     }
 
-    /// True if the allowance of another part covers the point; `from_apart` selects parts that are apart, or those
-    /// that are not.
+    /// True if the allowance of another part covers the point. `from_apart` chooses between parts that are apart
+    /// from `place` and parts that are not.
     bool is_covered(const SewPlace& place, const Vec2& point, bool from_apart) const {
         for (std::size_t i = 0; i < contour_.segments().size(); ++i) {
             const SewSegment& other = contour_.segments()[i];
@@ -166,7 +166,7 @@ class CutChecker {
     std::vector<CutFault> faults_;
 };
 
-/// The place in space of a place on the piece, moved to the nearest boundary edge.
+/// The place in space that corresponds to a place on the piece, on the nearest boundary edge.
 Vec3 in_space(const FlatTile& flat, const Vec2& at) {
     const std::vector<int>& loop = flat.tile.boundary;
     double best = std::numeric_limits<double>::infinity();

@@ -13,9 +13,9 @@ namespace {
 constexpr double mitre_limit = 2;   // times the larger allowance
 constexpr double least_rise = 0.2;  // of a fold: a flatter one would end far out
 
-/// Extends both allowances until they meet; beyond the limit, cuts across at right angles to the corner's
-/// bisector. If the wider one is so much wider that they meet behind the end of one, nothing is added between the
-/// two ends.
+/// Extends both allowances until they meet. Beyond the limit, cuts across at right angles to the corner's
+/// bisector. If one allowance is so wide that they would meet behind the end of the other, adds nothing between
+/// the two ends.
 void add_mitre(std::vector<Vec2>& contour, const SewCorner& corner, double limit) {
     const Vec2 a = corner.end_in(), b = corner.end_out();
     Vec2 tip;

@@ -29,8 +29,8 @@ IntPoint to_steps(const Vec2& p) {
             static_cast<cInt>(std::llround(p.y() * steps_per_metre))};
 }
 
-/// The outer boundary of a contour that may cross itself: the largest contour around what it winds round
-/// counter-clockwise.
+/// The outer boundary of a contour that may cross itself: the largest outline of the region with positive winding
+/// number.
 Points2 outside_of(const std::vector<Vec2>& contour) {
     Path path;
     for (const Vec2& p : contour) path.push_back(to_steps(p));

@@ -70,7 +70,7 @@ double SewContour::forward_turn(const SewPlace& a, const SewPlace& b) const {
     return turned_[b.segment] - turned_[a.segment] + (is_round ? turned_.back() : 0);
 }
 
-/// The signed area between the sew line from a to b and the straight way back.
+/// The signed area enclosed by the sew line from a to b and the straight line back.
 double SewContour::forward_area(const SewPlace& a, const SewPlace& b) const {
     const Vec2 from = segments_[a.segment].at(a.along), to = segments_[b.segment].at(b.along);
     const bool is_round = b.segment < a.segment || (b.segment == a.segment && b.along < a.along);

@@ -35,7 +35,7 @@ struct SewPlace {
 /// What the sew line surrounds between two of its places that face each other across the outside.
 struct Pocket {
     double length = 0;    ///< of the sew line between them [m]
-    double turn = 0;      ///< clockwise; pi if the two sides are parallel and face each other [rad]
+    double turn = 0;      ///< clockwise [rad]; pi between two parallel sides that face each other
     bool forward = true;  ///< it runs counter-clockwise from the first place to the second
 };
 
@@ -70,8 +70,8 @@ class SewContour {
     /// False only if no places of the two segments are apart.
     bool may_be_apart(std::size_t a, std::size_t b) const;
 
-    /// The part of segment `other` that is apart from `place`, as lengths from its start; empty unless the second
-    /// is larger.
+    /// The part of segment `other` that is apart from `place`, from one length to another along it; empty unless
+    /// `to` is larger.
     struct Part {
         double from = 0, to = 0;
     };

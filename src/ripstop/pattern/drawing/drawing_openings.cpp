@@ -15,10 +15,10 @@ namespace {
 constexpr double on_the_line = 0.1 * millimetre;  // cutters are not more precise
 constexpr double usual_share = 0.9;
 constexpr double most_places = 400;
-constexpr double sparsest = 0.01;  // least distance on the sew line between most_places [m]
+constexpr double sparsest = 0.01;  // least distance between places on the sew line [m]
 
-/// A place, the distance straight outward to the next cut, and the largest empty ball outside that touches the
-/// place, with what limits it.
+/// A place on the sew line: the distance straight outward to the next cut, the largest empty ball outside that
+/// touches the place, and what limits that ball.
 struct Outside {
     SewPlace place;
     double cut = std::numeric_limits<double>::infinity(), radius = std::numeric_limits<double>::infinity();  ///< [m]
@@ -69,7 +69,8 @@ std::vector<Outside> look_outside(const SewContour& contour, const std::vector<c
     return found;
 }
 
-/// The allowance that nine in ten places do not exceed, among those that are cut within their ball.
+/// The allowance of the drawing: nine in ten of the places whose ball contains a cut have at most this distance to
+/// it.
 double usual_allowance(const std::vector<Outside>& all) {
     std::vector<double> cut;
     for (const Outside& outside : all)

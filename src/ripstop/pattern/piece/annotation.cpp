@@ -84,8 +84,8 @@ Fit best_fit(const Points2& outline, const std::vector<Vec2>& middles, const Wri
              double most) {
     Fit best;
     for (const double turn : {0.0, upright}) {
-        // Level text is easier to read, so upright text must be half as high again. Away from the pole, text must
-        // be a fifth higher.
+        // Level text is easier to read, so upright text must be half as high again to be preferred. Text away from
+        // the pole must be a fifth higher.
         double needed = std::max(least, (turn == 0 ? 1 : 1.5) * best.height);
         for (const Vec2& middle : middles) {
             const double height = fitting_height(outline, writing, {middle, 0, turn}, needed, most);

@@ -17,7 +17,7 @@ constexpr double lone_mark = 0.4;     // its place, as a share of the seam's len
 constexpr double depth_of_allowance = 0.4;
 constexpr double same_place = 1e-3;  // marks closer than this coincide [m]
 
-/// The curvature of a side: its value on the cloth up to each distance from the seam's start.
+/// The curvature of a side on the cloth, as a step function of the distance from the seam's start.
 struct Bends {
     std::vector<double> until, curvature;
 

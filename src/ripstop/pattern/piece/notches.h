@@ -12,8 +12,7 @@ namespace ripstop {
 struct NotchOptions {
     double straight_spacing = 0.75;  ///< on a straight seam; the upper limit [m]
     double curved_spacing = 0.25;    ///< on a strongly curved seam; the lower limit [m]
-    double turn = 0.15;              ///< of the seam between two notches, as long as the spacing is within both
-                                     ///< limits [rad]
+    double turn = 0.15;              ///< of the seam between two notches, if the spacing stays within both limits [rad]
     double shortest_seam = 0.08;     ///< shorter seams get none [m]
     double depth = 0.006;            ///< of the cut; at most 0.4 of the allowance [m]
 };

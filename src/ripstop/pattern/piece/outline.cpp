@@ -15,7 +15,7 @@ namespace {
 
 constexpr double same_allowance = 1e-6;  // [m]
 
-/// The part of a boundary edge of a tile that a seam covers; one for each sheet there.
+/// The part of a boundary edge that a seam covers on a tile; one for each sheet that lies there.
 struct SewnPart {
     const Seam* seam = nullptr;
     const SeamType* type = nullptr;  ///< the type for this tile's side
@@ -57,7 +57,7 @@ std::vector<SewnParts> sewn_parts(const CutPlan& plan) {
     return parts;
 }
 
-/// The chain of each boundary vertex that starts an edge.
+/// Maps each boundary vertex to the chain of the edge that starts there.
 std::map<int, std::size_t> chains_from(const Tile& tile) {
     std::map<int, std::size_t> chain_of;
     for (std::size_t c = 0; c < tile.chains.size(); ++c)

@@ -15,7 +15,7 @@
 namespace ripstop {
 namespace {
 
-/// The fallback: an arrow across the pole, inside the circle and six tenths of the width.
+/// The fallback: an arrow across the pole, inside the inscribed circle and within six tenths of the width.
 Points2 grain_line_at_pole(const Points2& outline, const Circle& room) {
     double half = 0.5 * room.radius;
     for (const auto& chord : horizontal_chords(outline, room.centre.y()))

@@ -62,7 +62,7 @@ Points2 marks_of(const PatternPiece& piece) {
     return marks;
 }
 
-/// By how much the numbers of the edges of `b` are ahead of those of `a`.
+/// The offset between the edge numbers of `b` and those of `a`.
 std::size_t shift_of_numbers(const PatternPiece& a, const PatternPiece& b, const OutlineFit& motion) {
     const Points2 from = motion.moved(marks_of(a)), to = marks_of(b);
     std::size_t best = 0;
