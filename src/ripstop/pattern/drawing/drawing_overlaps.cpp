@@ -77,7 +77,7 @@ class OverlapFinder {
             const FoundContour& first = contours_[order[a]];
             for (std::size_t b = a + 1; b < order.size() && told_ < most_told; ++b) {
                 const FoundContour& second = contours_[order[b]];
-                // A sew line on its own cut line may begin before it because of rounding.
+                // Because of rounding, a sew line that coincides with its cut line may begin before it.
                 if (second.facts.lower.x() > first.facts.upper.x() + tolerance) break;
                 if (second.facts.lower.y() > first.facts.upper.y() + tolerance ||
                     second.facts.upper.y() < first.facts.lower.y() - tolerance || sheet_of(first) != sheet_of(second))
