@@ -58,7 +58,7 @@ def read_rooms(path):
 
 
 def check_plan(root, rooms):
-    """The folders and doors are there, and no room is crowded."""
+    """Folders and doors exist, and no room is crowded."""
     faults = []
     for folder in sorted({file.parent for file in root.rglob("*.cpp")} | {file.parent for file in root.rglob("*.h")}):
         name = folder.relative_to(root).as_posix()
@@ -110,7 +110,7 @@ def check_includes(root, rooms):
 
 
 def check_programs(apps, rooms):
-    """The programs come through the public doors, as everybody else."""
+    """The programs include public doors only, as library users do."""
     faults = []
     for file in sorted(file for kind in ("*.h", "*.cpp") for file in apps.rglob(kind) if "node_modules" not in file.parts):
         for number, name, header in includes_of(file):
