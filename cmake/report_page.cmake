@@ -6,13 +6,16 @@ set(report_page_app ${CMAKE_SOURCE_DIR}/apps/report)
 find_program(RIPSTOP_NODE node)
 mark_as_advanced(RIPSTOP_NODE)
 set(RIPSTOP_REPORT_FOUND OFF)
-if(RIPSTOP_REPORT AND RIPSTOP_NODE AND EXISTS ${report_page_app}/node_modules/vite AND EXISTS ${report_page_app}/node_modules/three)
+if(RIPSTOP_REPORT AND RIPSTOP_NODE AND EXISTS ${report_page_app}/node_modules/vite
+   AND EXISTS ${report_page_app}/node_modules/three)
     set(RIPSTOP_REPORT_FOUND ON)
     set(report_page ${CMAKE_BINARY_DIR}/report/index.html)
     file(GLOB_RECURSE report_page_modules CONFIGURE_DEPENDS ${report_page_app}/src/*)
-    list(APPEND report_page_modules ${report_page_app}/package.json ${report_page_app}/package-lock.json ${report_page_app}/vite.config.js)
+    list(APPEND report_page_modules ${report_page_app}/package.json ${report_page_app}/package-lock.json
+         ${report_page_app}/vite.config.js)
     add_custom_command(OUTPUT ${report_page}
-        COMMAND ${RIPSTOP_NODE} node_modules/vite/bin/vite.js build --outDir ${CMAKE_BINARY_DIR}/report --emptyOutDir --logLevel warn
+        COMMAND ${RIPSTOP_NODE} node_modules/vite/bin/vite.js build
+                --outDir ${CMAKE_BINARY_DIR}/report --emptyOutDir --logLevel warn
         WORKING_DIRECTORY ${report_page_app}
         DEPENDS ${report_page_modules} ${report_page_app}/index.html
         COMMENT "Building the page report.html" VERBATIM)
