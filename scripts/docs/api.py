@@ -1,4 +1,4 @@
-"""Pages of the public headers, from doxygen's XML: a page a room, with every declaration of its doors in order."""
+"""Writes pages of the public headers from doxygen's XML: one page per room, with every declaration of its doors in order."""
 import html
 import pathlib
 import re
@@ -36,7 +36,7 @@ def read_rooms(library):
 
 
 def run_doxygen(root, headers, out):
-    """XML of the headers in out/xml; ends with doxygen's warnings where there are any."""
+    """Writes XML of the headers to out/xml; exits with doxygen's warnings if there are any."""
     out.mkdir(parents=True, exist_ok=True)
     inputs = " ".join(f"src/ripstop/{header}" for header in headers)
     config = (HERE / "Doxyfile").read_text() + f"\nINPUT = {inputs}\nOUTPUT_DIRECTORY = {out}\n"
@@ -46,7 +46,7 @@ def run_doxygen(root, headers, out):
 
 
 class Anchors:
-    """Where every entity of doxygen is on the site."""
+    """The place on the site of every doxygen entity."""
 
     def __init__(self):
         self.place_of = {}
@@ -64,7 +64,7 @@ class Anchors:
         return anchor
 
     def add_name(self, name, identity):
-        """A name that comments may mention in code; one that stands for several things is no link."""
+        """Records a name that comments may mention as code; an ambiguous name becomes no link."""
         self.named[name] = identity if name not in self.named else None
 
     def link_name(self, name):
@@ -78,12 +78,12 @@ class Anchors:
 
 
 def unescaped(text):
-    """Without the marks that the filter of the Doxyfile puts before # and --."""
+    """Removes the marks that the Doxyfile's filter puts before # and --."""
     return re.sub(r"\\(#|--|>)", r"\1", text)
 
 
 def inline(node, anchors):
-    """What a node of a description holds, as HTML."""
+    """The content of a description's node as HTML."""
     parts = [html.escape(node.text or "", quote=False)]
     for child in node:
         parts.append(element(child, anchors))
@@ -125,7 +125,7 @@ def description(node, anchors):
 
 
 def tight(text):
-    """Types as the sources write them."""
+    """Types as written in the sources."""
     text = re.sub(r"\s+([&*])", r"\1", text)
     return text.replace("&lt; ", "&lt;").replace(" &gt;", "&gt;")
 
@@ -244,7 +244,7 @@ class Api:
                     self.place(node, room.page)
 
     def entities_of(self, door):
-        """Structs, classes, functions, enums, aliases and constants of a header, as they stand in it."""
+        """Structs, classes, functions, enums, aliases and constants of a header, in its order."""
         found = []
         for node in self.compounds.values():
             if node.get("kind") in CLASSES and self.is_in(node, door) and node.get("prot") == "public":
@@ -267,7 +267,7 @@ class Api:
         return re.sub(r"^ripstop::", "", name)
 
     def first_of(self, door):
-        """The entities of a header by name; of overloads the first."""
+        """The entities of a header by name; the first of several overloads."""
         first = {}
         for node in self.entities[door]:
             first.setdefault(self.name_of(node), node)
@@ -304,7 +304,7 @@ class Api:
         return as_row(text, doc, self.anchors.place_of[member.get("id")][1])
 
     def is_joined(self, node, door):
-        """Whether a declaration without a comment follows another line by line and shares its heading."""
+        """True if a declaration without a comment directly follows another and shares its heading."""
         before = self.lines[door][line_of(node) - 2].strip()
         return not description(node, self.anchors) and before != "" and not before.startswith("namespace")
 
@@ -313,7 +313,7 @@ class Api:
                 for node in nodes if not description(node, self.anchors) and not self.is_joined(node, door)]
 
     def show(self, node, is_overload=False):
-        """Markdown of one entity: a heading (overloads have that of the first), and HTML in one block."""
+        """Markdown of one entity: a heading (overloads share the first one's), and HTML in one block."""
         name, kind = self.name_of(node), node.get("kind")
         anchor = self.anchors.place_of[node.get("id")][1]
         heading = "" if is_overload else f"### {name} {{#{anchor}}}\n\n"
@@ -361,12 +361,12 @@ class Api:
 
 
 def one_block(text):
-    """HTML that Markdown leaves alone: no empty line inside."""
+    """HTML without empty lines, so that Markdown does not change it."""
     return re.sub(r"\n(?=\n)", "\n&#8203;", text)
 
 
 def write_pages(root, out, work):
-    """The pages of the API under out/api. Returns the rooms and where each door is: {door: page#anchor}."""
+    """Writes the pages of the API to out/api. Returns the rooms and the place of each door: {door: page#anchor}."""
     library = root / "src/ripstop"
     rooms = read_rooms(library)
     run_doxygen(root, [door for room in rooms for door in room.doors], work)
