@@ -1,4 +1,4 @@
-"""Writes pages of the public headers from doxygen's XML: one page per room, with every declaration of its doors in order."""
+"""Writes pages of the public headers from doxygen's XML: a page per room, with every declaration of its doors in order."""
 import html
 import pathlib
 import re
