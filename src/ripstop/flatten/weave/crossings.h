@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -20,7 +21,7 @@ inline Site operator+(const Site& a, const Site& b) {
 inline constexpr std::array<Site, 4> structural = {Site{1, 0}, Site{0, 1}, Site{-1, 0}, Site{0, -1}};
 inline constexpr std::array<Site, 4> diagonal = {Site{1, 1}, Site{-1, 1}, Site{-1, -1}, Site{1, -1}};
 
-/// A crossing closer than this to one that is no neighbour would cover the surface twice [spacings].
+/// A crossing closer than this to one that is not a neighbour would cover the surface twice [spacings].
 inline constexpr double crowded = 0.5;
 
 /// The visible crossings around a crossing: `ray[k]` leads to the neighbour at site (k / 3 - 1, k % 3 - 1).

@@ -123,7 +123,7 @@ std::vector<Vec2> samples_of(const IndexedOutline& outline, std::vector<Cut> cut
 
 /// How far the samples lie inside and outside of the other outline; samples on its line do not count.
 struct Sides {
-    Reach inside;
+    Protrusion inside;
     bool is_out = false;
 };
 
@@ -208,7 +208,7 @@ OutlineRelation relate(const IndexedOutline& first, const IndexedOutline& second
     }
     const Sides sides = sides_of(of_first, second, tolerance), others = sides_of(of_second, first, tolerance);
     if (!sides.is_out && !others.is_out) return {Relation::same, {}};
-    const Reach& deepest = sides.inside.distance > others.inside.distance ? sides.inside : others.inside;
+    const Protrusion& deepest = sides.inside.distance > others.inside.distance ? sides.inside : others.inside;
     if (deepest.distance == 0) return {Relation::apart, {}};
     if (!sides.is_out) return {Relation::within, {}};
     if (!others.is_out) return {Relation::around, {}};
@@ -232,8 +232,8 @@ CommonSide common_side(const IndexedOutline& first, const IndexedOutline& second
     return common;
 }
 
-Reach reach_outside(const IndexedOutline& first, const IndexedOutline& second) {
-    Reach reach;
+Protrusion reach_outside(const IndexedOutline& first, const IndexedOutline& second) {
+    Protrusion reach;
     for (const Vec2& sample : samples_of(first, find_meetings(first, second).cuts[0])) {
         if (second.contains(sample)) continue;
         const double distance = second.distance(sample);

@@ -33,7 +33,7 @@ class IndexedOutline {
 };
 
 /// How far a line protrudes on one side of another, and where.
-struct Reach {
+struct Protrusion {
     double distance = 0;  ///< [m]
     Vec2 at = Vec2::Zero();
 };
@@ -48,7 +48,7 @@ enum class Relation {
 };
 struct OutlineRelation {
     Relation relation = Relation::apart;
-    Reach overlap;  ///< where they cross: how deep the line of one reaches into the other
+    Protrusion overlap;  ///< if they cross: how deep the line of one reaches into the other
 };
 
 /// The relation of two outlines that do not cross themselves. A protrusion of less than `tolerance` [m] beyond the
@@ -68,6 +68,6 @@ struct CommonSide {
 CommonSide common_side(const IndexedOutline& first, const IndexedOutline& second, double tolerance);
 
 /// How far the line of `first` extends out of `second`.
-Reach reach_outside(const IndexedOutline& first, const IndexedOutline& second);
+Protrusion reach_outside(const IndexedOutline& first, const IndexedOutline& second);
 
 }  // namespace ripstop

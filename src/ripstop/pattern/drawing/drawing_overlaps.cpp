@@ -209,7 +209,7 @@ class OverlapFinder {
                                     "is no cloth to sew; move it, or draw what is cut",
                                     facts.piece, facts.layer, place_text(facts.lower)));
         const std::size_t cut = static_cast<std::size_t>(crossed);
-        const Reach out = reach_outside(outline(sew), outline(cut));
+        const Protrusion out = reach_outside(outline(sew), outline(cut));
         tell(
             "sew_outside", out.at,
             fmt::format("{}: the contour on layer {} reaches {} mm out of the one on layer {} at {}, where there is no "
