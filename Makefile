@@ -3,6 +3,7 @@
 	install format check clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
+PREFIX ?= /usr/local
 
 build: build/.setup
 	cmake --preset $(PRESET) -Wno-dev
@@ -10,7 +11,7 @@ build: build/.setup
 
 demo: build/.setup
 	cmake --preset $(PRESET) -Wno-dev
-	cmake --build build/release -j $(JOBS) --target ripstop-program
+	cmake --build build/release -j $(JOBS) --target ripstop-programs
 	scripts/demo.sh
 
 test: build
@@ -58,8 +59,9 @@ field: build/.setup
 	cmake --build build/release -j $(JOBS) --target ripstop-field
 	build/release/tests/ripstop-field $(FIELD)
 
+# As `make install PREFIX=$HOME/ripstop`; the folder may be moved afterwards.
 install: build
-	cmake --install build/release
+	cmake --install build/release --prefix $(PREFIX)
 
 setup:
 	scripts/setup.sh
@@ -77,6 +79,7 @@ check:
 	scripts/check_format.sh
 	python3 scripts/check_rooms.py src/ripstop
 	python3 scripts/check_names.py src/ripstop
+	python3 scripts/check_headers.py .
 	python3 scripts/docs/check_links.py --sources .
 
 format:

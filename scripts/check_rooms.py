@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-"""Holds the house to its plan, src/ripstop/rooms.txt: every #include "ripstop/ROOM/..." of the library and of the programs goes
-through a door of a room that may be included; a public door includes public doors only, and ripstop.h includes all of them; no
-room is without a line or has more than 24 files. It also keeps the house rules that a compiler does not: no printing, no
-environment, no Eigen solver headers in public headers, no work left marked in the code.
+"""Checks the sources against the plan of rooms, src/ripstop/rooms.txt:
 
-Prints every breach with its file, its line and the door to use; exits 1 if there is any.
+- Every #include "ripstop/ROOM/..." of the library and the programs names a door of a room that may be included.
+- A public door includes public doors only; ripstop.h includes all of them and nothing else.
+- Every room has a line and at most 24 files.
+- Rules that compilers do not check: no printing, no environment, no Eigen solver headers in public headers, no marks of
+  unfinished work.
 
-Usage: check_rooms.py SOURCE_FOLDER
+Prints every breach with its file, its line and the door to use; exits with 1 if there are any.
+
+Usage: check_rooms.py [--write-face] SOURCE_FOLDER
+--write-face rewrites ripstop.h from rooms.txt.
 """
 import pathlib
 import re
@@ -14,7 +18,7 @@ import sys
 
 MOST_FILES = 24
 INCLUDE = re.compile(r'\s*#include "ripstop/(?:([a-z_/]+)/)?([a-z0-9_]+\.h)"')
-RULES = [  # pattern, suffixes it holds for, what to say
+RULES = [  # pattern, suffixes it applies to, message
     (r"std::c(out|err)\b|\bprintf\(", {".h", ".cpp"}, "the library never prints"),
     (r"\bgetenv\(", {".h", ".cpp"}, "the library never reads the environment"),
     (r"#include <Eigen/(Sparse|Dense|SparseCholesky|Eigenvalues|CholmodSupport)>", {".h"},
@@ -109,6 +113,28 @@ def check_includes(root, rooms):
     return faults
 
 
+def face(rooms):
+    """The text of ripstop.h, from rooms.txt."""
+    lines = ["#pragma once", "", "/// Everything public of Ripstop, lowest floor first. A program compiles faster with the headers it uses.",
+             '#include "ripstop/version.h"']
+    for floor in dict.fromkeys(room.floor for room in rooms.values() if room.public):
+        doors = [f"{room.name}/{door}" for room in rooms.values() if room.floor == floor for door in room.public]
+        lines += ["", f"// {floor}", *(f'#include "ripstop/{door}"' for door in sorted(doors))]
+    return "\n".join(lines) + "\n"
+
+
+def check_face(root, rooms):
+    file, faults = root / "ripstop.h", []
+    had, due = (text.splitlines() for text in (file.read_text() if file.exists() else "", face(rooms)))
+    for line in due:
+        if line.startswith("#include") and line not in had:
+            faults.append(f"{file}: lacks {line}, a public door of rooms.txt")
+    for number, line in enumerate(had, 1):
+        if line.startswith("#include") and line not in due:
+            faults.append(f"{file}:{number}: {line} is no public door of rooms.txt")
+    return faults + [f"{file}: write it anew with scripts/check_rooms.py --write-face {root}"] if faults else []
+
+
 def check_programs(apps, rooms):
     """The programs include public doors only, as library users do."""
     faults = []
@@ -130,8 +156,11 @@ def check_rules(root):
     return faults
 
 
-def main(root):
+def main(root, write_face):
     rooms, faults = read_rooms(root / "rooms.txt")
+    if write_face:
+        (root / "ripstop.h").write_text(face(rooms))
+    faults += check_face(root, rooms)
     faults += check_plan(root, rooms) + check_includes(root, rooms) + check_rules(root)
     faults += check_programs(root.parent.parent / "apps", rooms)
     print("\n".join(faults), end="\n" if faults else "")
@@ -139,4 +168,4 @@ def main(root):
 
 
 if __name__ == "__main__":
-    sys.exit(main(pathlib.Path(sys.argv[1])))
+    sys.exit(main(pathlib.Path(sys.argv[-1]), "--write-face" in sys.argv[1:-1]))

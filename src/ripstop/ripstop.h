@@ -15,6 +15,7 @@
 #include "ripstop/base/system/leftover.h"
 #include "ripstop/base/system/program_folder.h"
 #include "ripstop/base/text/glob.h"
+#include "ripstop/base/text/lower_case.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/range.h"
 #include "ripstop/base/text/stated_unit.h"

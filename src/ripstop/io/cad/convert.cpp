@@ -12,6 +12,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/system/child_process.h"
+#include "ripstop/base/system/program_folder.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/io/text/input_file.h"
 #include "ripstop/io/text/text.h"
@@ -51,11 +52,6 @@ class Between {
     int descriptor_ = -1;
 };
 
-fs::path beside_this_program() {
-    std::error_code unknown;
-    return fs::read_symlink("/proc/self/exe", unknown).parent_path();
-}
-
 /// The first of `places` that exists; empty if none does.
 fs::path first_file(const std::vector<fs::path>& places) {
     std::error_code unknown;
@@ -64,14 +60,19 @@ fs::path first_file(const std::vector<fs::path>& places) {
     return {};
 }
 
-fs::path find_mesher(const MeshingOptions& options) {
-    if (!options.mesher.empty()) return options.mesher;
-    return first_file({beside_this_program() / "ripstop-cad", fs::path(RIPSTOP_BIN_INSTALL) / "ripstop-cad"});
+fs::path programs_folder(const MeshingOptions& options) {
+    return options.programs.empty() ? program_folder() : options.programs;
 }
 
-fs::path find_rhino_script() {
-    return first_file(
-        {fs::path(RIPSTOP_RHINO_SOURCE) / "convert.mjs", fs::path(RIPSTOP_RHINO_INSTALL) / "convert.mjs"});
+fs::path find_mesher(const MeshingOptions& options) {
+    if (!options.mesher.empty()) return options.mesher;
+    return first_file({programs_folder(options) / "ripstop-cad"});
+}
+
+/// The data folder of an install prefix; a build folder has one beside the programs.
+fs::path find_rhino_script(const MeshingOptions& options) {
+    const fs::path programs = programs_folder(options), script = fs::path("rhino") / "convert.mjs";
+    return first_file({programs / RIPSTOP_DATA_FROM_BIN / script, programs / "share/ripstop" / script});
 }
 
 /// The child's error message: the last line it wrote, without its own name and without the file names it was
@@ -174,7 +175,7 @@ CadModel convert_cad(const fs::path& file, const MeshingOptions& options) {
 ConvertedModel convert_rhino(const fs::path& file, const MeshingOptions& options) {
     require_sound(options);
     open_input(file);
-    const fs::path script = find_rhino_script();
+    const fs::path script = find_rhino_script(options);
     if (script.empty())
         throw InputError(file.string() +
                          ": the converter of Rhino's surfaces is not installed; run make setup, or mesh the "

@@ -25,9 +25,11 @@ struct MeshingOptions {
     std::optional<double> metres_per_unit = {};  ///< overrides the unit that the file states
     TilesAs tiles = TilesAs::faces;
     double timeout = 1800;              ///< limit on the run time [s]
-    std::filesystem::path mesher = {};  ///< the `ripstop-cad` to run; empty: the one beside this program, else the
-                                        ///< installed one
-    Progress progress = {};             ///< receives the share of faces that are meshed, and `face 12 of 160`
+    std::filesystem::path mesher = {};  ///< the `ripstop-cad` to run; empty: the one in `programs`
+    /// The `bin` folder of an installed Ripstop, in which its converters are; empty: the folder of the running
+    /// program.
+    std::filesystem::path programs = {};
+    Progress progress = {};  ///< receives the share of faces that are meshed, and `face 12 of 160`
 };
 
 /// Throws InputError if a length is not positive.

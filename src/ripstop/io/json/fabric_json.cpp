@@ -1,28 +1,28 @@
 #include "ripstop/io/json/fabric_json.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/io/json/json_text.h"
+#include "ripstop/io/json/shipped_fabrics.h"
 #include "ripstop/io/text/input_file.h"
 #include "ripstop/io/text/text.h"
 
 namespace ripstop {
 namespace {
 
-struct Field {
+struct FabricField {
     const char* key;
     double Fabric::*member;
     double unit;  ///< the key's unit in SI
     bool required;
 };
 
-constexpr std::array<Field, 9> fields = {{
+constexpr std::array<FabricField, 9> fields = {{
     {"warp_stiffness_n_per_m", &Fabric::warp_stiffness, 1, true},
     {"weft_stiffness_n_per_m", &Fabric::weft_stiffness, 1, true},
     {"shear_stiffness_n_per_m", &Fabric::shear_stiffness, 1, true},
@@ -33,19 +33,6 @@ constexpr std::array<Field, 9> fields = {{
     {"strain_limit_pct", &Fabric::strain_limit, percent, false},
     {"shear_limit_deg", &Fabric::shear_limit, degree, false},
 }};
-
-/// The folder of the bundled fabrics: beside the sources in a build tree, else where they were installed.
-std::filesystem::path preset_folder() {
-    const std::filesystem::path source = std::filesystem::path(RIPSTOP_DATA_SOURCE) / "fabrics";
-    std::error_code ignored;
-    if (std::filesystem::is_directory(source, ignored)) return source;
-    return std::filesystem::path(RIPSTOP_DATA_INSTALL) / "fabrics";
-}
-
-Fabric read_fabric_file(const std::filesystem::path& path) {
-    std::ifstream in = open_input(path, "the fabric file");
-    return read_fabric(in, path.string());
-}
 
 /// Rounds to 12 digits, so that 10 degrees come back as 10 and not as 10.000000000000002.
 double rounded(double value) {
@@ -71,7 +58,7 @@ Fabric read_fabric(std::istream& in, const std::string& name) {
     require(own_name && !own_name->empty(), "name");
     fabric.name = *own_name;
     fabric.description = text_at(object, "description", name).value_or("");
-    for (const Field& field : fields) {
+    for (const FabricField& field : fields) {
         const std::optional<double> value = number_at(object, field.key, name);
         require(value || !field.required, field.key);
         if (value) fabric.*field.member = *value * field.unit;
@@ -84,26 +71,29 @@ std::string write_fabric(const Fabric& fabric) {
     nlohmann::ordered_json object;
     object["name"] = fabric.name;
     object["description"] = fabric.description;
-    for (const Field& field : fields) object[field.key] = rounded(fabric.*field.member / field.unit);
+    for (const FabricField& field : fields) object[field.key] = rounded(fabric.*field.member / field.unit);
     return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::vector<std::string> fabric_presets() {
     std::vector<std::string> names;
-    std::error_code absent;
-    for (const auto& entry : std::filesystem::directory_iterator(preset_folder(), absent))
-        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
+    for (const ShippedFabric& fabric : shipped_fabrics()) names.emplace_back(fabric.name);
     return names;
 }
 
 Fabric fabric_named(const std::string& name_or_file) {
     std::string known;
-    for (const std::string& preset : fabric_presets()) {
-        if (preset == name_or_file) return read_fabric_file(preset_folder() / (preset + ".json"));
-        known += (known.empty() ? "" : ", ") + preset;
+    for (const ShippedFabric& preset : shipped_fabrics()) {
+        if (preset.name == name_or_file) {
+            std::istringstream in{std::string(preset.text)};
+            return read_fabric(in, name_or_file);
+        }
+        known.append(known.empty() ? "" : ", ").append(preset.name);
     }
-    if (name_or_file.ends_with(".json")) return read_fabric_file(name_or_file);
+    if (name_or_file.ends_with(".json")) {
+        std::ifstream in = open_input(name_or_file, "the fabric file");
+        return read_fabric(in, name_or_file);
+    }
     throw InputError("no fabric " + shown(name_or_file) + "; known: " + known + "; or give a file that ends in .json");
 }
 
