@@ -133,13 +133,13 @@ std::string measured_text(double value, const MapUnit& unit) {
 std::string range_text(const Allowed& allowed, const MapUnit& unit) {
     const std::string most = figure_text(allowed.most, unit);
     const std::string least = fmt::format("{:.4g}", allowed.least / unit.size);
-    return fmt::format("{:.4g}", allowed.most / unit.size) == least ? most : least + " to " + most;
+    return fmt::format("{:.4g}", allowed.most / unit.size) == least ? most : fmt::format("{} to {}", least, most);
 }
 
 void set_ends(MapScale& scale, const PageMap& map, const std::string& most) {
-    scale.low = map.is_unsigned ? "0" : "−" + most;
+    scale.low = map.is_unsigned ? "0" : fmt::format("−{}", most);
     scale.middle = map.is_unsigned ? "" : "0";
-    scale.high = map.is_unsigned ? most : "+" + most;
+    scale.high = map.is_unsigned ? most : fmt::format("+{}", most);
 }
 
 /// What is to be said of a map in any scale.
@@ -155,8 +155,11 @@ std::string own_note(const CutPlan& plan, const PageMap& map) {
 
 std::string joined(const std::vector<std::string>& parts) {
     std::string text;
-    for (const std::string& part : parts)
-        if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
+    for (const std::string& part : parts) {
+        if (part.empty()) continue;
+        if (!text.empty()) text += "; ";
+        text += part;
+    }
     return text;
 }
 
@@ -178,7 +181,8 @@ MapScale tolerance_scale(const CutPlan& plan, const PageMap& map, const Allowed&
     const MapUnit unit = unit_of(map);
     const bool is_one = allowed.least >= allowed.most * (1 - 1e-9);
     set_ends(scale, map, is_one ? figure_text(allowed.most, unit) : "limit");
-    scale.note = joined({own_note(plan, map), reason(map) + (is_one ? "" : ", " + range_text(allowed, unit)),
+    scale.note = joined({own_note(plan, map),
+                         is_one ? reason(map) : fmt::format("{}, {}", reason(map), range_text(allowed, unit)),
                          allowed.edges ? band_note(map, *allowed.edges) : ""});
     return scale;
 }
@@ -209,9 +213,9 @@ MapScale there_scale(const CutPlan& plan, const MapView& view, const Allowed& al
     scale.edges = ending(below_which(edges, 1), allowed.edges.value_or(0) / 100);
     set_ends(scale, map, figure_text(map.is_of_cloth() ? on_cloth : scale.edges, unit));
     const double most = below_which(map.is_of_cloth() ? sizes_of(view.cloth) : edges, 1);
-    scale.note =
-        joined({own_note(plan, map), "at most " + measured_text(most, unit),
-                allowed.is_known() ? range_text(allowed, unit) + " allowed" : "", band_note(map, scale.edges)});
+    scale.note = joined({own_note(plan, map), fmt::format("at most {}", measured_text(most, unit)),
+                         allowed.is_known() ? fmt::format("{} allowed", range_text(allowed, unit)) : "",
+                         band_note(map, scale.edges)});
     return scale;
 }
 

@@ -66,7 +66,7 @@ const PageColours& page_colours() {
 }
 
 std::string page_colour(std::uint16_t place) {
-    return "#" + hexadecimal(page_colours()[place]);
+    return std::string("#").append(hexadecimal(page_colours()[place]));
 }
 
 std::string colours_text(const PageColours& colours) {
