@@ -35,7 +35,7 @@ struct Source {
     std::string file, sha256;
 };
 
-/// The steps of `plan_envelope` after the envelope is at hand.
+/// The steps of `plan_envelope` after the envelope has been read.
 class Planner {
   public:
     Planner(const Job& job, const PlanWatch& watch) : job_(job), watch_(watch) {}
@@ -85,7 +85,7 @@ class Planner {
         return cut;
     }
 
-    /// Patterns that inflate to the drawn shape, and how they fly.
+    /// Patterns that inflate to the drawn shape, and their state in flight.
     CutPlan compensated(const EnvelopeInput& input, FlattenOptions flattening) const {
         if (!job_.method.starts_with("seam-"))
             throw InputError("only the methods seam-… cut cloth for a strain, not " + job_.method +
@@ -100,14 +100,14 @@ class Planner {
         return cut;
     }
 
-    /// What is wrong with the envelope itself, as `judge_input` says. What of it is meant is told.
+    /// Adds what `judge_input` found wrong with the envelope, and reports accepted issues as notes.
     void take_faults(CutPlan& cut, const EnvelopeCheck& check) const {
         const std::size_t told = cut.remarks.size();
         add_faults(cut, check);
         for (std::size_t i = told; i < cut.remarks.size(); ++i) tell(Kind::note, cut.remarks[i]);
     }
 
-    /// Nothing where the input was only judged: there is no method to try a seam with.
+    /// Does nothing if the input was only judged: there is no method to try a seam with.
     void propose(CutPlan& cut) const {
         if (job_.method == "given") return;
         constexpr int all = std::numeric_limits<int>::max();
@@ -136,7 +136,7 @@ class Planner {
     const PlanWatch& watch_;
 };
 
-/// Leaves the PDF out if nobody could print it. Returns a warning that says so.
+/// Drops the PDF if nobody could print it. Returns a warning that says so.
 std::vector<std::string> leave_out_unprintable(DirectoryOptions& writing, const Plan& plan) {
     const auto pdf = std::find(writing.formats.begin(), writing.formats.end(), "pdf");
     if (pdf == writing.formats.end()) return {};

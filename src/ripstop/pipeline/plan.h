@@ -18,49 +18,49 @@
 /// The main job: from a drawn envelope to a plan, and from a plan to its folder and back.
 namespace ripstop {
 
-/// For which tiles that cannot be made a seam is tried.
+/// For which failing tiles additional seams are tried.
 enum class ProposeScope {
     none,
-    automatic,  ///< all, unless they are of too many kinds (`ProposeLimits`)
+    automatic,  ///< all tiles, unless they are of too many kinds (`ProposeLimits`)
     all
 };
 
-/// What `plan_envelope` is asked for. What is not said here the project says (`completed`).
+/// The options of `plan_envelope`. Options that are not set come from the project (`completed`).
 struct Job {
     ReadOptions read = {.remesh = {.mode = RemeshMode::automatic}};
     std::string fabric_name = {};               ///< a preset or a file; empty: the project's, else isotropic
-    std::optional<Fabric> fabric = {};          ///< instead of `fabric_name`
-    std::optional<double> seam_tolerance = {};  ///< [m]; else the project's, else that of `read`
-    std::optional<Tolerances> tolerances = {};  ///< else those of the fabric, changed by the project
-    std::vector<std::string> accept = {};       ///< codes of issues that are meant, beside the project's
+    std::optional<Fabric> fabric = {};          ///< replaces `fabric_name`
+    std::optional<double> seam_tolerance = {};  ///< [m]; default: the project's, else that of `read`
+    std::optional<Tolerances> tolerances = {};  ///< default: those of the fabric, as changed by the project
+    std::vector<std::string> accept = {};       ///< codes of accepted issues, in addition to the project's
     std::string method = "seam-exact";          ///< as `FlattenOptions::method`
-    bool compensate = false;                    ///< correct the patterns for their shape in flight (`compensate`)
-    std::function<Flight(Flight)> flight = {};  ///< changes the project's flight; for `compensate`
+    bool compensate = false;                    ///< correct the patterns for the shape in flight (`compensate`)
+    std::function<Flight(Flight)> flight = {};  ///< modifies the project's flight conditions; for `compensate`
     ProposeScope propose = ProposeScope::automatic;
     bool propose_merges = false;
-    PieceOptions pieces = {};    ///< without a revision it is the start of the input's hash
-    bool allowance_fit = false;  ///< as `judge_cut_lines`
-    int threads = 0;             ///< 0: one a core
+    PieceOptions pieces = {};    ///< default revision: the start of the input's hash
+    bool allowance_fit = false;  ///< as in `judge_cut_lines`
+    int threads = 0;             ///< 0: one per core
 };
 
-/// Returns the job with all that its project says, and with its fabric and tolerances. Where both say something, the
-/// job goes first. Throws InputError for a fabric that is not known.
+/// Returns the job completed by its project, with its fabric and tolerances resolved. Settings of the job take
+/// precedence. Throws InputError for an unknown fabric.
 Job completed(Job job);
 
 /// A step of the work.
 enum class PlanStage { read, flatten, propose, propose_merges, pieces };
 
-/// A sentence for the person who waits.
+/// A message for the user.
 struct PlanMessage {
     enum class Kind { information, note, warning } kind = Kind::information;
     std::string text;
 };
 
-/// Follows a long job. Each of the functions may be empty; all are called on the caller's thread but `progress`, which
-/// is called on one thread at a time.
+/// Observes a long job. Each function may be empty. All are called on the caller's thread except `progress`, which may
+/// be called on any thread, but never on two at once.
 struct PlanWatch {
-    std::function<void(PlanStage)> stage = {};  ///< the step begins
-    Progress progress = {};                     ///< of the step that runs
+    std::function<void(PlanStage)> stage = {};  ///< called when the step begins
+    Progress progress = {};                     ///< progress of the current step
     std::function<void(const EnvelopeInput&)> read = {};
     std::function<void(const PlanMessage&)> message = {};
 };
@@ -69,45 +69,45 @@ struct PlanWatch {
 struct Plan {
     CutPlan cut;
     PieceSet pieces;
-    bool unit_is_wrong = false;            ///< the unit of the file is certainly another one (`UnitDoubt`)
+    bool unit_is_wrong = false;            ///< the file's unit is certainly wrong (`UnitDoubt`)
     std::optional<Unchanged> folder = {};  ///< the files it was read from (`read_plan`)
 
-    /// The envelope can be made as drawn and, where it was inflated, flies as drawn.
+    /// Whether the envelope can be made as drawn and, if it was inflated, flies as drawn.
     bool is_good() const;
 };
 
 /// From a file to a plan: reads, finds seams, remeshes, judges the input, flattens or corrects, proposes seams, makes
-/// the pieces and judges their cut lines. What is wrong with the envelope is in the findings of the plan. The result
-/// does not depend on the number of threads. Throws InputError for a file that cannot be read or holds no tile
+/// the pieces and judges their cut lines. Faults of the envelope are among the findings of the plan. The result does
+/// not depend on the number of threads. Throws InputError for a file that cannot be read or holds no tile
 /// (`read_input`), for an unknown method, and for `compensate` with a method that cannot cut for a strain.
 Plan plan_envelope(const std::filesystem::path& file, const Job& job = {}, const PlanWatch& watch = {});
 
-/// The same from an envelope in memory, in metres and with its seams. Names, layers and grain of a project are not
-/// applied, because they belong to files.
+/// The same from an envelope in memory, in metres and with its seams. Names, layers and grain lines of a project are
+/// ignored, because they refer to files.
 Plan plan_envelope(Envelope envelope, const Job& job = {}, const PlanWatch& watch = {});
 
-/// How `write_plan` writes.
+/// Options of `write_plan`.
 struct WriteOptions {
-    bool force = false;         ///< replace what stands in a folder that is not empty
-    bool reproducible = false;  ///< leave `seconds` out of report.json: the same bytes on every run
-    bool png = false;           ///< also write PNG pictures of what report.html shows
-    int threads = 0;            ///< 0: one a core
-    std::vector<std::string> formats = {"dxf", "svg", "pdf"};  ///< of the cut files: names of `piece_formats`
-    PieceFileOptions files = {};                               ///< how they are written
+    bool force = false;         ///< replace the contents of a folder that is not empty
+    bool reproducible = false;  ///< leave `seconds` out of report.json, so every run writes the same bytes
+    bool png = false;           ///< also write the views of report.html as PNG pictures
+    int threads = 0;            ///< 0: one per core
+    std::vector<std::string> formats = {"dxf", "svg", "pdf"};  ///< formats of the cut files: names from `piece_formats`
+    PieceFileOptions files = {};                               ///< options of the cut files
 };
 
-/// Writes the folder of a plan, all or nothing (`write_directory`). Returns warnings: a PDF is left out where nobody
-/// could print it, because it has too many pages or the unit is wrong. report.json has the warnings too. Throws
-/// InputError where the folder is not empty (without `force`) or cannot be written.
+/// Writes the folder of a plan, all or nothing (`write_directory`). Returns warnings, which are in report.json too: a
+/// PDF is left out if nobody could print it, because it has too many pages or the unit is wrong. Throws InputError if
+/// the folder is not empty (without `force`) or cannot be written.
 std::vector<std::string> write_plan(const std::filesystem::path& folder, const Plan& plan,
                                     const WriteOptions& options = {});
 
-/// Returns the plan that `write_plan` wrote to a folder. What is not kept: `Envelope` as drawn where it was remeshed,
-/// and the state in flight (`CutPlan::inflated`). Throws InputError as `read_cut_plan`.
+/// Reads the plan that `write_plan` wrote to a folder. Not restored: `Envelope` as drawn if it was remeshed, and the
+/// state in flight (`CutPlan::inflated`). Throws InputError as `read_cut_plan` does.
 Plan read_plan(const std::filesystem::path& folder);
 
 /// Updates the folder of a plan that was read from it and inflated since: report.json, report.html, inflated/. All or
-/// nothing. Throws InputError where another run has written the folder meanwhile.
+/// nothing. Throws InputError if another run has written the folder in the meantime.
 void update_plan(const std::filesystem::path& folder, const Plan& plan, const WriteOptions& options = {});
 
 }  // namespace ripstop

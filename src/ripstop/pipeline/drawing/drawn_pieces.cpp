@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_line = 0.1e-3;  // of an outline that was written with few decimals and read again [m]
+constexpr double same_line = 0.1e-3;  // distance between an outline and its rounded copy in a file [m]
 constexpr double join_tolerance = 0.01 * millimetre;
 
 /// A closed line of the drawing [m].
@@ -21,7 +21,7 @@ struct Ring {
     Vec2 lower, upper;
 };
 
-/// Does every point of each outline lie on the other one, once their boxes do?
+/// Whether the points of each outline lie on the other one after their bounding boxes are aligned.
 bool fits(const Ring& ring, const PatternPiece& piece) {
     const Vec2 lower = piece.lower(), upper = piece.upper();
     if (((ring.upper - ring.lower) - (upper - lower)).cwiseAbs().maxCoeff() > same_line) return false;
@@ -77,12 +77,12 @@ class PieceFinder {
         const auto is_same = [&found](const DrawnPiece& other) {
             return other.piece == found.piece && (other.lower - found.lower).cwiseAbs().maxCoeff() < same_line;
         };
-        // where nothing is allowed the sew line is drawn over the cut line
+        // // A piece without allowance has its sew line drawn on top of its cut line.
         if (std::none_of(pieces_.found.begin(), pieces_.found.end(), is_same))
             pieces_.found.push_back(std::move(found));
     }
 
-    /// A hole that was drawn in it.
+    /// Whether the ring is a hole drawn inside a piece.
     bool is_in_a_piece(const Ring& ring) const {
         return std::any_of(pieces_.found.begin(), pieces_.found.end(), [&ring](const DrawnPiece& found) {
             return contains(found.piece->outline(), Vec2(Vec2(ring.points.row(0)) + found.shift()));
@@ -95,7 +95,8 @@ class PieceFinder {
         return found == by_ascii_.end() ? nullptr : found->second;
     }
 
-    /// The names of its neighbours stand along a piece's edges, larger than its own on a small one.
+    /// Looks for the name at its own place first: the names of neighbours along the edges of a small piece are larger
+    /// than its own.
     const PatternPiece* named_piece(const Ring& ring) const {
         if (ring.group >= 0)
             if (const PatternPiece* piece = called(piece_name(survey_, ring.group, ring.points))) return piece;
@@ -132,7 +133,7 @@ class PieceFinder {
     DrawingCheck unused_check_;
     DrawingSurvey survey_;
     std::map<std::string, const PatternPiece*> by_name_;
-    std::map<std::string, const PatternPiece*> by_ascii_;  // as DXF has names; none where two are spelt alike
+    std::map<std::string, const PatternPiece*> by_ascii_;  // names as written in DXF; null if two pieces share one
     std::vector<Ring> unknown_;
     DrawnPieces pieces_;
 };

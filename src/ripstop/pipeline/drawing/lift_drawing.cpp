@@ -14,11 +14,11 @@ namespace ripstop {
 namespace {
 
 constexpr double same_point = 0.05e-3;
-constexpr double step = 2e-3;  // between the places of a line that are looked at [m]
+constexpr double step = 2e-3;  // distance between sampled points of a line [m]
 constexpr int most_steps = 2000;
-constexpr double longest_mark = 10e-3;  // a match mark where nothing can be cut is 3 mm
+constexpr double longest_mark = 10e-3;  // match marks are 3 mm long where nothing can be cut [m]
 
-/// A path of the drawing in metres; a closed one as a ring that ends where it starts.
+/// A path of the drawing in metres; a closed path as a ring that ends where it starts.
 Points2 in_metres(const DrawnPath& path, double metres_per_unit) {
     Points2 points(path.points.rows() + (path.is_closed ? 1 : 0), 2);
     points.topRows(path.points.rows()) = path.points * metres_per_unit;
@@ -26,7 +26,7 @@ Points2 in_metres(const DrawnPath& path, double metres_per_unit) {
     return points;
 }
 
-/// A line of the drawing and what it covers [m].
+/// A line of the drawing with its bounding box [m].
 struct Line {
     const DrawnPath* path;
     Points2 points;
@@ -45,7 +45,7 @@ struct Line {
     }
 };
 
-/// All along the line: a straight one from one side of the piece to the other has both its ends on the outline.
+/// Samples the whole line: a straight line across the piece has both ends on the outline.
 bool lies_on(const Points2& outline, const Points2& line) {
     for (Eigen::Index i = 0; i + 1 < line.rows(); ++i) {
         const Vec2 from = line.row(i), to = line.row(i + 1);

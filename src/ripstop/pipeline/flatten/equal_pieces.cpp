@@ -14,13 +14,13 @@
 namespace ripstop {
 namespace {
 
-/// What turns the first piece into the other: x and y with these signs.
+/// The signs of x and y that map the first piece to the other one.
 Eigen::RowVector2d signs(const Likeness& likeness) {
     const double half_turn = likeness.grain_reversed ? -1 : 1;
     return {half_turn, likeness.mirrored ? -half_turn : half_turn};
 }
 
-/// The piece's outline about its middle, so that where it lies on the page does not matter.
+/// The outline relative to its centroid, so its position on the page does not matter.
 Points2 centred_outline(const FlatTile& tile) {
     const Points2 outline = tile.flattening.positions(tile.tile.boundary, Eigen::all);
     return outline.rowwise() - area_centroid(outline).transpose();
@@ -48,7 +48,7 @@ Eigen::Index nearest_edge(const Points2& outline, const Vec2& point) {
     return nearest;
 }
 
-/// Is as much cloth cut beyond the line everywhere, seen at the middle of each edge of `a`?
+/// Whether both have the same allowance everywhere, tested at the middle of each edge of `a`.
 bool same_allowances(const Points2& a, const Points2& b, const Eigen::VectorXd& of_a, const Eigen::VectorXd& of_b) {
     if (of_a.minCoeff() == of_a.maxCoeff() && of_b.minCoeff() == of_b.maxCoeff()) return of_a[0] == of_b[0];
     for (Eigen::Index i = 0; i < a.rows(); ++i) {
@@ -58,7 +58,7 @@ bool same_allowances(const Points2& a, const Points2& b, const Eigen::VectorXd& 
     return true;
 }
 
-/// The lines drawn on a piece, about the middle of its outline.
+/// The lines drawn on a piece, relative to the centroid of its outline.
 std::vector<DrawnLine> centred_lines(const FlatTile& tile) {
     constexpr double exactly = 1e-9;
     if (tile.tile.lines.empty() || !tile.is_flat()) return {};
@@ -68,7 +68,7 @@ std::vector<DrawnLine> centred_lines(const FlatTile& tile) {
     return lines;
 }
 
-/// Has each line of `a` one of that name in `b` at the same place?
+/// Whether each line of `a` has a line of the same name at the same place in `b`.
 bool has_lines(const std::vector<DrawnLine>& a, const std::vector<DrawnLine>& b, const Eigen::RowVector2d& signs) {
     constexpr double same_place = 0.5e-3;  // [m]
     return std::all_of(a.begin(), a.end(), [&](const DrawnLine& line) {
@@ -80,7 +80,7 @@ bool has_lines(const std::vector<DrawnLine>& a, const std::vector<DrawnLine>& b,
     });
 }
 
-/// Colour, outlines and allowances, of the first tile and of the other, which is the first with these signs.
+/// Compares colours, outlines and allowances of two tiles; the second is the first with these signs.
 bool cut_alike(const std::array<const FlatTile*, 2>& tiles, const std::array<const Eigen::VectorXd*, 2>& allowances,
                const Eigen::RowVector2d& signs, double tolerance) {
     if (colour_of(tiles[0]->tile) != colour_of(tiles[1]->tile)) return false;
@@ -104,7 +104,7 @@ Flattening copied_flattening(const FlatTile& first, const Tile& tile, const Like
         const int vertex = tile.boundary[i % tile.boundary.size()];
         return place[static_cast<std::size_t>(likeness.vertex[static_cast<std::size_t>(vertex)])];
     };
-    // A mirror image is walked the other way round: an edge begins there where it ends here.
+    // // The boundary of a mirror image runs the other way, so its edges start where these end.
     for (std::size_t i = 0; i < tile.boundary.size(); ++i)
         flat.seam_tension[static_cast<Eigen::Index>(i)] =
             first.flattening.seam_tension[there(likeness.mirrored ? i + 1 : i)];
@@ -122,13 +122,13 @@ void list_equal_pieces(CutPlan& plan, const std::vector<Likeness>& likeness, dou
     const SeamEnds ends(plan);
     std::vector<std::vector<DrawnLine>> lines;
     for (const FlatTile& tile : plan.tiles) lines.push_back(centred_lines(tile));
-    // of each kind of tile, those whose patterns differ
+    // for each kind of tile, those whose patterns differ
     std::map<std::size_t, std::vector<std::size_t>> patterns;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         const std::size_t kind = likeness[i].to < 0 ? i : static_cast<std::size_t>(likeness[i].to);
         std::vector<std::size_t>& known = patterns[kind];
         const auto pattern = std::find_if(known.begin(), known.end(), [&](std::size_t first) {
-            // both are the kind's first with signs, so each is the other with both
+            // both derive from the first of their kind by signs, so the product of the signs maps one to the other
             const Eigen::RowVector2d between = signs(likeness[first]).cwiseProduct(signs(likeness[i]));
             return cut_alike({&plan.tiles[first], &plan.tiles[i]}, {&allowances[first], &allowances[i]}, between,
                              tolerance) &&

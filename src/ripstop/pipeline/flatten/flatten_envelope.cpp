@@ -26,7 +26,7 @@ Flattening given_flattening(const Tile& tile) {
     return flat;
 }
 
-constexpr double together_share = 0.9;  ///< of the progress, where all tiles are solved before any is judged
+constexpr double together_share = 0.9;  ///< share of the progress for methods that solve all tiles before judging them
 
 using Clock = std::chrono::steady_clock;
 

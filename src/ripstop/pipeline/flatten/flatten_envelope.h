@@ -9,19 +9,18 @@ namespace ripstop {
 
 /// The method, the cloth and the tolerances that `flatten_envelope` uses.
 struct FlattenOptions {
-    std::string method = "seam-exact";  ///< a name of `methods()`, or `given`: judge what came with the tiles
-    Fabric fabric = {};                 ///< of the tiles without one of their own
+    std::string method = "seam-exact";  ///< a name of `methods()`, or `given`: judges the tiles' own flat positions
+    Fabric fabric = {};                 ///< for tiles without a fabric of their own
     Tolerances tolerances = {};
-    int threads = 0;  ///< 0: one a core
+    int threads = 0;  ///< 0: one per core
     Progress progress = {};
 };
 
-/// The main job: flattens every tile by one method and judges it, then walks the seams and judges them. Tiles are
-/// worked on in parallel, on their own or, where the method asks for it, together with their neighbours; the result
-/// does not depend on the number of threads. Of equal tiles (`find_equal_tiles`) whose meshes correspond and that are
-/// flattened on their own the first is flattened and the others take its flattening. A tile is flattened, measured and
-/// judged in its own fabric. Throws InputError for an unknown method, or for `given` where a tile came without flat
-/// positions.
+/// Flattens every tile by one method and judges it, then walks the seams and judges them. Tiles are solved in parallel,
+/// either alone or, if the method requires it, together with their neighbours; the result does not depend on the number
+/// of threads. Of equal tiles (`find_equal_tiles`) with corresponding meshes that are solved alone, only the first is
+/// flattened; the others copy its result. Each tile is flattened, measured and judged in its own fabric. Throws
+/// InputError for an unknown method, or for `given` if a tile has no flat positions.
 CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options);
 
 }  // namespace ripstop

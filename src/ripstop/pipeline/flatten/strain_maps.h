@@ -7,8 +7,8 @@
 
 namespace ripstop {
 
-/// The strains of every tile's triangles (#tiles), for pictures; empty for a tile without flat positions. Tiles are
-/// measured on `threads` threads (0: one a core); cost: O(#triangles).
+/// The strains of each tile's triangles (#tiles), for pictures; empty for a tile without flat positions. `threads` 0:
+/// one per core. O(#triangles).
 std::vector<StrainMap> measure_strain_maps(const CutPlan& plan, int threads = 0);
 
 }  // namespace ripstop

@@ -11,7 +11,7 @@
 namespace ripstop {
 namespace {
 
-/// What the cloth is cut longer for beside the flight, taken off until the end.
+/// Removes the compensation that has nothing to do with flight (shrinkage, take-up) until the end.
 std::vector<Compensation> take_shrinkage(Envelope& envelope) {
     std::vector<Compensation> taken;
     for (Tile& tile : envelope.tiles) {
@@ -29,12 +29,12 @@ void give_shrinkage(const std::vector<Compensation>& taken, Envelope& envelope) 
     }
 }
 
-/// What a round is judged by: a thousandth of the height is allowed on the whole, three in places.
+/// The score of a round. The limits are a thousandth of the height overall and three thousandths in places.
 double score(const Inflated& inflated) {
     return std::max(inflated.off.moved_rms, inflated.off.moved_max / 3);
 }
 
-/// One round after the other, and the best so far.
+/// Runs the rounds and keeps the best one.
 class Correction {
   public:
     Correction(Envelope envelope, const CompensateOptions& options)
@@ -42,7 +42,7 @@ class Correction {
         options_.inflate.find_causes = false;
     }
 
-    /// Cuts and inflates what is wanted. Is it better than all before?
+    /// Cuts and inflates the wanted cloth. Returns whether the result is the best so far.
     bool round(const std::string& step, double relaxation, const WantedCloth& wanted) {
         compensate_tiles(wanted, envelope_);
         FlattenOptions flattening = options_.flatten;
@@ -93,7 +93,7 @@ class Correction {
     std::vector<CompensationRound> rounds_;
 };
 
-/// X' - w (x - X): the target moved against what the inflated shape is off, as far as that is smooth.
+/// X' - w (x - X): moves the target against the smooth part of the deviation.
 void displace(WantedCloth& wanted, const CutPlan& plan, const CompensateOptions& options, double share) {
     std::vector<Points3> off;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)

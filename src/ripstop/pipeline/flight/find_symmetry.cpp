@@ -14,9 +14,10 @@ namespace ripstop {
 namespace {
 
 constexpr double same_symmetric_place = 1e-6;  // [m]
-constexpr double same_cloth = 1e-9;            // of edges squared [m2]
+constexpr double same_cloth = 1e-9;            // difference of squared edge lengths [m2]
 
-/// Where the vertical axis of a turn meets the plane z = 0; nothing unless it is a turn about one.
+/// Where the vertical axis of a rotation meets the plane z = 0; empty if the motion is no rotation about a vertical
+/// axis.
 std::optional<Vec3> axis_of(const Eigen::Isometry3d& motion) {
     const Eigen::Matrix3d& R = motion.linear();
     if ((R * Vec3::UnitZ() - Vec3::UnitZ()).norm() > 1e-6 || std::abs(motion.translation().z()) > same_symmetric_place)
@@ -28,7 +29,7 @@ std::optional<Vec3> axis_of(const Eigen::Isometry3d& motion) {
     return axis;
 }
 
-/// Are the flat triangles of two tiles the same, through the vertex numbers?
+/// Whether the flat triangles of two tiles are equal under the vertex map.
 bool is_cut_alike(const FlatTile& one, const FlatTile& other, const std::vector<int>& vertex) {
     const Points2 &u = one.flattening.positions, &w = other.flattening.positions;
     if (u.rows() != w.rows()) return false;
@@ -43,7 +44,7 @@ bool is_cut_alike(const FlatTile& one, const FlatTile& other, const std::vector<
     return true;
 }
 
-/// Does each seam of a sector come again in every other, with a tape or without?
+/// Whether every seam of a sector recurs in all others, with the same tape or without.
 bool is_sewn_alike(const CutPlan& plan, const Symmetry& symmetry) {
     std::map<std::tuple<int, int, int, bool>, int> count;
     for (const Seam& seam : plan.seams) {
@@ -67,7 +68,7 @@ Symmetry whole(const CutPlan& plan) {
     return symmetry;
 }
 
-/// With so many sectors about this axis; one sector where the tiles do not fit.
+/// The symmetry with this number of sectors about this axis; one sector if the tiles do not fit.
 Symmetry with_sectors(const CutPlan& plan, const std::vector<Likeness>& likeness, int sectors, const Vec3& axis) {
     Symmetry symmetry = whole(plan);
     symmetry.sectors = sectors;

@@ -5,9 +5,9 @@
 
 namespace ripstop {
 
-/// The equal sectors of a plan about a vertical axis, as many as there are: every tile is one of the first sector
-/// turned, vertex by vertex to a micrometre, with the same flat shape to 1e-9 and seams of the same kind. One sector
-/// where there is no such symmetry.
+/// Finds the largest number of equal sectors of a plan about a vertical axis. Every tile is a rotated tile of the first
+/// sector, with vertices within a micrometre, the same flat shape to 1e-9, and seams of the same kind. One sector if
+/// there is no such symmetry.
 Symmetry find_symmetry(const CutPlan& plan);
 
 }  // namespace ripstop

@@ -30,16 +30,17 @@ Progress part_of(const Progress& progress, double from, double to) {
     return [=](double fraction, const std::string& what) { progress(from + (to - from) * fraction, what); };
 }
 
-/// Where cloth that does not stretch at all would be, from where it is and where it is `stiffer`, as stretch goes
-/// with 1 / stiffness.
+/// Extrapolates to cloth that does not stretch, from the real positions and those with cloth `stiffer` times as stiff:
+/// stretch is proportional to 1 / stiffness.
 std::vector<Points3> unstretched(const std::vector<Points3>& real, const std::vector<Points3>& stiff, double stiffer) {
     std::vector<Points3> positions;
     for (std::size_t i = 0; i < real.size(); ++i) positions.push_back(stiff[i] + (stiff[i] - real[i]) / (stiffer - 1));
     return positions;
 }
 
-/// Inflates the plan twice more: of the stiffer cloth as drawn, and of its own cloth as it is to be cut. Nothing where these are not at rest; of a plan that is
-/// compensated for a strain that is not at hand, `patterns` is not a number and counts among `stretch`.
+/// Inflates the plan twice more: with stiffer cloth as drawn, and with its own cloth cut without error. Empty if these
+/// do not converge. If the plan is compensated for a strain that is not available, `patterns` is NaN and is counted in
+/// `stretch`.
 std::optional<Causes> find_causes(const CutPlan& plan, const Inflated& inflated, InflateOptions inflating,
                                   const Progress& progress) {
     const auto is_at_rest = [](const Inflated& each) { return each.summary.termination == Termination::converged; };
@@ -65,7 +66,7 @@ std::optional<Causes> find_causes(const CutPlan& plan, const Inflated& inflated,
     inflating.sewing.rigging.foreshortening = 0;
     inflating.progress = part_of(progress, 0.7, 1);
     std::vector<Points3> own;
-    // Soft cloth strains too much for a straight line through two stiffnesses.
+    // // Soft cloth strains too much for a linear extrapolation from two stiffnesses.
     for (double stiffer = 10; stiffer <= 1000; stiffer *= 10) {
         inflating.sewing.stiffer = stiffer;
         const Inflated stiff = inflate(plan, inflating);
@@ -87,7 +88,7 @@ Inflated inflate_plan(const CutPlan& plan, const InflatePlanOptions& options) {
     inflating.load = options.load;
     inflating.threads = options.threads;
     inflating.sewing.rigging = options.rigging;
-    // A tie or a diaphragm is one, not one a sector.
+    // // Ties and diaphragms exist once, not once per sector.
     const bool repeats = options.rigging.ties.empty() && options.rigging.diaphragms.empty();
     if (options.use_symmetry && repeats) inflating.sewing.symmetry = find_symmetry(plan);
     inflating.progress = part_of(options.progress, 0, options.find_causes ? 0.4 : 1);

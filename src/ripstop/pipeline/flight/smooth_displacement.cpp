@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-/// Of every vertex of every tile its shares in the nodes.
+/// Interpolation from the nodes of the sewn envelope to the vertices of every tile.
 Eigen::SparseMatrix<double> shares(const SewnEnvelope& sewn) {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t v = 0; v < sewn.places.size(); ++v)
@@ -52,7 +52,7 @@ std::vector<Points3> smooth_displacement(const CutPlan& plan, const Rigging& rig
     Eigen::SparseMatrix<double> on_vertices(count, count);
     on_vertices.setFromTriplets(entries.begin(), entries.end());
     Eigen::SparseMatrix<double> on_nodes = nodes_to_vertices.transpose() * on_vertices * nodes_to_vertices;
-    // Nodes that no cloth hangs on, such as those of wires, stay.
+    // // Nodes without cloth, such as those of wires, stay.
     for (Eigen::Index n = 0; n < on_nodes.rows(); ++n)
         if (on_nodes.coeff(n, n) == 0) on_nodes.coeffRef(n, n) = 1;
     const Points3 wanted = nodes_to_vertices.transpose() * (areas.asDiagonal() * given);

@@ -5,8 +5,9 @@
 
 namespace ripstop {
 
-/// Gives every seam that runs up the envelope, in the plane of the vertical axis through the middle of its box rather
-/// than across it, a load tape: the type `taped`, as wide as it was. O(#parts).
+/// Gives a load tape (the seam type `taped`, with the same width) to every seam that runs up the envelope rather than
+/// across it. The direction is taken in the plane of the vertical axis through the middle of the bounding box.
+/// O(#parts).
 void tape_meridians(CutPlan& plan);
 
 /// The seams that take a load tape, as the flight wants them.

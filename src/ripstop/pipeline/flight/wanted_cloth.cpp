@@ -18,7 +18,7 @@ Mat22 from_voigt(const Vec3& strain) {
     return C;
 }
 
-/// Metric of the target triangle in the warp axes of the drawn one.
+/// The metric of the target triangle in the warp axes of the drawn triangle.
 Mat22 target_metric(const Mat22& drawn, const Mat22& axes, const Vec3& b_a, const Vec3& c_a) {
     Mat22 gram;
     gram << b_a.dot(b_a), b_a.dot(c_a), b_a.dot(c_a), c_a.dot(c_a);
@@ -42,7 +42,7 @@ Points3 seen_from_drawing(const Tile& tile, const Points3& target, const Points3
     return total;
 }
 
-/// Cloth a drawn length of each boundary edge, as the tile by itself would have it.
+/// Cloth per drawn length of each boundary edge, for the tile alone.
 Eigen::VectorXd own_ratios(Tile tile, const Points3& strain) {
     tile.compensation = {};
     const Eigen::VectorXd drawn = target_lengths(tile);
@@ -50,10 +50,11 @@ Eigen::VectorXd own_ratios(Tile tile, const Points3& strain) {
     return target_lengths(tile).cwiseQuotient(drawn);
 }
 
-/// A function of the way along a seam that is constant between places.
+/// A piecewise constant function along a seam.
 class Steps {
   public:
-    /// The ratios of a side's edges. Where an edge goes on beyond the seam its ratio is `is_firm`: the other side has to follow.
+    /// The ratios of a side's edges. An edge that continues beyond the seam is `is_firm`: the other side must follow
+    /// it.
     Steps(const SeamSide& side, const Eigen::VectorXd& ratios, const Eigen::VectorXd& drawn, bool reversed) {
         const auto add = [&](const SeamPart& part) {
             add_step((steps_.empty() ? 0 : steps_.back().end) + part.length, ratios[part.edge],
@@ -65,7 +66,7 @@ class Steps {
             std::for_each(side.parts.begin(), side.parts.end(), add);
     }
 
-    /// Place by place the one that is firm, else the mean of the two.
+    /// At each place the firm value, else the mean of the two.
     Steps(const Steps& one, const Steps& other) {
         std::size_t i = 0, j = 0;
         while (i < one.steps_.size() && j < other.steps_.size()) {
@@ -88,7 +89,7 @@ class Steps {
         }
     }
 
-    /// Its integral from the start.
+    /// The integral from the start to `along`.
     double until(double along) const {
         double sum = 0, start = 0;
         for (std::size_t i = 0; i < steps_.size() && start < along; ++i) {
@@ -109,7 +110,7 @@ class Steps {
     std::vector<Step> steps_;
 };
 
-/// Adds to each edge of a side what of the seam's cloth belongs to it [m].
+/// Distributes the seam's cloth over the edges of one side [m].
 void share_out(const SeamSide& side, const Steps& own, const Steps& common, bool reversed, Eigen::VectorXd& cloth,
                Eigen::VectorXd& covered) {
     double start = 0;
@@ -121,7 +122,7 @@ void share_out(const SeamSide& side, const Steps& own, const Steps& common, bool
     }
 }
 
-/// Cloth a drawn length of each boundary edge of each tile, alike on both sides of the seams.
+/// Cloth per drawn length of each boundary edge of each tile, equal on both sides of every seam.
 std::vector<Eigen::VectorXd> sewn_ratios(const Envelope& envelope, const std::vector<Eigen::VectorXd>& own) {
     std::vector<Eigen::VectorXd> drawn, cloth, covered;
     for (const Tile& tile : envelope.tiles) {
@@ -137,7 +138,7 @@ std::vector<Eigen::VectorXd> sewn_ratios(const Envelope& envelope, const std::ve
         share_out(seam.a, first, common, false, cloth[a], covered[a]);
         share_out(seam.b, second, common, true, cloth[b], covered[b]);
     }
-    // A further sheet follows the seam it lies in.
+    // // An additional sheet follows the seam that contains it.
     for (const Seam& seam : envelope.seams) {
         if (!seam.into) continue;
         const auto a = static_cast<std::size_t>(seam.a.tile), b = static_cast<std::size_t>(seam.b.tile);
@@ -180,7 +181,7 @@ void compensate_tiles(const WantedCloth& wanted, Envelope& envelope) {
         tile.compensation.strain = seen_from_drawing(tile, wanted.target[i], wanted.strain[i]);
         ratios.push_back(own_ratios(tile, tile.compensation.strain));
     }
-    // An edge that is in two seams has one ratio: what the first round gives it the second gives to those it is sewn to.
+    // // An edge in two seams has one ratio. The second round passes the result of the first on to its other mate.
     ratios = sewn_ratios(envelope, sewn_ratios(envelope, ratios));
     for (std::size_t i = 0; i < envelope.tiles.size(); ++i) envelope.tiles[i].compensation.edges = ratios[i];
 }

@@ -17,7 +17,7 @@ bool may_be_meant(const EnvelopeIssue& issue) {
     return std::find(acceptable_issues.begin(), acceptable_issues.end(), issue.code) != acceptable_issues.end();
 }
 
-/// Keeps what holds of some tiles whatever the others are.
+/// Keeps only issues that hold for some tiles regardless of the others.
 void keep_what_a_part_shows(EnvelopeCheck& check, const std::optional<UnitDoubt>& doubt) {
     std::erase_if(check.issues, [](const EnvelopeIssue& issue) { return issue.code != "unit"; });
     if (check.issues.empty() && doubt && doubt->is_wrong) check.issues.push_back(unit_issue(*doubt));

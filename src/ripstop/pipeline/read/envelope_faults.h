@@ -9,29 +9,30 @@
 
 namespace ripstop {
 
-/// How `judge_input` judges.
+/// Options of `judge_input`.
 struct JudgeOptions {
     double seam_tolerance = 0.5 * millimetre;  ///< as in `ReadOptions` [m]
     bool is_whole = true;                      ///< false: only some tiles were read (`ReadOptions::only`)
-    std::vector<std::string> accept = {};      ///< codes of issues that are meant (`acceptable_issues`)
+    std::vector<std::string> accept = {};      ///< codes of accepted issues (`acceptable_issues`)
 };
 
-/// What is wrong with an envelope that was read: the one judgement of `check` and `flatten`, which leaves to each only
-/// what it alone knows of the seams (`add_seam_doubts`, `judge_seams`).
+/// Judges an envelope that was read. `check` and `flatten` share this judgement; each adds only what it alone knows of
+/// the seams (`add_seam_doubts`, `judge_seams`).
 ///
-/// `check_envelope` on the tiles with the meshes they were drawn with (`EnvelopeInput::drawn`), so that remeshing
-/// neither makes nor mends a fault; before its issues those of the file. Of some tiles alone only the unit is judged,
-/// and the file: the tiles left out may explain anything else. Last, what is meant is accepted (`accept_issues`).
+/// Returns the issues of the file, then those of `check_envelope` on the tiles with their drawn meshes
+/// (`EnvelopeInput::drawn`), so remeshing neither makes nor mends a fault. If only some tiles were read, only the file
+/// and the unit are judged, because the omitted tiles may explain everything else. Accepted issues are applied last
+/// (`accept_issues`).
 EnvelopeCheck judge_input(const EnvelopeInput& input, const JudgeOptions& options);
 
-/// Takes the issues of these codes for meant: each is a note from now on, `EnvelopeCheck::meant`. Codes that are none
-/// of `acceptable_issues` change nothing.
+/// Accepts the issues with these codes: each becomes a note, `EnvelopeCheck::meant`. Codes that are not among
+/// `acceptable_issues` have no effect.
 void accept_issues(EnvelopeCheck& check, const std::vector<std::string>& codes);
 
-/// Takes what is wrong with the envelope as it was given into a plan's findings, under the issue's own code, with the
-/// names of its tiles. Values in mm, for `scaled` the ratio; the limit is the issue's own, else the seam tolerance, for
-/// `scaled` 1; of what is only counted, as a missing tile, one too many. What is meant goes into the plan's remarks.
-/// `uncertain` is left out: `judge_seams` has judged the seams of the meshes that were flattened.
+/// Adds the faults of the input envelope to a plan's findings, under the issue's own code, with the names of its tiles.
+/// Values are in mm; for `scaled`, the ratio. The limit is the issue's own, else the seam tolerance; for `scaled`, 1.
+/// An issue that is only counted, such as a missing tile, has the value 1 and the limit 0. Accepted issues go into the
+/// plan's remarks. `uncertain` is left out: `judge_seams` judges the seams of the meshes that were flattened.
 void add_faults(CutPlan& plan, const EnvelopeCheck& check);
 
 }  // namespace ripstop
