@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double reach_of_length = 1.0 / 50;  // a straight line drawn over a bulging tile stands off it
+constexpr double reach_of_length = 1.0 / 50;  // of its length: a straight line over a bulging tile stands off it
 constexpr double unreachable = std::numeric_limits<double>::infinity();
 
 std::string upper(std::string text) {
@@ -42,7 +42,7 @@ double length_of(const NamedCurve& curve) {
     return length;
 }
 
-/// The greatest distance of the points to a surface; unreachable where one is beyond `reach`.
+/// The greatest distance from the points to a surface; infinite if a point is farther away than `reach`.
 double distance(SurfaceFinder& surface, const std::vector<Vec3>& points, double reach) {
     double furthest = 0;
     for (const Vec3& point : points) {
@@ -53,7 +53,7 @@ double distance(SurfaceFinder& surface, const std::vector<Vec3>& points, double 
     return furthest;
 }
 
-/// Its points and the middles between them.
+/// The points of the curve and the midpoints between them.
 std::vector<Vec3> places_on(const NamedCurve& curve) {
     std::vector<Vec3> places = {Vec3(curve.points.row(0))};
     for (Eigen::Index i = 1; i < curve.points.rows(); ++i) {
@@ -71,7 +71,7 @@ std::string text_of(const Vec3& v) {
     return format_shortest(v.x()) + ", " + format_shortest(v.y()) + ", " + format_shortest(v.z());
 }
 
-/// Three numbers between commas or blanks.
+/// Parses three numbers separated by commas or blanks.
 Vec3 direction_of(const std::string& text, const std::string& name) {
     std::vector<double> numbers;
     std::size_t from = text.find_first_not_of(", ;");

@@ -11,8 +11,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double reach_of_size = 0.1;  // of the surface's diagonal: a point read off a drawing
-constexpr double same_of_size = 1e-9;  // two surfaces that share the point
+constexpr double reach_of_size = 0.1;  // relative to the surface's diagonal: tolerance for a point read off a drawing
+constexpr double same_of_size = 1e-9;  // relative to the surface's diagonal: two surfaces share the point
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {

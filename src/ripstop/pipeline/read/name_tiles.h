@@ -5,13 +5,13 @@
 
 namespace ripstop {
 
-/// Calls the surfaces of a file what the project's entries with `source` or `at` call them; points in the file's own
+/// Renames the surfaces of a file as the project's entries with `source` or `at` say. Points are in the file's own
 /// unit.
 ///
-/// `at` means the surface nearest to the point, which must lie within a tenth of that surface's size of it: a point
-/// farther off is one of another unit or another drawing. Throws InputError naming the entry where its source is called
-/// like no surface or like several, where its point is far from every surface or as near to two, where two entries mean
-/// one surface, and where a name would then stand twice. O(#surfaces + #F of the surfaces whose box is near) a point.
+/// `at` selects the surface nearest to the point. The point must lie within a tenth of that surface's size: one farther
+/// away comes from another unit or another drawing. Throws InputError naming the entry if its source matches no surface
+/// or several, if its point is far from every surface or equally near to two, if two entries select the same surface,
+/// or if a name would occur twice. O(#surfaces + #F of the surfaces whose box is near) per point.
 void name_tiles(CadModel& model, const Project& project);
 
 }  // namespace ripstop

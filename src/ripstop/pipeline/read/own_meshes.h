@@ -8,24 +8,24 @@
 
 namespace ripstop {
 
-/// What of a plan fails; fewer tiles go before fewer seams.
+/// The numbers of failing tiles and seams of a plan. Plans are ordered by tiles first, then by seams.
 struct Failing {
-    int tiles = 0;  ///< that cannot be made
-    int seams = 0;  ///< whose sides disagree, or whose length the meshes leave open by more than it may err
+    int tiles = 0;  ///< tiles that cannot be made
+    int seams = 0;  ///< seams whose sides disagree, or whose length is uncertain by more than the tolerance
 
     auto operator<=>(const Failing&) const = default;
 };
 
-/// Counts what fails of the tiles and seams of a plan that is judged.
+/// Counts the failing tiles and seams of a judged plan.
 Failing count_failing(const CutPlan& plan);
 
-/// Remeshing may make nothing worse than it is on the meshes of the file. Where a remeshed tile or a seam of one fails,
-/// flattens `input.drawn` too, with the same options, and takes that plan and that envelope where less fails on them;
-/// `input` has a remark then that says so, its last, instead of those on remeshing. For `RemeshMode::automatic`: who
-/// asks for a length keeps the meshes of that length.
+/// Ensures that remeshing makes nothing worse. If a remeshed tile or one of its seams fails, flattens `input.drawn`
+/// with the same options too, and takes that plan and envelope if fewer of them fail there. The last remark of `input`
+/// then says so, in place of the remarks on remeshing. For `RemeshMode::automatic`: an edge length that the user asked
+/// for is kept.
 ///
-/// `plan`: as `flatten_envelope` made it of `input.envelope`. Returns whether the drawn meshes were taken. Costs one
-/// more flattening where something fails, else nothing.
+/// `plan`: the result of `flatten_envelope` for `input.envelope`. Returns whether the drawn meshes were taken. Costs
+/// one more flattening if something fails, else nothing.
 bool prefer_own_meshes(CutPlan& plan, EnvelopeInput& input, const FlattenOptions& options);
 
 }  // namespace ripstop

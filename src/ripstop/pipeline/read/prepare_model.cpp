@@ -11,10 +11,10 @@
 namespace ripstop {
 namespace {
 
-constexpr double far = 1000;  // sizes of the model from the origin
+constexpr double far = 1000;  // distance from the origin, in sizes of the model
 constexpr std::size_t shown_names = 3;
 
-/// The rows of the vertices or triangles that are left.
+/// The rows of the remaining vertices or triangles.
 template <class Rows>
 Rows rows_of(const Rows& rows, const std::vector<int>& kept) {
     Rows result(static_cast<Eigen::Index>(kept.size()), rows.cols());
@@ -22,7 +22,7 @@ Rows rows_of(const Rows& rows, const std::vector<int>& kept) {
     return result;
 }
 
-/// Are vertices that become one drawn in one place too?
+/// Whether vertices that are merged have the same drawn position too.
 bool drawn_alike(const NamedMesh& surface, const MendedMesh& mended) {
     for (std::size_t v = 0; surface.drawn && v < mended.becomes.size(); ++v) {
         if (mended.becomes[v] < 0) continue;
@@ -47,7 +47,7 @@ void take(NamedMesh& surface, MendedMesh&& mended) {
     surface.mesh = std::move(mended.mesh);
 }
 
-/// What of one kind was mended in all surfaces.
+/// The repairs of one kind in all surfaces.
 struct MendedKind {
     int MendedMesh::*count;
     const char *one, *many, *done;

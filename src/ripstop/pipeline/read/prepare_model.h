@@ -10,21 +10,21 @@
 
 namespace ripstop {
 
-// What is done to a file's model before it is made tiles.
+// // Steps that prepare a file's model before tiles are made of it.
 
-/// Mends the meshes of its surfaces (`mend_mesh`), `tip_width` in the file's unit. Drawn positions and warps go along,
-/// and are dropped where vertices that become one differ in them. A tip whose vertices are drawn apart is a dart and
-/// kept. Returns a sentence for each kind of thing mended, with how many, the surfaces and the place, in the file's
-/// unit. In parallel, O(#F log #F).
+/// Mends the meshes of the model's surfaces (`mend_mesh`), `tip_width` in the file's unit. Drawn positions and warps
+/// are kept unless merged vertices differ in them. A tip whose vertices have different drawn positions is a dart and is
+/// kept. Returns a sentence for each kind of repair, with the count, the surfaces and the place, in the file's unit.
+/// Parallel, O(#F log #F).
 std::vector<std::string> mend_surfaces(CadModel& model, double tip_width, int threads = 0);
 
-/// Where coordinates are counted from instead of the file's origin, in the file's unit: whole numbers, along each axis
-/// on which the model lies further off than a thousand of its sizes, as on a map; zero on the others. Nothing is lost
-/// by it: whole numbers are taken off exactly. Products of coordinates, of which areas and volumes are sums, would lose
-/// six digits and more.
+/// A new origin for a model that lies far from the file's origin, as on a map; in the file's unit. The coordinates are
+/// whole numbers along each axis on which the model is more than a thousand of its sizes away, and zero on the others.
+/// Subtracting whole numbers loses nothing, whereas products of far coordinates, which areas and volumes sum up, would
+/// lose six digits or more.
 Vec3 far_origin(const CadModel& model);
 
-/// The model and the project with all their points moved by -`origin`, which is in the file's unit, `metres` long.
+/// Moves all points of the model and the project by -`origin`, which is in the file's unit of `metres`.
 void count_from(const Vec3& origin, CadModel& model);
 void count_from(const Vec3& origin, double metres, Project& project);
 

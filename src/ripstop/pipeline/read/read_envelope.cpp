@@ -28,7 +28,7 @@ bool wanted(const std::string& name, const std::vector<std::string>& only) {
            std::any_of(only.begin(), only.end(), [&name](const std::string& glob) { return glob_match(glob, name); });
 }
 
-/// Every name that was asked for must be there: a mistyped one would silently leave out a part of the job.
+/// Every requested name must exist: a mistyped one would silently leave out a part of the job.
 void require_wanted(const std::vector<std::string>& names, const std::vector<std::string>& only, const char* what) {
     for (const std::string& glob : only) {
         const auto fits = [&glob](const std::string& name) { return glob_match(glob, name); };
@@ -48,7 +48,7 @@ void require_wanted(const std::vector<std::string>& names, const std::vector<std
     throw InputError(text);
 }
 
-/// Keeps what lies on the layers asked for. An object whose layer is not known lies on none.
+/// Keeps the objects on the requested layers. An object without a known layer is on none of them.
 void keep_layers(CadModel& model, const std::vector<std::string>& layers,
                  const std::vector<std::string>& grain_layers) {
     if (layers.empty()) return;
@@ -64,7 +64,7 @@ void keep_layers(CadModel& model, const std::vector<std::string>& layers,
                          "\" itself; choose one that has some, or give \"" + layers.front() +
                          "::*\" for the layers below it");
     std::erase_if(model.unread, elsewhere);
-    // Grain lines have layers of their own, and lie where they lie.
+    // // Grain lines have layers of their own and keep their places.
     std::erase_if(model.curves,
                   [&](const NamedCurve& curve) { return elsewhere(curve) && !is_grain_line(curve, grain_layers); });
 }
@@ -90,8 +90,8 @@ Tile tile_of(NamedMesh& surface, const ReadOptions& options) {
     return make_tile(surface.name, std::move(surface.mesh), tile);
 }
 
-/// What was taken otherwise than it stands goes into the remarks, surfaces that are no tiles into `issues`; where there
-/// is no place for them, or nothing else, they are refused.
+/// Adds deviations from the file to the remarks, and surfaces that are no tiles to `issues`. Throws for such surfaces
+/// if `issues` is null or no tile remains.
 Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& options, std::vector<std::string>& remarks,
                        std::vector<EnvelopeIssue>* issues) {
     std::vector<std::string> names;
@@ -126,7 +126,7 @@ std::string in_mm(double length) {
     return format_fixed(length / millimetre, length < millimetre ? 3 : 1) + " mm";
 }
 
-/// What single precision has cost, where it is a tenth of the seam tolerance or more.
+/// Reports the loss by single precision if it is at least a tenth of the seam tolerance.
 void name_rounding(double rounding, double seam_tolerance, EnvelopeInput& input) {
     if (rounding < seam_tolerance / 10) return;
     const std::string lost = "coordinates are stored in single precision: " + in_mm(rounding) +
@@ -145,7 +145,7 @@ void name_rounding(double rounding, double seam_tolerance, EnvelopeInput& input)
     input.issues.push_back(std::move(issue));
 }
 
-/// Counts from nearer by what lies far off: model, project and, in the input, the flight.
+/// Moves a model that is far from the origin, with its project; the input gets the moved flight.
 void come_near(CadModel& model, std::optional<Project>& project, EnvelopeInput& input) {
     const Vec3 origin = far_origin(model);
     const double metres = input.unit.unit.metres;
@@ -168,7 +168,8 @@ void doubt_size(const CadModel& model, const ReadOptions& options, EnvelopeInput
     if (input.doubt && options.doubts) options.doubts(*input.doubt);
 }
 
-/// What the final meshes decide: the lines on them, and the types of seams and chains, which remeshed tiles have anew.
+/// Steps that need the final meshes: lays the lines on them, and sets the types of seams and chains, which remeshed
+/// tiles lack.
 void finish_meshes(const CadModel& model, const std::optional<Project>& project,
                    const std::vector<std::string>& grain_layers, Envelope& envelope,
                    std::vector<std::string>& remarks) {

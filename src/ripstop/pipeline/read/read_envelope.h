@@ -17,72 +17,72 @@
 
 namespace ripstop {
 
-/// How `read_envelope` understands a file.
+/// Options of `read_envelope`.
 struct ReadOptions {
-    std::optional<LengthUnit> unit = {};   ///< of the file's numbers, whatever the file says; else its own, else metres
-    std::vector<std::string> only = {};    ///< globs of tile names to keep; all where empty
-    std::vector<std::string> layers = {};  ///< globs of the layers whose objects are read; all where empty
-    double grain_turn = 0;                 ///< where no warp is given: the longest axis turned by this [rad]
+    std::optional<LengthUnit> unit = {};   ///< unit of the file's numbers; default: the file's own, else metres
+    std::vector<std::string> only = {};    ///< globs of the tile names to keep; empty: all
+    std::vector<std::string> layers = {};  ///< globs of the layers to read; empty: all
+    double grain_turn = 0;                 ///< if no warp is given: rotates the longest axis [rad]
     std::optional<Project> project = {};
-    double seam_tolerance = 0.5 * millimetre;  ///< edges to be sewn together lie within this [m]
-    Fabric fabric = {};                        ///< of the envelope: tiles of it have none of their own
-    MeshingOptions meshing = {};  ///< of a CAD's surfaces; its unit and sewing tolerance are the ones above
-    bool fair_seams = false;      ///< by `read_input`: edges that zigzag are cut along fair curves (`fair_seams`)
-    RemeshOptions remesh = {};    ///< by `read_input`, at this seam tolerance; never unless asked for
-    bool size_is_meant = false;   ///< the unit is not to be doubted
-    /// Is told at once where the unit is in doubt, before the work that the size costs.
+    double seam_tolerance = 0.5 * millimetre;  ///< largest gap between edges that are sewn together [m]
+    Fabric fabric = {};                        ///< of the envelope; tiles with this fabric store none of their own
+    MeshingOptions meshing = {};               ///< for CAD surfaces; unit and sewing tolerance come from above
+    bool fair_seams = false;                   ///< `read_input` replaces zigzag edges by fair curves (`fair_seams`)
+    RemeshOptions remesh = {};                 ///< for `read_input`, with this seam tolerance; off by default
+    bool size_is_meant = false;                ///< the unit is certain
+    /// Called as soon as the unit is in doubt, before the work that depends on the size.
     std::function<void(const UnitDoubt&)> doubts = {};
 };
 
-/// An envelope with the meshes of its file.
+/// An envelope with the meshes of the file.
 struct AsDrawn {
     Envelope envelope;
-    std::vector<std::string> remarks;  ///< those of the input without what is said of remeshing
+    std::vector<std::string> remarks;  ///< remarks of the input without those on remeshing
 };
 
-/// An envelope with what its file said of it.
+/// An envelope with the information from its file.
 struct EnvelopeInput {
     Envelope envelope;
-    std::optional<AsDrawn> drawn = {};      ///< before tiles were remeshed; nothing where none was
-    UnitRead unit;                          ///< of the file's numbers
-    bool unit_assumed = false;              ///< neither given nor said by the file
-    std::vector<std::string> remarks = {};  ///< what was left out or taken otherwise than it stands, one sentence each
-    std::vector<std::string> unused = {};   ///< entries of the project that fit nothing, a sentence each
-    std::optional<UnitDoubt> doubt = {};    ///< of the unit, from the surfaces as they are in the file
+    std::optional<AsDrawn> drawn = {};      ///< before remeshing; empty if no tile was remeshed
+    UnitRead unit;                          ///< unit of the file's numbers
+    bool unit_assumed = false;              ///< the unit was neither given nor stated in the file
+    std::vector<std::string> remarks = {};  ///< one sentence for each thing left out or read differently
+    std::vector<std::string> unused = {};   ///< one sentence for each entry of the project that matches nothing
+    std::optional<UnitDoubt> doubt = {};    ///< doubt about the unit, from the surfaces of the file
     std::vector<EnvelopeIssue> issues =
         {};              ///< what is wrong with the file: `no_tile` for a surface that is none and is
                          ///< left out, `precision` where rounding is more than the seam tolerance
-    Flight flight = {};  ///< the project's, in the envelope's coordinates
+    Flight flight = {};  ///< the project's flight conditions, in the envelope's coordinates
 };
 
-/// Reads a file (`read_model`), makes every surface in it a tile and finds the seams between those kept (`find_seams`).
+/// Reads a file (`read_model`), makes a tile of every surface and finds the seams between the kept tiles
+/// (`find_seams`).
 ///
-/// Surfaces are called what the project calls them (`name_tiles`) before anything else looks at names; each tile gets
-/// its fabric (`give_fabrics`), each seam its type (`give_seam_types`). The project's entries that fit nothing are
-/// named, unless only some tiles are read.
+/// Surfaces get the names of the project (`name_tiles`) before anything else refers to names. Each tile gets its fabric
+/// (`give_fabrics`) and each seam its type (`give_seam_types`). Entries of the project that match nothing are reported,
+/// unless only some tiles are read.
 ///
-/// The warp of a tile is, in this order: the project's; the line that lies on the tile, on a layer called GRAIN or WARP
-/// or on one of the project's `grain_layers`; the file's own for the surface, in its triangles or as the attribute
-/// `warp` (x, y, z); the longest axis. Objects that give no surface become remarks. Last, edges that zigzag are made
-/// fair where that is asked for (`fair_seams`), and tiles are remeshed where `remesh` says so (`remesh_envelope`);
-/// `make_envelope` never does.
+/// The warp of a tile comes from, in this order: the project; a line on the tile, on a layer named GRAIN or WARP or in
+/// one of the project's `grain_layers`; the file, per triangle or as the surface's attribute `warp` (x, y, z); the
+/// longest axis. Objects without a surface become remarks. Finally, zigzag edges are made fair on request
+/// (`fair_seams`), and tiles are remeshed as `remesh` says (`remesh_envelope`); `make_envelope` does neither.
 ///
-/// Meshes are mended (`mend_surfaces`); what lies far from the origin is counted from nearer by (`far_origin`), points
-/// of the project too. Both are remarks. A surface that is no tile even so is an issue, and the others are read without
-/// it.
+/// Meshes are mended (`mend_surfaces`). A model far from the origin, and the project's points with it, gets a nearer
+/// origin (`far_origin`). Both are reported as remarks. A surface that still is no tile becomes an issue and is left
+/// out.
 ///
-/// Throws InputError for a file that cannot be read or holds no surface that is a tile: a sentence for each that is
-/// none; and for a glob in `only` or `layers` that fits nothing.
+/// Throws InputError for a file that cannot be read, for a file without any tile (one sentence for each surface), and
+/// for a glob in `only` or `layers` that matches nothing.
 EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& options);
 
-/// The last step of `read_input`, for an envelope that comes from elsewhere: makes zigzag edges fair and remeshes tiles as
-/// the options say, and keeps the drawn meshes. Remarks say what was done.
+/// The last step of `read_input`, for an envelope from another source: makes zigzag edges fair, remeshes tiles as the
+/// options say, and keeps the drawn meshes. Remarks report what was done.
 void remesh_input(EnvelopeInput& input, const ReadOptions& options);
 
-/// The envelope alone; surfaces that are no tiles are refused.
+/// The envelope alone; throws for a surface that is no tile.
 Envelope read_envelope(const std::filesystem::path& file, const ReadOptions& options);
 
-/// The same from surfaces at hand, in metres, as they are.
+/// The same from surfaces in memory, in metres, unchanged.
 Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& options);
 
 }  // namespace ripstop

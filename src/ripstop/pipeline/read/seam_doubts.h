@@ -6,14 +6,14 @@
 
 namespace ripstop {
 
-/// Adds to a check what its seams leave in doubt, as flattening judges it.
+/// Adds the doubts about the seams to a check, with the same judgement as flattening.
 ///
-/// A seam whose length the meshes leave open by more than the tolerance is the issue `uncertain`; value: that length
-/// [m]. Only where one is, the envelope is remeshed as flattening would remesh it, for that may make it certain: then
-/// it is no issue.
+/// A seam whose length is uncertain by more than the tolerance becomes the issue `uncertain`; its value is that
+/// uncertainty [m]. If there is one, the envelope is remeshed as flattening would remesh it; a seam that becomes
+/// certain is no issue.
 ///
-/// Edges that zigzag (`find_zigzags`) go into `EnvelopeCheck::zigzags`, and the highest teeth into a note: whether
-/// their curve keeps its length only flattening tells.
+/// Zigzag edges (`find_zigzags`) go into `EnvelopeCheck::zigzags`, and the highest teeth into a note. Only flattening
+/// shows whether their curve keeps its length.
 void add_seam_doubts(EnvelopeCheck& check, const Envelope& envelope, const RemeshOptions& remesh);
 
 }  // namespace ripstop

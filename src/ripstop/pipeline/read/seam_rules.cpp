@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-/// How far an edge goes along the warp and across it: sums of squares.
+/// Direction of an edge relative to the warp: sums of squared components.
 struct Way {
     double along = 0, across = 0;
 
@@ -19,7 +19,7 @@ struct Way {
     }
 };
 
-/// The edges of an envelope and how they run.
+/// The edges of an envelope and their directions.
 class Edges {
   public:
     explicit Edges(const Envelope& envelope) : envelope_(envelope) {
@@ -73,7 +73,7 @@ bool fits(const SeamRule& rule, int t, const Chain& chain, const Envelope& envel
            (rule.direction == EdgeDirection::any || edges.way(t, chain).fits(rule.direction));
 }
 
-/// The rule that decides among those that fit; null if there is none.
+/// The rule that applies, null if none does.
 template <class Fits>
 const SeamRule* deciding_rule(const Project& project, Fits&& fits) {
     const SeamRule* found = nullptr;
@@ -121,7 +121,7 @@ void give_seam_types(Envelope& envelope, const Project& project) {
                     : seam.into ? envelope.seams[static_cast<std::size_t>(seam.into->seam)].type
                                 : felled;
         if (!rule || !rule->mate_allowance) continue;
-        // where both sides fit both names, b is the mate
+        // if both sides match both names, b is the mate
         const bool a_is_mate = !rule->is_in_order(name_of(envelope, seam.a), name_of(envelope, seam.b));
         (a_is_mate ? seam.a : seam.b).allowance = rule->mate_allowance;
     }

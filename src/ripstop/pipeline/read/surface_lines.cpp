@@ -11,15 +11,15 @@
 namespace ripstop {
 namespace {
 
-constexpr double reach = 0.010;         // a curve is drawn on the surface, its tile is a mesh of it [m]
-constexpr double step = 0.020;          // between the points that are looked up [m]
-constexpr double crossing = 1e-5;       // how exactly a seam is found [m]
-constexpr double along_edge = 0.002;    // a run nearer to the boundary is the seam [m]
-constexpr double narrowest = 0.001;     // of the tiles that are not to be stepped over [m]
-constexpr double worth_saying = 0.005;  // of a curve that is lost [m]
+constexpr double reach = 0.010;         // a curve is drawn on the surface, and a tile is only a mesh of it [m]
+constexpr double step = 0.020;          // distance between the points that are looked up [m]
+constexpr double crossing = 1e-5;       // accuracy of the place where a curve crosses a seam [m]
+constexpr double along_edge = 0.002;    // a run closer to the boundary than this is the seam [m]
+constexpr double narrowest = 0.001;     // width of the narrowest tile that is never skipped [m]
+constexpr double worth_saying = 0.005;  // shortest lost length of a curve that is reported [m]
 constexpr int nowhere = -1;
 
-/// The tiles, asked for the one a point lies on.
+/// Finds the tile that a point lies on.
 class Tiles {
   public:
     explicit Tiles(const Envelope& envelope) {
@@ -30,7 +30,7 @@ class Tiles {
         double least = reach;
         for (std::size_t i = 0; i < finders_.size(); ++i)
             if (const auto found = finders_[i].nearest(point, least)) {
-                if (best != nowhere && !(found->distance < least)) continue;  // the first of equals
+                if (best != nowhere && !(found->distance < least)) continue;  // the first wins a tie
                 least = found->distance;
                 best = static_cast<int>(i);
             }
@@ -51,7 +51,7 @@ std::vector<Vec3> densified(const Points3& points) {
     return dense;
 }
 
-/// Where between two points the tile changes from the one at `a`.
+/// The place between two points where the curve leaves the tile at `a`.
 Vec3 crossing_between(Tiles& tiles, Vec3 a, Vec3 b, int tile) {
     while ((b - a).norm() > crossing) {
         const Vec3 middle = (a + b) / 2;
@@ -85,7 +85,7 @@ void add_run(Envelope& envelope, int tile, const std::vector<Vec3>& run, const s
     on.lines.push_back(std::move(line));
 }
 
-/// Puts points between two that lie on different tiles until none is stepped over.
+/// Adds points between two that lie on different tiles, until no tile is skipped.
 void add_between(Tiles& tiles, const Vec3& from, const Vec3& to, int tile_from, int tile_to,
                  std::vector<Vec3>& points) {
     if (tile_from == tile_to || (to - from).norm() < narrowest) return;
@@ -96,7 +96,7 @@ void add_between(Tiles& tiles, const Vec3& from, const Vec3& to, int tile_from, 
     add_between(tiles, middle, to, tile, tile_to, points);
 }
 
-/// No tile wider than `narrowest` lies between two of the points.
+/// Whether no tile wider than `narrowest` lies between the two points.
 std::vector<Vec3> points_to_look_up(Tiles& tiles, const Points3& curve) {
     std::vector<Vec3> points;
     int before = nowhere;
@@ -112,7 +112,7 @@ std::vector<Vec3> points_to_look_up(Tiles& tiles, const Points3& curve) {
     return points;
 }
 
-/// How much of a curve lies on tiles, and how much on none [m].
+/// The length of a curve on tiles and off all tiles [m].
 struct Laid {
     double on = 0, off = 0;
 };

@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-/// Fabrics by the names a project uses, each looked up once.
+/// The fabrics by their names in the project, each looked up once.
 class Shelf {
   public:
     explicit Shelf(const std::optional<Project>& project) : project_(project) {}
@@ -26,7 +26,7 @@ class Shelf {
         return entry->second;
     }
 
-    /// As the project names it: a fault says where.
+    /// Looks up a fabric named in the project; an error says where.
     const Fabric& named_by_project(const std::string& name, const std::string& place) try {
         return named(name);
     } catch (const InputError& error) {
@@ -50,7 +50,7 @@ std::optional<std::string> attribute(const Tile& tile, const char* key) {
     return found == tile.attributes.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Every name of the project, so that a mistyped one is refused even where no tile is of it.
+/// Looks up every name of the project, so a mistyped one is refused even if no tile uses it.
 void require_fabrics(const Project& project, Shelf& shelf) {
     for (const ProjectTile& entry : project.tiles)
         if (entry.fabric) shelf.named_by_project(*entry.fabric, "tile " + shown(entry.name) + ": fabric");
@@ -58,7 +58,7 @@ void require_fabrics(const Project& project, Shelf& shelf) {
         shelf.named_by_project(fabric, "materials: " + shown(material));
 }
 
-/// What is said of the tile's fabric: the name of one, and whether the file's own word alone says so.
+/// The fabric named for a tile, and whether only the file names it.
 struct Said {
     std::string name;
     bool by_file = false;
@@ -94,7 +94,7 @@ std::vector<std::string> give_fabrics(Envelope& envelope, const std::optional<Pr
                                       const Fabric& standard) {
     Shelf shelf(project);
     if (project) require_fabrics(*project, shelf);
-    std::map<std::string, std::vector<std::string>> unknown;  // the tiles of each
+    std::map<std::string, std::vector<std::string>> unknown;  // the tiles of each fabric
     for (Tile& tile : envelope.tiles) {
         const std::optional<Said> said = said_of(tile, project);
         if (!said) continue;

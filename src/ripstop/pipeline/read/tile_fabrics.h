@@ -8,16 +8,16 @@
 
 namespace ripstop {
 
-/// The fabric of a project's envelope: `named`, where not empty, else the project's, else isotropic. A file that the
-/// project names is looked for beside it first. Throws InputError (`fabric_named`).
+/// The fabric of a project's envelope: `named` unless empty, else the project's, else isotropic. A file named in the
+/// project is searched for next to the project first. Throws InputError (`fabric_named`).
 Fabric envelope_fabric(const std::string& named, const std::optional<Project>& project);
 
-/// Gives each tile the fabric that is said of it: by the project's entry for it, else by its attribute `fabric`, else
-/// by what the project's `materials` say of its attribute `material`. A `fabric` that stands in `materials` is what
-/// they say of it. A tile of which nothing is said, or that would be of `standard`, keeps none of its own.
+/// Gives each tile its fabric, from the first of: the project's entry for the tile; its attribute `fabric`; the
+/// project's `materials` for its attribute `material`. A `fabric` that is listed in `materials` is replaced by its
+/// entry there. A tile without any of these, or with the fabric `standard`, stores no fabric of its own.
 ///
-/// Returns a sentence for each fabric that a file names and nobody knows: its tiles are of the standard. Throws
-/// InputError for one that the project names.
+/// Returns one sentence for each unknown fabric named in a file: its tiles use the standard fabric. Throws InputError
+/// for an unknown one named in the project.
 std::vector<std::string> give_fabrics(Envelope& envelope, const std::optional<Project>& project,
                                       const Fabric& standard);
 

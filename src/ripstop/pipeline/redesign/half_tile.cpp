@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-/// Which boundary edge of the whole a boundary edge of the half lies on; nothing for the cut.
+/// The boundary edge of the whole that contains a boundary edge of the half; empty for the cut.
 class WholeBoundary {
   public:
     explicit WholeBoundary(const Tile& whole) : place_(static_cast<std::size_t>(whole.mesh.vertex_count()), -1) {
@@ -54,7 +54,7 @@ std::vector<Vec3> corners_of(const Tile& whole, const MeshHalf& half) {
     return corners;
 }
 
-/// The chain each boundary edge of the whole lies in.
+/// The chain that contains each boundary edge of the whole.
 std::vector<int> chains_of_edges(const Tile& whole) {
     std::vector<int> leaving(static_cast<std::size_t>(whole.mesh.vertex_count()), 0), chains;
     for (std::size_t c = 0; c < whole.chains.size(); ++c)
@@ -75,7 +75,7 @@ Tile make_half_tile(const Tile& whole, const MeshHalf& half, const std::string& 
     options.compensation = whole.compensation;
     options.attributes = whole.attributes;
     options.compensation.chains.clear();
-    options.compensation.strain.resize(0, 3);  // of the whole's triangles and edges
+    options.compensation.strain.resize(0, 3);  // these refer to the whole's triangles and edges
     options.compensation.edges.resize(0);
     Tile tile = make_tile(name, half.mesh, options);
     tile.fabric = whole.fabric;

@@ -7,9 +7,9 @@
 
 namespace ripstop {
 
-/// The half of a tile as a tile: with the corners of the whole and the two ends of the cut, the same warp, fabric and
-/// compensation, and edges measured on the curves of the whole's. The cut is as long as drawn and sewn without
-/// compensation of its own. Throws InputError where the half cannot be a tile (`make_tile`).
+/// Makes a tile of one half of a tile. It has the whole's corners, the two ends of the cut, and the same warp, fabric
+/// and compensation; edges are measured on the whole's curves. The cut has its drawn length and no compensation of its
+/// own. Throws InputError if the half cannot be a tile (`make_tile`).
 Tile make_half_tile(const Tile& whole, const MeshHalf& half, const std::string& name);
 
 }  // namespace ripstop

@@ -22,18 +22,18 @@ namespace ripstop {
 namespace {
 
 struct StraightCut {
-    bool along = true;  ///< the warp, which is +x of the cloth; else across it
-    double at = 0;      ///< the other coordinate, which is the same all along it
+    bool along = true;  ///< along the warp, which is +x of the cloth; else across it
+    double at = 0;      ///< the coordinate that is constant along the cut
 };
 
-/// The flat place of the vertex nearest to a point of the surface.
+/// The flat position of the vertex nearest to a point of the surface.
 Vec2 on_cloth(const FlatTile& tile, const Vec3& point) {
     Eigen::Index nearest = 0;
     (tile.tile.mesh.positions.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
     return tile.flattening.positions.row(nearest);
 }
 
-/// Lines to try: none nearer to another than a twentieth of the piece, nor to its end than an eighth.
+/// Cuts to try: at least a twentieth of the piece apart and an eighth away from its ends.
 std::vector<StraightCut> lines_to_try(const FlatTile& tile) {
     const Points2& flat = tile.flattening.positions;
     const std::array<Vec3, 4> places{tile.bounds.centre, tile.accuracy.worst_warp, tile.accuracy.worst_weft,
@@ -85,7 +85,7 @@ std::optional<SplitProposal> try_line(const FlatTile& tile, const StraightCut& l
             try_tile(make_half_tile(tile.tile, split->left, tile.tile.name + " left"), method, fabric, tolerances),
             try_tile(make_half_tile(tile.tile, split->right, tile.tile.name + " right"), method, fabric, tolerances)};
     } catch (const InputError&) {
-        return std::nullopt;  // the half is none that can be made a tile: no proposal
+        return std::nullopt;  // the half cannot be made a tile, so there is no proposal
     }
     return proposal;
 }
@@ -95,13 +95,13 @@ int better_halves(const SplitProposal& proposal, const Verdict& whole) {
                                           [&](const Trial& half) { return is_better(half.verdict, whole); }));
 }
 
-/// Are both halves better than the whole, or can one at least be made?
+/// Whether both halves are better than the whole, or at least one can be made.
 bool helps(const SplitProposal& proposal, const Verdict& whole) {
     const auto is_good = [](const Trial& half) { return half.verdict.manufacturable(); };
     return better_halves(proposal, whole) == 2 || std::any_of(proposal.halves.begin(), proposal.halves.end(), is_good);
 }
 
-/// Less is better.
+/// The score of a proposal; less is better.
 std::tuple<int, std::size_t, std::size_t, double> rank(const SplitProposal& proposal, const Verdict& whole) {
     const std::size_t left = proposal.halves[0].verdict.findings.size();
     const std::size_t right = proposal.halves[1].verdict.findings.size();
@@ -113,7 +113,7 @@ bool is_sound(const FlatTile& tile) {
     return tile.flattening.summary.usable() && tile.accuracy.flipped == 0 && tile.is_flat();
 }
 
-/// Where the proposal lies on a tile that is the first one moved, perhaps mirrored.
+/// The place of the proposal on a tile that is a moved, perhaps mirrored, copy of the first.
 SplitProposal moved(SplitProposal proposal, const Likeness& likeness) {
     const auto move = [&](Vec3& point) {
         if (likeness.mirrored) point.x() *= -1;
@@ -131,9 +131,9 @@ SplitProposal moved(SplitProposal proposal, const Likeness& likeness) {
     return proposal;
 }
 
-/// The proposal for a tile that is cut as `first` is; nothing where the two are no more alike than their pieces are.
+/// The proposal for a tile that is cut like `first`; empty if the tiles are no more alike than their pieces.
 std::optional<SplitProposal> taken_over(const FlatTile& first, const FlatTile& tile) {
-    constexpr double tolerance = 3e-4;  // [m]: both are like their kind's first to a third of it
+    constexpr double tolerance = 3e-4;  // [m]: each differs from the first of its kind by at most a third of it
     if (!first.proposal) return std::nullopt;
     const Likeness likeness = find_equal_tiles({first.tile, tile.tile}, tolerance)[1];
     if (likeness.to < 0) return std::nullopt;
@@ -165,7 +165,7 @@ std::optional<SplitProposal> propose_split(const FlatTile& tile, const Method& m
 bool add_proposals(CutPlan& plan, const Method& method, int threads, const ProposeLimits& limits,
                    const Progress& progress) {
     std::vector<std::size_t> failing;
-    std::vector<std::vector<std::size_t>> alike;  // of each of them, the others that fail and are cut as it is
+    std::vector<std::vector<std::size_t>> alike;  // for each of them, the other failing tiles that are cut the same
     std::map<int, std::size_t> kinds;
     long triangles = 0;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
@@ -203,7 +203,7 @@ std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& met
     StepCounter counter(static_cast<int>(plan.seams.size()), progress);
     const auto try_seam = [&](int i) {
         const Seam& seam = plan.seams[static_cast<std::size_t>(i)];
-        if (holds_further[static_cast<std::size_t>(i)]) return;  // a further sheet would hang on nothing
+        if (holds_further[static_cast<std::size_t>(i)]) return;  // an additional sheet would lose its seam
         const FlatTile& a = plan.tiles[static_cast<std::size_t>(seam.a.tile)];
         const FlatTile& b = plan.tiles[static_cast<std::size_t>(seam.b.tile)];
         try {
@@ -216,7 +216,7 @@ std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& met
             if (trial.verdict.manufacturable() && width <= fabric.roll_width)
                 found[static_cast<std::size_t>(i)] = {seam.a.tile, seam.b.tile, i, trial};
         } catch (const InputError&) {
-            return;  // together they are no tile
+            return;  // together they do not form a tile
         }
     };
     parallel_for(static_cast<int>(plan.seams.size()), threads, [&](int i) {

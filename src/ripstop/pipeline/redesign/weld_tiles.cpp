@@ -13,7 +13,7 @@ namespace {
 constexpr double same_vertex = 1e-5;  // [m]
 constexpr double warps_apart = 15 * degree;
 
-/// The vertices of a side in its order, its ends included; empty where it begins or ends within an edge.
+/// The vertices of a side in order, with its ends; empty if it begins or ends within an edge.
 std::vector<int> vertices_of(const Tile& tile, const SeamSide& side) {
     const Eigen::VectorXd drawn = drawn_lengths(tile);
     std::vector<int> vertices;
@@ -27,7 +27,7 @@ std::vector<int> vertices_of(const Tile& tile, const SeamSide& side) {
     return vertices;
 }
 
-/// The vertex of `a` for each of `b` on the seam, -1 elsewhere; empty where they do not lie on one another.
+/// For each vertex of `b` on the seam, the vertex of `a` at its place, -1 elsewhere; empty if they do not coincide.
 std::vector<int> partners(const Tile& a, const Tile& b, const Seam& seam) {
     const std::vector<int> along = vertices_of(a, seam.a), against = vertices_of(b, seam.b);
     if (along.empty() || along.size() != against.size()) return {};
@@ -40,7 +40,7 @@ std::vector<int> partners(const Tile& a, const Tile& b, const Seam& seam) {
     return partner;
 }
 
-/// Gives the welded tile's edges the lengths they have on the curves of the tiles they come from.
+/// Gives the edges of the welded tile their lengths on the curves of the original tiles.
 void keep_curve_lengths(const Tile& from, const std::vector<int>& number, Tile& welded) {
     std::vector<int> place(static_cast<std::size_t>(welded.mesh.vertex_count()), -1);
     for (std::size_t i = 0; i < welded.boundary.size(); ++i)

@@ -7,10 +7,11 @@
 
 namespace ripstop {
 
-/// Two neighbours as one tile, welded along a seam whose sides have the same vertices (within 0.01 mm) and whole edges.
-/// Corners are where its boundary turns; the warp is the mean of both; edges keep their lengths on the seams' curves.
-/// Nothing where the tiles are one, are not of one fabric, do not have the same vertices, are compensated, or have
-/// warps more than 15 degrees apart. Throws InputError where together they are no disk (a second seam between them).
+/// Welds two neighbours into one tile along a seam. The sides must have the same vertices (within 0.01 mm) and consist
+/// of whole edges. Corners are where the new boundary turns; the warp is the mean of both; edges keep their lengths on
+/// the seams' curves. Empty if both sides belong to one tile, the fabrics differ, the vertices differ, a tile has
+/// compensation, or the warps are more than 15 degrees apart. Throws InputError if the result is no disk (a second seam
+/// between them).
 std::optional<Tile> weld_tiles(const Tile& a, const Tile& b, const Seam& seam);
 
 }  // namespace ripstop

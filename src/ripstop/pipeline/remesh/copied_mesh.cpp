@@ -5,13 +5,13 @@
 namespace ripstop {
 namespace {
 
-constexpr double equal_vertex = 1.5e-4;  // [m], what equal tiles may be apart by and a half
+constexpr double equal_vertex = 1.5e-4;  // [m], one and a half times the tolerance of equal tiles
 
 Vec3 moved(const Vec3& x, const Likeness& likeness) {
     return likeness.motion * (likeness.mirrored ? Vec3(-x.x(), x.y(), x.z()) : x);
 }
 
-/// Of each node of `first` the node of `boundary` in its place; empty where there is none.
+/// For each node of `first`, the node of `boundary` at its place; empty if one is missing.
 std::vector<int> matching_nodes(const NewBoundary& first, const NewBoundary& boundary, const Likeness& likeness) {
     const int count = static_cast<int>(boundary.nodes.size());
     if (static_cast<int>(first.nodes.size()) != count) return {};

@@ -10,10 +10,10 @@ namespace {
 
 constexpr double count_rounding =
     1e-2;                            // of a count: equal curves are divided equally wherever they lie, rounded or not
-constexpr double longest = 4.0 / 3;  // edge lengths, as the remeshing has it
+constexpr double longest = 4.0 / 3;  // in edge lengths, as in remeshing
 constexpr double sparse_enough = 0.45, shortest = 0.3, densest = 0.35;
 constexpr double turn_wanted = 4 * degree;
-constexpr double kink_cosine = 0.999;  // the tangents on both sides of a vertex are the same, but at a corner
+constexpr double kink_cosine = 0.999;  // cosine between the tangents before and after a vertex: smaller at a corner
 
 int edge_at(const ChainCurve& curve, double at) {
     const int count = curve.edge_count();
@@ -24,7 +24,7 @@ double turn_between(const ChainCurve& curve, double from, double to) {
     return (to - from) * turn_of_edge(curve, edge_at(curve, from));
 }
 
-/// Does the curve turn a corner at its vertex there?
+/// Whether the curve has a corner at this vertex.
 bool has_kink(const ChainCurve& curve, double at) {
     const int after = edge_at(curve, at), before = edge_at(curve, at + curve.edge_count() - 1);
     const Vec3 in = Vec3(curve.end_slopes.row(before)).normalized();

@@ -24,17 +24,17 @@
 namespace ripstop {
 namespace {
 
-constexpr double too_near = 0.55;  // of a new edge: vertices inside nearer to it go
+constexpr double too_near = 0.55;  // in new edges: inner vertices closer to one are removed
 constexpr std::size_t most_remarks = 12;
 
-/// Places in space, by the cell of a grid.
+/// Displacements by place in space, in a grid of cells.
 class Places {
   public:
     explicit Places(double tolerance) : tolerance_(tolerance) {}
 
     void add(const Vec3& from, const Vec3& to) { moves_[cell(from)].push_back({from, to}); }
 
-    /// Where what lies here goes; nothing where it stays.
+    /// The new place of a vertex at `from`; empty if it does not move.
     std::optional<Vec3> find(const Vec3& from) const {
         const std::array<long, 3> middle = cell(from);
         for (long i = -1; i <= 1; ++i)
@@ -57,14 +57,14 @@ class Places {
     std::map<std::array<long, 3>, std::vector<std::pair<Vec3, Vec3>>> moves_;
 };
 
-/// A tile with what its zigzags need to know of it.
+/// A tile with its layout, for its zigzags.
 struct Laid {
-    Points2 flat;              ///< #V x 2; empty where it was not laid
-    Points3 normals;           ///< #V x 3, at the boundary
-    std::map<int, int> place;  ///< of a vertex in the boundary
+    Points2 flat;              ///< #V x 2; empty if the layout failed
+    Points3 normals;           ///< #V x 3, at boundary vertices
+    std::map<int, int> place;  ///< index in the boundary, by vertex
 };
 
-/// Along the boundary at a vertex: the mean of the edges before and after.
+/// The direction of the boundary at a vertex: the mean of the edges before and after.
 template <class Points>
 auto along(const Tile& tile, const Points& at, int place) {
     const auto size = static_cast<int>(tile.boundary.size());
@@ -106,7 +106,7 @@ Laid lay(const Tile& tile) {
     return laid;
 }
 
-/// Corners that the boundary's turns do not tell were given: they stay corners.
+/// Whether corners were given: those that do not follow from the boundary's turns. They stay corners.
 bool has_given_corners(const Tile& tile) {
     if (tile.chains.size() < 2) return false;
     const Eigen::VectorXd turning = surface_turning(tile.mesh, tile.boundary);
@@ -118,7 +118,7 @@ bool has_given_corners(const Tile& tile) {
     return false;
 }
 
-/// The tile with its boundary where `moves` says.
+/// The tile with its boundary moved by `moves`.
 Tile moved_tile(const Tile& tile, const Laid& laid, const Places& moves) {
     const auto outline = static_cast<Eigen::Index>(tile.boundary.size());
     Points2 polygon(outline, 2);
@@ -199,7 +199,7 @@ class Fairing {
   private:
     const Tile& tile(int t) const { return envelope_.tiles[static_cast<std::size_t>(t)]; }
 
-    /// Moves the zigzags of tiles that have not failed; false where another has.
+    /// Moves the zigzags of tiles that have not failed. Returns false if another tile failed.
     bool try_all() {
         Places moves(tolerance_);
         std::vector<bool> touched(envelope_.tiles.size(), false);
@@ -235,7 +235,7 @@ class Fairing {
                            [&](int v) { return (Vec3(tile(t).mesh.positions.row(v)) - point).norm() <= tolerance_; });
     }
 
-    /// Both sides must have the same vertices, else they part.
+    /// Restores both sides if they do not have the same vertices.
     void drop_one_sided() {
         std::erase_if(zigzags_, [&](const Zigzag& zigzag) {
             if (zigzag.mate.empty()) return false;
@@ -250,7 +250,7 @@ class Fairing {
         });
     }
 
-    /// A tile that failed stays, and so do the zigzags of its neighbours that run along it.
+    /// Keeps a failed tile, and the zigzags of its neighbours that run along it.
     void give_up(int t, const std::string& why) {
         failure_[static_cast<std::size_t>(t)] = why;
         std::erase_if(zigzags_, [&](const Zigzag& zigzag) {
@@ -268,7 +268,7 @@ class Fairing {
         for (std::size_t i = skip; i + skip < zigzag.vertices.size(); ++i) {
             const int v = zigzag.vertices[i];
             const Vec3 here = mine.mesh.positions.row(v);
-            if (moves.find(here)) continue;  // by the neighbour's zigzag
+            if (moves.find(here)) continue;  // moved by the neighbour's zigzag
             const Frame frame = frame_at(mine, laid, v);
             const Vec2 step = fair.row(static_cast<Eigen::Index>(i)) - chain.row(static_cast<Eigen::Index>(i));
             moves.add(here, here + step.dot(frame.flat_along) * frame.along + step.dot(frame.flat_left) * frame.left);

@@ -7,18 +7,18 @@
 
 namespace ripstop {
 
-/// Puts fair curves in the place of edges that zigzag (`find_zigzags`), the same on both sides of a seam.
+/// Replaces zigzag edges (`find_zigzags`) by fair curves, the same on both sides of a seam.
 ///
-/// Each vertex of a zigzag goes to its place on the fair curve: in the tile's flat layout (`flatten_dirichlet`) by
-/// `fair_points`, in space by the same step along the edge and across it in the surface's tangent plane. Where a seam
-/// ends and where a corner was given it stays. The neighbour's vertices there go to the same places. Of either tile the
-/// vertices inside stay where they are, except those too near to the new edge or beyond it, which go; the triangles are
-/// those of the Delaunay triangulation of the layout. Corners are sought anew, seams too; names, warp, compensation,
-/// fabric and attributes stay, flat positions that came with the tile are dropped.
+/// Each vertex of a zigzag moves to its place on the fair curve: in the tile's flat layout (`flatten_dirichlet`) by
+/// `fair_points`, and in space by the same displacement along the edge and across it in the tangent plane of the
+/// surface. Ends of seams and given corners stay. The neighbour's vertices move to the same places. Inner vertices of
+/// both tiles stay, except those too close to the new edge or beyond it, which are removed. The new triangles are the
+/// Delaunay triangulation of the layout. Corners and seams are searched again. Names, warp, compensation, fabric and
+/// attributes are kept; flat positions that came with the tile are dropped.
 ///
-/// A tile stays as it is, and its neighbours along their zigzag, where each triangle has a warp of its own, where the
-/// neighbour has other vertices along it, and where no mesh comes out. Returns a sentence for each tile: how far its
-/// vertices moved and what became of its area, or why it stayed. About ten times as long as flattening those tiles.
+/// A tile and its neighbours along the zigzag are unchanged if each triangle has a warp of its own, if the neighbour
+/// has other vertices along the zigzag, or if the mesh fails. Returns one sentence for each tile: how far its vertices
+/// moved and how its area changed, or why it is unchanged. Takes about ten times as long as flattening those tiles.
 std::vector<std::string> fair_seams(Envelope& envelope, double seam_tolerance);
 
 }  // namespace ripstop

@@ -12,10 +12,10 @@
 namespace ripstop {
 namespace {
 
-constexpr double least_edge = 0.25;   // edge lengths: a neighbour's vertices nearer than this are not taken
-constexpr double near_vertex = 1e-3;  // of an edge: so near a vertex a new one is put in its place
+constexpr double least_edge = 0.25;   // in edge lengths: a neighbour's vertices closer than this are not taken
+constexpr double near_vertex = 1e-3;  // in edges: a new vertex closer than this to an old one takes its place
 
-/// A new vertex of a chain, and which part of which seam the edge after it is.
+/// A new vertex of a chain, with the seam and part of the edge after it.
 struct ChainNode {
     double at = 0;
     Vec3 position = Vec3::Zero();
@@ -25,7 +25,7 @@ struct ChainNode {
     std::size_t part = 0;
 };
 
-/// A stretch of a chain from one seam's end to the next, without the vertex at its end.
+/// A part of a chain from the end of one seam to the next, without the vertex at its end.
 struct Stretch {
     double from = 0, to = 0;
     std::vector<ChainNode> nodes;
@@ -92,7 +92,7 @@ class Divider {
                       : measured_side(chain(chain_index(seam.a)), seam.a, ends.start_a, ends.end_a);
     }
 
-    /// Is the seam known only as a polyline that turns too much for the tolerance?
+    /// Whether the seam is known only as a polyline that turns too much for the tolerance.
     bool is_coarse(int index) const {
         const Seam& seam = found_.seams[static_cast<std::size_t>(index)];
         return conforms(chain(chain_index(seam.a)).curve, chain(chain_index(seam.b)).curve,
@@ -101,7 +101,7 @@ class Divider {
                    most_turn_;
     }
 
-    /// A polyline stays one on every edge of a tile where it does on one: a wall is as wide above as below.
+    /// If one edge of a tile stays a polyline, all do, so that a wall is as wide above as below.
     void find_rounded() {
         for (std::size_t t = 0; t < tiles_.size(); ++t) rounded_.push_back(moves(static_cast<int>(t)));
         for (std::size_t s = 0; s < found_.seams.size(); ++s) coarse_.push_back(is_coarse(static_cast<int>(s)));
@@ -164,7 +164,7 @@ class Divider {
         (a_leads ? seam.b : seam.a).parts.resize(lengths.size());
     }
 
-    /// The vertices of a seam's side as they will be: how far along the side, and where.
+    /// A new vertex of a seam's side: its distance along the side and its place.
     struct Knot {
         double along;
         Vec3 position;
@@ -191,7 +191,7 @@ class Divider {
         return knots;
     }
 
-    /// A further sheet in a seam takes the vertices of the side that it hangs on.
+    /// Gives an additional sheet in a seam the vertices of the side that it hangs on.
     void divide_sheet(int index, std::vector<Seam>& seams) {
         const Seam& before = found_.seams[static_cast<std::size_t>(index)];
         Seam& sheet = seams[static_cast<std::size_t>(index)];
@@ -224,7 +224,7 @@ class Divider {
         stretches_[static_cast<std::size_t>(chain_index(before.a))].push_back(std::move(stretch));
     }
 
-    /// One side of a seam that is divided: its own curve and its mate's, and its vertices on its own, ascending.
+    /// One side of a divided seam: its own curve, its mate's, and its vertices on its own curve, ascending.
     struct DividedSide {
         int seam;
         bool is_side_b;
@@ -233,15 +233,15 @@ class Divider {
         std::vector<double> at;
     };
 
-    /// `on_lead`: the same vertices on the curve that both sides follow. At its ends each side keeps its own corner; where it
-    /// has none there it takes its mate's.
+    /// `on_lead`: the same vertices on the curve that both sides follow. At its ends each side keeps its own corner, or
+    /// takes its mate's if it has none there.
     void add_stretch(const DividedSide& side, const MeasuredCurve& lead, const std::vector<double>& on_lead,
                      const std::vector<double>& lengths) {
         Stretch stretch{side.own->breaks.front(), side.own->breaks.back(), {}};
         for (std::size_t k = 0; k < lengths.size(); ++k)
             stretch.nodes.push_back(
                 {side.at[k], point_at(*lead.curve, on_lead[k]), lengths[k], side.seam, side.is_side_b, k});
-        const double start = stretch.from, beside = side.mate->breaks.back();  // it runs the other way
+        const double start = stretch.from, beside = side.mate->breaks.back();  // the mate runs the other way
         if (start == std::round(start))
             stretch.nodes.front().position = point_at(*side.own->curve, start);
         else if (beside == std::round(beside))
@@ -265,8 +265,8 @@ class Divider {
         return stretch;
     }
 
-    /// The seams along a chain in its order, what lies loose between them too. A gap or an overlap within two tolerances is
-    /// none: two corners that meet there are one vertex of this chain.
+    /// The seams along a chain in order, with the loose parts between them. Gaps and overlaps within two tolerances are
+    /// ignored: two corners that meet there are one vertex of this chain.
     std::vector<Stretch> stretches_of(int index, double edge) const {
         const ChainCurve& curve = chain(index).curve;
         const double size = curve.edge_count();
@@ -290,14 +290,14 @@ class Divider {
             all.push_back(std::move(stretch));
         }
         if (!curve.closed && apart(reached, size)) all.push_back(loose_stretch(index, reached, size, edge));
-        if (!curve.closed) {  // the chain begins at its corner, whatever came first
+        if (!curve.closed) {  // the chain begins at its corner
             all.front().nodes.front().at = 0;
             all.front().nodes.front().position = point_at(curve, 0);
         }
         return all;
     }
 
-    /// The vertices of a chain in its order.
+    /// The vertices of a chain in order.
     std::vector<ChainNode> nodes_of(int index, double edge) const {
         const ChainCurve& curve = chain(index).curve;
         std::vector<ChainNode> nodes;
@@ -311,7 +311,7 @@ class Divider {
         return nodes;
     }
 
-    /// Sets the parts of the seams along the tile too.
+    /// Also sets the parts of the seams along the tile.
     NewBoundary assemble(int t, std::vector<Seam>& seams) const {
         const Tile& tile = tiles_[static_cast<std::size_t>(t)];
         const Eigen::Index size = static_cast<Eigen::Index>(tile.boundary.size());
@@ -332,7 +332,7 @@ class Divider {
                 boundary.nodes.push_back({place_on_boundary(placed, node.at), node.position, node.length});
             }
         }
-        // A corner that is the only one does not begin the boundary, else it would be taken for none.
+        // // A single corner must not begin the boundary, or it would count as no corner.
         if (tile.chains.size() == 1 && tile.chains.front().vertices.front() != tile.boundary.front()) {
             std::rotate(boundary.nodes.begin(), boundary.nodes.begin() + 1, boundary.nodes.end());
             std::rotate(all.begin(), all.begin() + 1, all.end());
@@ -359,10 +359,10 @@ class Divider {
     double most_turn_, tolerance_;
     std::vector<PlacedChain> chains_;
     std::vector<int> first_chain_;
-    std::vector<std::vector<Stretch>> stretches_;  ///< of each chain
-    std::vector<bool> coarse_;                     ///< of each seam (`is_coarse`)
-    std::vector<bool> rounded_;                    ///< of each tile: its coarse polylines become curves
-    std::set<int> holds_staying_;                  ///< seams in which a sheet lies that keeps its mesh
+    std::vector<std::vector<Stretch>> stretches_;  ///< per chain
+    std::vector<bool> coarse_;                     ///< per seam (`is_coarse`)
+    std::vector<bool> rounded_;                    ///< per tile: its coarse polylines become curves
+    std::set<int> holds_staying_;                  ///< seams that contain a sheet with an unchanged mesh
 };
 
 }  // namespace

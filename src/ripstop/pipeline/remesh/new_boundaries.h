@@ -8,28 +8,28 @@
 namespace ripstop {
 
 struct NewBoundaries {
-    std::vector<NewBoundary> tiles;  ///< of each tile; without nodes where it stays as it is
-    std::vector<Seam> seams;         ///< the same seams over the new boundaries
+    std::vector<NewBoundary> tiles;  ///< per tile; without nodes if the tile is unchanged
+    std::vector<Seam> seams;         ///< the same seams on the new boundaries
 };
 
-/// Divides the boundaries of the tiles that are to be remeshed into edges of about `edge_lengths` [m] (of each tile; 0:
-/// it stays as it is). `length_tolerance` is a ratio.
+/// Divides the boundaries of the tiles to be remeshed into edges of about `edge_lengths` [m] (per tile; 0: unchanged).
+/// `length_tolerance` is a ratio.
 ///
-/// Every seam is divided once, for both sides: they get the same vertices, on the curve the seam was measured on
-/// (`find_seams`), at the shorter of the two edge lengths and at most 4 degrees of turn an edge. Where one side stays
-/// as it is the other takes its vertices, if they are neither too dense (a quarter of the edge length) nor, then with
-/// others between them, too far apart. Vertices that serve are kept. Corners stay where they are, each side's own;
-/// where a seam ends within a chain (a T-junction) the chain gets a vertex at the corner there.
+/// Every seam is divided once for both sides. They get the same vertices, on the curve with which the seam was measured
+/// (`find_seams`), at the shorter of the two edge lengths and at most 4 degrees of turn per edge. If one side is
+/// unchanged, the other takes its vertices, provided that they are not too dense (a quarter of the edge length) or too
+/// far apart after others are inserted. Suitable vertices are kept. Corners stay in place, each side's own. Where a
+/// seam ends within a chain (a T-junction), the chain gets a vertex at that corner.
 ///
-/// Lengths are those of the seams as found, shared by arc length, with one exception: a seam or loose edge known only
+/// Lengths are those of the found seams, distributed by arc length, with one exception: a seam or loose edge known only
 /// as a polyline that turns too much for the tolerance (t^2 / 24 beyond half of it) takes the length of its smooth
-/// curve. It does so on all edges of a tile or on none: where one tile of those that such seams join stays as it is,
-/// they all keep their polylines.
+/// curve. This holds for all edges of a tile or for none: if such seams join tiles and one of them is unchanged, they
+/// all keep their polylines.
 NewBoundaries divide_boundaries(const std::vector<Tile>& tiles, const FoundSeams& found,
                                 const std::vector<double>& edge_lengths, double length_tolerance,
                                 double seam_tolerance);
 
-/// Of each seam: both sides share their vertices, and the polyline turns too much for the tolerance.
+/// For each seam: both sides share their vertices, and the polyline turns too much for the tolerance.
 std::vector<bool> find_coarse_seams(const std::vector<Tile>& tiles, const FoundSeams& found, double length_tolerance);
 
 }  // namespace ripstop

@@ -23,14 +23,14 @@
 namespace ripstop {
 namespace {
 
-constexpr double most_triangles = 5e6;   // of the envelope, by length
-constexpr double fewest_triangles = 24;  // of a tile, by length
+constexpr double most_triangles = 5e6;   // of the envelope, for a given edge length
+constexpr double fewest_triangles = 24;  // of a tile, for a given edge length
 constexpr int most_rounds = 4;
-constexpr int most_meshings = 3;  // of a tile whose neighbours do not come out: then it keeps its mesh as they do
+constexpr int most_meshings = 3;  // of a tile whose neighbours fail; then it keeps its mesh as they do
 
-/// What is to become of a tile, and what became of it.
+/// The plan for a tile, and the result.
 struct Job {
-    double edge_length = 0;  ///< 0: it stays
+    double edge_length = 0;  ///< 0: unchanged
     std::optional<MeshFault> fault;
     double turn_max = 0;
     double area = 0;       ///< of the input's triangles [m2]
@@ -38,15 +38,15 @@ struct Job {
     std::string failure;
     NewBoundary boundary;
     std::optional<Tile> made;
-    double distance_max = 0;  ///< of it from the input's triangles [m]
+    double distance_max = 0;  ///< from the new mesh to the input's triangles [m]
 };
 
-/// Triangles a tile: a thousand, fewer where the tiles are so many that sewing and inflating them would take minutes.
+/// Triangles per tile: a thousand, or fewer if there are so many tiles that sewing and inflating would take minutes.
 double fewest_of(std::size_t tiles) {
     return std::clamp(100000 / static_cast<double>(tiles), 250.0, 1000.0);
 }
 
-/// A row of facets with a fine boundary needs no other mesh: it unrolls without strain however long and narrow its
+/// A row of facets with a fine boundary needs no other mesh: it unrolls without strain, however long and narrow its
 /// triangles are, and its creases are straight on the cloth too.
 bool unrolls_as_drawn(const Tile& tile, const MeshState& state, const MeshFault& fault, double length_tolerance) {
     return fault.kind != MeshFault::too_fine && !state.has_coarse_boundary(length_tolerance) &&
@@ -78,7 +78,7 @@ std::vector<Job> find_jobs(const std::vector<Tile>& tiles, const RemeshOptions& 
     return jobs;
 }
 
-/// Equal tiles that need it are remeshed at one length: that of the first of them.
+/// Gives equal tiles that need remeshing one edge length: that of the first of them.
 void treat_alike(const std::vector<Tile>& tiles, const std::vector<Likeness>& likeness, std::vector<Job>& jobs) {
     for (std::size_t t = 0; t < jobs.size(); ++t) {
         if (likeness[t].to < 0) continue;
@@ -99,8 +99,8 @@ bool leaves_any_open(const std::vector<Seam>& seams, const RemeshOptions& option
     return std::any_of(seams.begin(), seams.end(), [&](const Seam& seam) { return leaves_open(seam, options); });
 }
 
-/// A tile that would stay, flat perhaps, is remeshed with those beside it where their seam is a polyline too coarse to
-/// say whether it or the curve through it is meant: both sides take the curve.
+/// Remeshes a tile that would be unchanged, such as a flat one, together with its neighbours if their seam is a
+/// polyline too coarse to tell whether it or the curve through it is meant: both sides take the curve.
 void take_coarse_neighbours(const std::vector<Tile>& tiles, const FoundSeams& found, const RemeshOptions& options,
                             std::vector<Job>& jobs) {
     if (options.mode != RemeshMode::automatic) return;
@@ -148,7 +148,7 @@ bool same_boundary(const NewBoundary& a, const NewBoundary& b) {
                       });
 }
 
-/// Makes the meshes that are not there yet. A tile whose mesh does not come out stays as it was.
+/// Makes the missing meshes. A tile whose mesh fails is unchanged.
 void make_meshes(const std::vector<Tile>& tiles, const std::vector<Likeness>& likeness, std::vector<Job>& jobs,
                  int threads) {
     std::vector<int> firsts, copies;
@@ -179,7 +179,7 @@ void make_meshes(const std::vector<Tile>& tiles, const std::vector<Likeness>& li
                      [&](int k) { make((*list)[static_cast<std::size_t>(k)]); });
 }
 
-/// The chains of all sheets of a seam, by tile: of several sheets on an edge outlines do not tell who is the skin.
+/// The chains of all sheets of a seam, by tile: outlines do not tell which of several sheets on an edge is the skin.
 using SeamPlace = std::vector<std::pair<int, int>>;
 
 std::vector<std::pair<SeamPlace, double>> places_of(const std::vector<Seam>& seams) {
@@ -194,8 +194,8 @@ std::vector<std::pair<SeamPlace, double>> places_of(const std::vector<Seam>& sea
     return places;
 }
 
-/// The tiles whose seams are not found again. A seam more within a tile is none: it lies at a tip, where the sides of
-/// an outline have no cloth between them.
+/// The tiles whose seams are not found again. An additional seam within a tile is ignored: it lies at a tip, where the
+/// sides of an outline have no cloth between them.
 std::set<int> tiles_with_other_seams(const std::vector<Tile>& tiles, const std::vector<Seam>& seams, double tolerance) {
     std::map<SeamPlace, std::vector<double>> missing;
     for (const auto& [place, length] : places_of(seams)) missing[place].push_back(length);
@@ -223,7 +223,7 @@ void give_up(Job& job) {
     job.made.reset();
 }
 
-/// True: a tile failed, and what its neighbours are to look like has changed.
+/// Returns true if a tile failed, so the boundaries of its neighbours must change.
 bool give_up_failed(std::vector<Job>& jobs) {
     bool any = false;
     for (Job& job : jobs) {
@@ -238,8 +238,7 @@ bool any_left(const std::vector<Job>& jobs) {
     return std::any_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.edge_length > 0; });
 }
 
-/// The tiles of `lost` that are to be remeshed; where none of them is, the neighbours of those that are lost, at last
-/// all.
+/// The tiles of `lost` that are to be remeshed; if there are none, the neighbours of the lost ones; failing that, all.
 std::set<int> concerned_jobs(const std::vector<Job>& jobs, const std::vector<Seam>& seams, const std::set<int>& lost) {
     std::set<int> jobs_lost, beside, all;
     for (std::size_t t = 0; t < jobs.size(); ++t) {
@@ -253,8 +252,8 @@ std::set<int> concerned_jobs(const std::vector<Job>& jobs, const std::vector<Sea
     return !jobs_lost.empty() ? jobs_lost : !beside.empty() ? beside : all;
 }
 
-/// Divides the boundaries and looks whether the seams between them are still the same, with fewer tiles each time until
-/// they are: seams are found from the boundaries alone, so nothing needs to be meshed to know.
+/// Divides the boundaries and checks that the seams between them are unchanged, with fewer tiles each time until they
+/// are. Seams follow from the boundaries alone, so nothing needs to be meshed.
 NewBoundaries settle_boundaries(const std::vector<Tile>& tiles, const FoundSeams& found, std::vector<Job>& jobs,
                                 const RemeshOptions& options) {
     for (int round = 0;; ++round) {
@@ -274,7 +273,7 @@ NewBoundaries settle_boundaries(const std::vector<Tile>& tiles, const FoundSeams
     }
 }
 
-/// Divides, meshes, and begins again without the tiles whose mesh did not come out.
+/// Divides and meshes; repeats without the tiles whose mesh failed.
 void remesh(Envelope& envelope, const FoundSeams& found, const std::vector<Likeness>& likeness, std::vector<Job>& jobs,
             const RemeshOptions& options) {
     for (int round = 0; any_left(jobs); ++round) {
@@ -299,13 +298,13 @@ std::string tiles_text(const std::vector<std::string>& names) {
     return names.size() == 1 ? "tile " + names.front() : std::to_string(names.size()) + " tiles";
 }
 
-/// How far the new triangles are from the input's.
+/// The largest distance from the new triangles to the input's.
 std::string deviation_text(double gain, double distance) {
     return format_fixed(std::abs(gain) / percent, 3) + " % " + (gain < 0 ? "less" : "more") +
            " area than as drawn, up to " + format_fixed(distance / millimetre, 1) + " mm from it";
 }
 
-/// A sentence for each kind of fault and outcome.
+/// One sentence for each kind of fault and outcome.
 std::vector<std::string> remarks_of(const std::vector<Tile>& tiles, const std::vector<Job>& jobs) {
     struct Group {
         std::vector<std::string> names;
@@ -358,8 +357,7 @@ std::vector<std::string> remesh_envelope(Envelope& envelope, const RemeshOptions
     FoundSeams found;
     try {
         found = find_seams(envelope.tiles, {options.seam_tolerance});
-    } catch (
-        const InputError&) {  // the tiles are too small to have seams: `check_envelope` names the unit that is meant
+    } catch (const InputError&) {  // tiles too small to have seams: `check_envelope` names the right unit
         return {};
     }
     take_coarse_neighbours(envelope.tiles, found, options, jobs);

@@ -8,33 +8,32 @@
 
 namespace ripstop {
 
-/// Which tiles are remeshed: none, those whose meshes have a fault, or all at one edge length.
+/// Which tiles are remeshed: none, those whose meshes have a fault, or all with one edge length.
 enum class RemeshMode { never, automatic, by_length };
 
-/// Which tiles `remesh_envelope` meshes anew, and how finely.
+/// Which tiles `remesh_envelope` remeshes, and how finely.
 struct RemeshOptions {
     RemeshMode mode = RemeshMode::never;
-    double edge_length = 0;                    ///< by length: of every tile's edges [m], > 0
-    double length_tolerance = 0.1 * percent;   ///< of a seam: what its polyline may be short by is half of it
+    double edge_length = 0;                    ///< for `by_length`: the edge length of every tile [m], > 0
+    double length_tolerance = 0.1 * percent;   ///< of a seam; its polyline may be short by half of it
     double seam_tolerance = 0.5 * millimetre;  ///< as in `find_seams` [m]
-    int threads = 0;                           ///< 0: one a core
+    int threads = 0;                           ///< 0: one per core
 };
 
-/// Remeshes tiles of an envelope: where `automatic`, those with a fault (`find_fault`), at the edge length that
-/// accuracy needs (`needed_edge`); `by_length`, all of them. The others keep their meshes, bit by bit.
+/// Remeshes tiles of an envelope. With `automatic`, these are the tiles with a fault (`find_fault`), at the edge length
+/// that accuracy needs (`needed_edge`); with `by_length`, all tiles. The others keep their meshes bit by bit.
 ///
-/// Boundaries are divided for both sides of a seam at once (`divide_boundaries`), and the seams searched for again
-/// between the new ones; where they are not the same, the tiles concerned stay as they were, before anything is meshed.
-/// Then the tiles are meshed within their boundaries (`remesh_tile`; of equal tiles the first, the others take its
-/// mesh, moved); where a mesh does not come out the tile stays as it was. So does, where `automatic`, a tile that was
-/// cut along the edges of a mesh (`MeshState::is_jagged`). `Envelope::seams` and `Tile::curve_lengths` are those of the
-/// seams as they were, over the new edges; `Tile::remeshed` says what became of a tile.
+/// The boundaries on both sides of a seam are divided together (`divide_boundaries`), and the seams between the new
+/// boundaries are searched again. If these differ, the tiles concerned are unchanged; this is known before anything is
+/// meshed. Then the tiles are meshed within their boundaries (`remesh_tile`); of equal tiles only the first is meshed,
+/// and the others get a moved copy. A tile whose mesh fails is unchanged. So is, with `automatic`, a tile that was cut
+/// along the edges of a mesh (`MeshState::is_jagged`). `Envelope::seams` and `Tile::curve_lengths` keep the lengths of
+/// the old seams on the new edges. `Tile::remeshed` records the result for each tile.
 ///
-/// Returns remarks, one for each reason and edge length:
-/// `214 tiles remeshed at 120 mm: edges turn by up to 14 degrees; 0.8 % more area than as drawn, up to 3 mm from it`;
-/// and for tiles that would need it and stay as they were. Throws InputError for a length that is not above 0, one that
-/// gives more than five million triangles, and `by_length` where the program was built without CGAL. About 0.2 s for
-/// 1,000 new triangles.
+/// Returns remarks, one for each reason and edge length: `214 tiles remeshed at 120 mm: edges turn by up to 14 degrees;
+/// 0.8 % more area than as drawn, up to 3 mm from it`; and one for tiles that would need remeshing but are unchanged.
+/// Throws InputError for a length that is not above 0, for a length that gives more than five million triangles, and
+/// for `by_length` in a program built without CGAL. About 0.2 s per 1,000 new triangles.
 std::vector<std::string> remesh_envelope(Envelope& envelope, const RemeshOptions& options);
 
 }  // namespace ripstop
