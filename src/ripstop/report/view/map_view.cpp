@@ -138,7 +138,7 @@ std::string range_text(const Allowed& allowed, const MapUnit& unit) {
 
 void set_ends(MapScale& scale, const PageMap& map, const std::string& most) {
     scale.low = map.is_unsigned ? "0" : fmt::format("−{}", most);
-    scale.middle = map.is_unsigned ? "" : "0";
+    scale.middle = std::string(map.is_unsigned ? 0 : 1, '0');
     scale.high = map.is_unsigned ? most : fmt::format("+{}", most);
 }
 
