@@ -1,4 +1,4 @@
-/// ripstop check: what was understood of an envelope, and what is wrong with it.
+/// ripstop check: reports what was read from an envelope, and its faults.
 #include <fmt/format.h>
 
 #include <utility>
@@ -21,7 +21,7 @@ struct CheckArguments {
 
 ExitCode run(const CheckArguments& given) {
     Job job = job_of(given.input);
-    RemeshOptions remesh = std::exchange(job.read.remesh, {});  // only to see what it would make certain
+    RemeshOptions remesh = std::exchange(job.read.remesh, {});  // only used to see which seams it would make certain
     remesh.seam_tolerance = job.read.seam_tolerance;
     const EnvelopeInput whole = read(given.input, job, given.quiet);
     EnvelopeCheck check = [&] {

@@ -8,7 +8,7 @@
 namespace ripstop::cli {
 namespace {
 
-/// The words of `{auto,all,none}`.
+/// Splits `{auto,all,none}` into words.
 std::vector<std::string> words_of(const std::string& braces) {
     std::vector<std::string> words(1);
     for (const char c : braces.substr(1, braces.size() - 2)) {
@@ -20,7 +20,7 @@ std::vector<std::string> words_of(const std::string& braces) {
     return words;
 }
 
-/// Behind the first sentence of a description, in brackets; before the colon that opens a list.
+/// Inserts a remark in brackets after the first line of a description, before a colon that opens a list.
 void add_remark(std::string& description, const std::string& remark) {
     const std::size_t end = std::min(description.find('\n'), description.size());
     const bool is_list = end < description.size() && end > 0 && description[end - 1] == ':';

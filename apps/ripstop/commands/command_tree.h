@@ -6,21 +6,21 @@
 
 namespace ripstop::cli {
 
-/// An option of a command as --help, the shells and the manual show it.
+/// An option of a command, as shown by --help, the shells and the manual.
 struct OptionText {
-    std::vector<std::string> names;    ///< `-o`, `--output`; the name in capitals of what has no dashes
-    std::string value;                 ///< what follows it: `LENGTH`, `FILE`; empty: a flag
-    std::vector<std::string> choices;  ///< where only some words are allowed, or usual
-    std::string description;           ///< with the range and the default; its first line ends in a colon before a list
+    std::vector<std::string> names;    ///< `-o`, `--output`; for an argument without dashes its name in capitals
+    std::string value;                 ///< placeholder of its value: `LENGTH`, `FILE`; empty: a flag
+    std::vector<std::string> choices;  ///< the allowed or the usual words
+    std::string description;           ///< with range and default; the first line ends in a colon before a list
     std::string group;
     bool is_positional = false, is_required = false, is_repeated = false;
-    bool is_list = false;  ///< several of the choices may be given with commas
+    bool is_list = false;  ///< several choices may be given, separated by commas
 
-    /// `auto|all|none` where that is short and only one may be given, else `value`.
+    /// `auto|all|none` if that is short and only one may be given, else `value`.
     std::string shown_value() const;
 };
 
-/// A command as it was declared, so that --help, completions and the manual cannot say anything else.
+/// A command as declared: the one source of --help, completions and the manual.
 struct CommandText {
     std::string path;  ///< `ripstop design natural`
     std::string description, footer;

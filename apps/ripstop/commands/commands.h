@@ -4,7 +4,7 @@
 
 namespace ripstop::cli {
 
-/// What the program ends with. A promise: scripts hold on to it.
+/// The exit codes of the program. Scripts rely on them, so they never change.
 enum ExitCode { manufacturable = 0, not_manufacturable = 1, usage = 2, unusable_input = 3, our_fault = 4 };
 
 void add_flatten(CLI::App& app);

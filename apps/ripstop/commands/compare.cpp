@@ -1,4 +1,4 @@
-/// ripstop compare: every method on the same tiles, side by side.
+/// ripstop compare: flattens the same tiles by several methods.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace ripstop::cli {
 namespace {
 
-constexpr std::size_t most_on_sheet = 24;  ///< tiles; more would make a picture nobody can open
+constexpr std::size_t most_on_sheet = 24;  ///< maximum number of tiles; more would make a picture too large to open
 
 struct CompareArguments {
     InputArguments input;
@@ -29,7 +29,7 @@ struct CompareArguments {
     bool json = false, force = false, quiet = false;
 };
 
-/// The methods asked for, each once; all if none are.
+/// The requested methods, each once; all if none was requested.
 std::vector<std::string> methods_of(const CompareArguments& given) {
     std::vector<std::string> names;
     for (const std::string& name : given.methods)
@@ -39,7 +39,7 @@ std::vector<std::string> methods_of(const CompareArguments& given) {
     return names;
 }
 
-/// Throws InputError where the sheet could not be written in the end, or would take the place of what is read.
+/// Throws InputError early if the sheet could not be written later or would overwrite an input.
 void require_free_sheet(const CompareArguments& given) {
     if (given.sheet.empty()) return;
     std::error_code unknown;

@@ -1,4 +1,4 @@
-/// ripstop completion: what makes a shell complete commands, options and their words.
+/// ripstop completion: prints the script with which a shell completes commands, options and their words.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,7 +12,7 @@
 namespace ripstop::cli {
 namespace {
 
-/// What a shell offers where a command goes on: its commands and options, and the words that its arguments may be.
+/// The words that a shell offers after a command: its commands, its options, and the words of its arguments.
 std::vector<std::string> words_after(const CommandText& command) {
     std::vector<std::string> words;
     for (const CommandText& each : command.commands) words.push_back(each.path.substr(each.path.rfind(' ') + 1));
@@ -23,14 +23,14 @@ std::vector<std::string> words_after(const CommandText& command) {
     return words;
 }
 
-/// What files may follow: `yes`, `dir` for folders only, `.json` for these and folders; empty: none.
+/// The files that may follow: `yes`, `dir` for folders only, `.json` for those files and folders; empty: none.
 std::string files_of(const OptionText& option) {
     if (option.value == "DIR") return "dir";
     if (!option.value.starts_with("FILE")) return "";
     return option.value == "FILE" ? "yes" : option.value.substr(4);
 }
 
-/// Of all arguments of the command, for a shell does not count them.
+/// The files for all arguments of the command together, because a shell does not count arguments.
 std::string files_of(const CommandText& command) {
     std::string files;
     for (const OptionText& option : command.options)
@@ -38,7 +38,7 @@ std::string files_of(const CommandText& command) {
     return files;
 }
 
-/// All commands, the program itself first.
+/// Lists all commands, the program itself first.
 void list(const CommandText& command, std::vector<const CommandText*>& all) {
     all.push_back(&command);
     for (const CommandText& each : command.commands) list(each, all);
@@ -50,7 +50,7 @@ std::string words_of(const CommandText& command) {
     return blank == std::string::npos ? "" : command.path.substr(blank + 1);
 }
 
-/// Lines of the shell's `case` for what follows each option of a command: words, a file, or what nobody can guess.
+/// The `case` branches for the values of each option of a command: words, files, or nothing.
 std::string after_options(const CommandText& command) {
     std::string lines;
     for (const OptionText& option : command.options) {
@@ -67,8 +67,8 @@ std::string after_options(const CommandText& command) {
     return lines;
 }
 
-/// The function of bash and zsh that sets what may come after its arguments: `offered` words, `files` as `files_of` has it,
-/// `lists` where several words may stand with commas.
+/// The function for bash and zsh that finds what may follow its arguments. It sets `offered` to the words, `files` as
+/// `files_of` does, and `lists` if several words may be given, separated by commas.
 std::string offering(const CommandText& program) {
     std::vector<const CommandText*> all;
     list(program, all);
@@ -133,7 +133,7 @@ complete -o filenames -F _ripstop ripstop
 )";
 }
 
-/// Loaded by name, the file is itself what zsh calls the first time.
+/// The file is both sourced and autoloaded: when loaded by name, it is itself the function that zsh calls first.
 std::string zsh(const CommandText& program) {
     return "#compdef ripstop\n# Completion of ripstop for zsh, made by `ripstop completion zsh`.\n" +
            offering(program) +
@@ -160,7 +160,7 @@ if [ "${funcstack[1]}" = _ripstop ]; then _ripstop "$@"; else compdef _ripstop r
 )";
 }
 
-/// In single quotes.
+/// Puts a text in single quotes.
 std::string quoted(std::string text) {
     for (std::size_t at = 0; (at = text.find_first_of("'\\", at)) != std::string::npos; at += 2) text.insert(at, "\\");
     return "'" + text.substr(0, text.find('\n')) + "'";
@@ -197,7 +197,7 @@ std::string fish(const CommandText& program) {
         for (const CommandText& each : command.commands)
             script += fmt::format("{} -a {} -d {}\n", here, each.path.substr(each.path.rfind(' ') + 1),
                                   quoted(each.description));
-        std::vector<const CommandText*> all;  // fish knows no command of a command: its options are offered at once
+        std::vector<const CommandText*> all;  // fish has no nested commands: their options are offered at once
         list(command, all);
         for (const CommandText* each : all)
             for (const OptionText& option : each->options) script += fish_option(here, option);

@@ -1,4 +1,4 @@
-/// ripstop design natural: writes the natural-shape hot-air balloon, gores by panels.
+/// ripstop design natural: writes a natural-shape hot-air balloon, divided into gores and panels.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -24,7 +24,7 @@ struct DesignArguments {
     bool force = false;
 };
 
-/// Lengths of which 0 would mean something else inside.
+/// Parses a length that must be positive: zero means "default" internally.
 double positive_length(const std::string& text, const std::string& option) {
     const double length = parse_length(text, option);
     if (!(length > 0)) throw InputError(option + ": " + text + " is too little; give a length above 0");

@@ -1,4 +1,4 @@
-/// ripstop design special: primitives joined to one body and cut into tiles.
+/// ripstop design special: joins primitives into one body and cuts it into tiles.
 #include <fmt/format.h>
 
 #include <map>
@@ -22,7 +22,7 @@ struct DesignSpecialArguments {
     bool force = false;
 };
 
-/// `BODY 96, EAR-L 12`: a tile is called by its primitive, then sector and ring.
+/// `BODY 96, EAR-L 12`: a tile's name consists of its primitive, sector and ring.
 std::string tiles_by_primitive(const SpecialShape& shape, const std::vector<NamedMesh>& tiles) {
     std::map<std::string, int> counts;
     for (const NamedMesh& tile : tiles) ++counts[tile.name.substr(0, tile.name.rfind("-S"))];

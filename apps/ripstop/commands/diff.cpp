@@ -1,4 +1,4 @@
-/// ripstop diff: what changed between two cut plans.
+/// ripstop diff: shows the differences between two cut plans.
 #include <fmt/format.h>
 
 #include "commands/commands.h"

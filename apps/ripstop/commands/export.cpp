@@ -1,4 +1,4 @@
-/// ripstop export: the pieces of a cut plan as other cut files, without solving again.
+/// ripstop export: writes the pieces of a cut plan as other cut files, without solving again.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -35,7 +35,7 @@ void keep_named(PieceSet& set, const std::vector<std::string>& globs) {
     count_patterns(set.pieces);
 }
 
-/// After what is in it: dialects and papers beside each other, as formats.
+/// Names the folder after its contents: formats, dialect and paper.
 std::string default_name(const FormatArguments& given) {
     const PieceFileOptions usual, &files = given.files;
     std::vector<std::string> words = given.formats;

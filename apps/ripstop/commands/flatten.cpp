@@ -1,4 +1,4 @@
-/// ripstop flatten: an envelope in, every tile flattened and judged, a cut plan out.
+/// ripstop flatten: flattens and judges every tile of an envelope and writes a cut plan.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -39,7 +39,7 @@ struct FlattenArguments {
     FlightArguments flight;
 };
 
-/// Where no unit was given, the size tells whether metres were the right guess.
+/// Prints the size if no unit was given, so the user sees whether metres were the right guess.
 void print_assumed_size(const Envelope& envelope) {
     Eigen::AlignedBox3d box;
     for (const Tile& tile : envelope.tiles)
@@ -50,7 +50,7 @@ void print_assumed_size(const Envelope& envelope) {
         size.x(), size.y(), size.z()));
 }
 
-/// Of seams that fail only the worst have pictures.
+/// Reports that only the worst failing seams have pictures.
 void tell_unpictured(const CutPlan& plan) {
     const std::size_t pictured = pictured_seams(plan).size();
     const auto failing =
@@ -71,7 +71,7 @@ const char* word_of(PlanMessage::Kind kind) {
     }
 }
 
-/// Shows on stderr what `plan_envelope` is at.
+/// Shows the steps of `plan_envelope` on stderr.
 class Teller {
   public:
     Teller(const FlattenArguments& given) : given_(given) {}

@@ -1,4 +1,4 @@
-/// ripstop help: what --help prints, for those who ask the other way round.
+/// ripstop help: prints the same text as --help.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -19,7 +19,7 @@ std::vector<std::string> names_of(const CLI::App& app) {
     return names;
 }
 
-/// Throws a usage error where a word is no command of the ones before.
+/// Throws a usage error if a word is no command of the preceding ones.
 std::string page_of(const CLI::App& program, const std::vector<std::string>& words) {
     const CLI::App* command = &program;
     std::string path = program.get_name();

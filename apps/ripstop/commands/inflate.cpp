@@ -1,4 +1,4 @@
-/// ripstop inflate: the pieces of a cut plan sewn and filled with hot air, against the drawing.
+/// ripstop inflate: sews the pieces of a cut plan, fills them with hot air and compares the shape with the drawing.
 #include <fmt/format.h>
 
 #include "commands/commands.h"

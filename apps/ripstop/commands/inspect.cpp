@@ -1,4 +1,4 @@
-/// ripstop inspect: what a file holds, before any tile is made of it.
+/// ripstop inspect: shows the contents of a file before tiles are made of it.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -14,8 +14,8 @@
 
 namespace ripstop::cli {
 
-/// Takes texts that `look_up` takes; else its message is the usage error. `words`: what may be meant, and what shells are to
-/// offer.
+/// Accepts texts for which `look_up` does not throw; its message becomes the usage error. `words`: suggestions for
+/// mistyped texts and for shells.
 template <class LookUp>
 CLI::Validator known(LookUp look_up, const std::vector<std::string>& words = {}) {
     return CLI::Validator(
@@ -30,7 +30,7 @@ CLI::Validator known(LookUp look_up, const std::vector<std::string>& words = {})
         words.empty() ? "" : fmt::format("{{{}}}", fmt::join(words, ",")));
 }
 
-/// Takes these words only.
+/// Accepts only these words.
 inline CLI::Validator one_of(const std::vector<std::string>& words) {
     const auto look_up = [words](const std::string& text) {
         if (std::find(words.begin(), words.end(), text) == words.end())
@@ -39,7 +39,7 @@ inline CLI::Validator one_of(const std::vector<std::string>& words) {
     return known(look_up, words);
 }
 
-/// Takes whole numbers, or any with `Number` = double, from `least` to `most`.
+/// Accepts whole numbers, or any numbers with `Number` = double, from `least` to `most`.
 template <class Number>
 CLI::Validator within(Number least, Number most) {
     const std::string range = fmt::format("{} to {}", least, most);

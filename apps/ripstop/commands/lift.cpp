@@ -1,4 +1,4 @@
-/// ripstop lift: what was drawn on flat pieces, as curves on the tiles in space.
+/// ripstop lift: carries lines drawn on flat pieces back to the tiles in space, as curves.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -40,7 +40,7 @@ bool is_wanted(const LiftArguments& given, const std::string& layer) {
                                                [&](const std::string& glob) { return glob_match(glob, layer); });
 }
 
-/// What is drawn on the layers that are wanted and cannot be lifted, a sentence each.
+/// One sentence for each thing drawn on the wanted layers that cannot be lifted.
 std::vector<std::string> left_out(const LiftArguments& given, const PatternDrawing& drawing, double metres_per_unit) {
     std::vector<std::string> texts;
     for (const UnreadEntity& entity : drawing.unread)
@@ -48,7 +48,7 @@ std::vector<std::string> left_out(const LiftArguments& given, const PatternDrawi
     return texts;
 }
 
-/// None of the pieces, or some cut lines that are of none.
+/// Reports that no piece was found, or that some cut lines match no piece.
 void tell_strangers(const LiftArguments& given, const LiftedLines& lifted) {
     constexpr std::size_t most = 6;
     const std::vector<std::string>& all = lifted.strangers;

@@ -1,4 +1,4 @@
-/// ripstop manual: the manual page, from the same declarations as --help.
+/// ripstop manual: prints the manual page, from the same declarations as --help.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,7 +12,7 @@
 namespace ripstop::cli {
 namespace {
 
-/// As roff takes it: dashes that stay dashes, no line that begins with a dot, letters beyond ASCII by their numbers.
+/// Escapes a text for roff: literal dashes, no line that begins with a dot, non-ASCII letters by number.
 std::string roff(const std::string& text) {
     std::string result;
     for (std::size_t at = 0; at < text.size(); ++at) {
@@ -35,7 +35,7 @@ std::string roff(const std::string& text) {
     return result;
 }
 
-/// Broken where the text is; a list, which a colon opens, has its words before what is said of them.
+/// Keeps the line breaks of the text. In a list, which a colon opens, each word precedes its explanation.
 std::string lines(const std::string& text, bool is_required) {
     const std::size_t first = std::min(text.find('\n'), text.size());
     const bool is_list = first > 0 && first < text.size() && text[first - 1] == ':';
@@ -64,7 +64,7 @@ std::string option_page(const OptionText& option) {
     return page + "\n" + lines(option.description, option.is_required);
 }
 
-/// The arguments first, then the options by groups, as --help has them.
+/// Prints the arguments first, then the options by group, like --help.
 std::string options_page(const CommandText& command) {
     std::string page;
     std::vector<std::string> groups;

@@ -1,4 +1,4 @@
-/// ripstop methods: the ways to flatten, a line each.
+/// ripstop methods: lists the flattening methods, one per line.
 #include <fmt/format.h>
 
 #include "commands/commands.h"

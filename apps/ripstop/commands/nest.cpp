@@ -1,4 +1,4 @@
-/// ripstop nest: the pieces of a cut plan on the roll.
+/// ripstop nest: lays the pieces of a cut plan on the roll.
 #include <fmt/format.h>
 
 #include "commands/commands.h"
@@ -43,7 +43,7 @@ NestOptions options_of(const NestArguments& given) {
     return options;
 }
 
-/// Its bom.csv is not the marker's.
+/// Refuses the folder of a cut plan, which has a bom.csv of its own.
 void require_no_plan(const std::filesystem::path& folder) {
     for (const char* file : {"report.json", "pieces.json"})
         if (std::filesystem::exists(folder / file))

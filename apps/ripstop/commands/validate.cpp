@@ -1,4 +1,4 @@
-/// ripstop validate: is a pattern file, anyone's, sound.
+/// ripstop validate: checks a pattern file from any source.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr double sheet_gap = 0.1;  // [m]
 
-/// The stem of each piece's files: that of the tile it is named after.
+/// The stem of each piece's files: that of its tile.
 void name_files(PieceSet& set, const CutPlan& plan) {
     const std::vector<std::string> stems = file_stems(plan);
     std::size_t next = 0;  // pieces stand in the order of their tiles
@@ -56,7 +56,7 @@ void write_cut_files(const fs::path& cut, const PieceSet& set, const std::vector
     for (PatternPiece& piece : all) std::erase_if(piece.labels, [](const Label& label) { return label.counts; });
     for (const std::string& name : formats) {
         const PieceFormat& format = piece_format_named(name);
-        // where each piece has a file there is one with all of them drawn, else one with each pattern once
+        // an overview draws all pieces if each has its own file, else each pattern once
         const std::vector<PatternPiece>& sheet = format.one_a_piece ? all : set.pieces;
         write_file(cut / ("envelope." + format.extension),
                    [&](std::ostream& out) { format.write(out, sheet, shifts, options); });
@@ -92,7 +92,7 @@ std::vector<Vec2> lay_out(const std::vector<PatternPiece>& pieces, double gap, d
         total += (size.x() + gap) * (size.y() + gap);
         widest = std::max(widest, size.x());
     }
-    // Rows do not fill up: a tenth more than the square root comes out about square.
+    // // Rows are not full: a tenth more than the square root gives a roughly square sheet.
     const double sheet_width = std::max(widest, width > 0 ? width : 1.1 * std::sqrt(total));
     std::vector<Vec2> shifts(pieces.size(), Vec2::Zero());
     double x = 0, top = 0, row_height = 0;

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a plan's directory holds; anything else in it is somebody else's.
+/// The files of a plan's directory; anything else in it belongs to the user.
 const std::vector<std::string_view> ours{"report.json", "report.html",      "tiles.csv", "seams.csv", "bom.csv", "flat",
                                          "cut",         "cut-*/envelope.*", "marker",    "pictures",  "inflated"};
 

@@ -25,7 +25,7 @@ std::string text_of(const fs::path& file) {
     return text.str();
 }
 
-/// Nothing where the folder has no page, or one of another version.
+/// Empty if the folder has no page, or one from another version.
 std::optional<PageParts> page_of(const fs::path& folder) {
     const fs::path file = folder / "report.html";
     return fs::exists(file) ? read_page(text_of(file)) : std::nullopt;

@@ -93,7 +93,7 @@ void write_marker_files(const std::filesystem::path& folder, const PieceSet& set
             options.style = set.input;
             options.revision = set.revision;
             write_file(folder / (stems[i] + "." + format.extension), [&](std::ostream& out) {
-                if (name == "pdf")  // a page a piece, as the format has it, would be no marker
+                if (name == "pdf")  // one page per piece, as this format writes pieces, would be no marker
                     write_marker_pdf(out, markers.markers[i], {pieces.begin() + 1, pieces.end()},
                                      title_of(set, markers.markers[i]));
                 else

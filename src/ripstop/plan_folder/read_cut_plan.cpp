@@ -18,7 +18,7 @@ namespace {
     throw InputError(file.string() + ": " + what + "; flatten the envelope again");
 }
 
-/// The boundary cut at the vertices where chains start.
+/// Splits the boundary at the vertices where chains start.
 void cut_boundary(Tile& tile, const std::vector<int>& corners, const std::filesystem::path& file) {
     std::vector<int> loop = tile.boundary;
     const auto first = std::find(loop.begin(), loop.end(), corners.front());
@@ -69,8 +69,7 @@ void require_sides(const CutPlan& plan, const std::filesystem::path& file) {
         }
 }
 
-/// The seams are walked and judged anew; the verdicts stay, because they also know what was found in the input and on
-/// the pieces.
+/// Walks and judges the seams again. The verdicts are kept, because they also cover the input and the pieces.
 void walk(CutPlan& plan) {
     std::vector<Finding> findings = plan.findings;
     std::vector<Verdict> verdicts;

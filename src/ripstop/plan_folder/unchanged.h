@@ -6,13 +6,13 @@
 
 namespace ripstop {
 
-/// What files hold now, so that a result is written only beside the input it was computed from.
+/// A record of file contents, so a result is only written next to the input that it was computed from.
 class Unchanged {
   public:
     /// Reads the files; a file may be missing. O(bytes).
     explicit Unchanged(std::vector<std::filesystem::path> files);
 
-    /// Throws InputError if a file holds something else by now: another run has written it meanwhile.
+    /// Throws InputError if the contents of a file have changed: another run has written it in the meantime.
     void require() const;
 
   private:

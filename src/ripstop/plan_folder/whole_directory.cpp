@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Absolute and without links: links to the folder stay, and its parent is where a partial folder can be renamed from.
+/// The absolute path with links resolved: links to the folder remain, and a partial folder can be renamed within its
+/// parent.
 fs::path resolved(const fs::path& dir) {
     if (dir.empty()) throw InputError("the output directory has no name; give one");
     fs::path path = fs::weakly_canonical(fs::absolute(dir)).lexically_normal();
@@ -30,7 +31,7 @@ fs::path resolved(const fs::path& dir) {
     return path;
 }
 
-/// `NAME/FILE` is a folder of that name that holds such a file.
+/// `NAME/FILE` matches a folder of that name that contains such a file.
 bool is_called(const fs::path& entry, std::string_view glob) {
     const std::size_t slash = glob.find('/');
     if (!glob_match(glob.substr(0, slash), entry.filename().string())) return false;
@@ -47,7 +48,7 @@ std::string process_id() {
 
 constexpr const char *partial_end = ".partial-", *trial_end = ".trial-";
 
-/// Partial folders beside a folder that does not exist yet.
+/// The partial folders beside a folder that does not exist yet.
 void remove_dead_beside(const fs::path& target) {
     const FolderLock turn(target.parent_path());
     const std::string name = target.filename().string();
@@ -72,7 +73,7 @@ Content content_of(const fs::path& target) {
     return content;
 }
 
-/// The rights of a folder do not tell all: a file system may take none at all.
+/// Tests by writing: permissions do not tell everything, since a file system may be read-only.
 void require_room(const fs::path& trial, const fs::path& dir) {
     std::error_code error;
     fs::create_directory(trial, error);
@@ -90,7 +91,7 @@ void require_free(const fs::path& target, const fs::path& dir) {
         throw InputError(dir.string() + ": another run is writing into it; wait for it, or choose another directory");
 }
 
-/// A new folder of this process, locked for as long as it lives: an unlocked one is of a dead process.
+/// A new partial folder, locked while this process lives: an unlocked one belongs to a dead process.
 class PartialFolder {
   public:
     explicit PartialFolder(const fs::path& target)
@@ -104,7 +105,7 @@ class PartialFolder {
     const bool stands_in_target;
 
   private:
-    /// A second one of the process gets another name.
+    /// A second folder of the same process gets another name.
     fs::path unused(const fs::path& target) const {
         for (int n = 1;; ++n) {
             const std::string id = process_id() + (n == 1 ? "" : "-" + std::to_string(n));
@@ -127,7 +128,7 @@ class PartialFolder {
     FolderLock alive_;
 };
 
-/// False if something of that name is there already.
+/// Returns false if the name exists already.
 bool take_name(const fs::path& partial, const fs::path& target) {
     if (::renameat2(AT_FDCWD, partial.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) == 0) return true;
     if (errno == EEXIST) return false;

@@ -17,18 +17,18 @@ namespace ripstop {
 namespace {
 
 constexpr double cell_margin = 28;
-constexpr double head = 64;       ///< of the sheet
+constexpr double head = 64;       ///< head of the sheet
 constexpr double tile_head = 40;  ///< above the shapes of a tile
 constexpr double cell_width = 300;
 constexpr double shape_height = 220;
-constexpr double cell_head = 84;  ///< name, figures and verdict above a shape
-constexpr int across = 4;         ///< shapes in a row
+constexpr double cell_head = 84;  ///< space above a shape for name, figures and verdict
+constexpr int across = 4;         ///< shapes per row
 
 std::string shown_percent(double ratio, int decimals, bool with_sign = true) {
     return shown(ratio / percent, decimals, with_sign);
 }
 
-/// Four digits that count: energies of tiles differ by orders of magnitude.
+/// Four significant digits: energies of tiles differ by orders of magnitude.
 std::string significant(double value) {
     if (!std::isfinite(value) || value == 0) return shown(value, 0);
     const double scale = std::pow(10, 3 - std::floor(std::log10(std::abs(value))));
@@ -55,7 +55,7 @@ TextRow row_of(const FlatTile& tile) {
             tile.verdict.manufacturable() ? "ok" : "no: " + failing_codes(tile.verdict)};
 }
 
-/// The room that the shapes of a tile need on the cloth [m].
+/// The space that the shapes of a tile need on the cloth [m].
 Vec2 largest_size(const std::vector<CutPlan>& plans, std::size_t tile) {
     Vec2 largest = Vec2::Constant(1e-9);
     for (const CutPlan& plan : plans)

@@ -25,7 +25,7 @@ std::string deflated(const std::string& text) {
     return packed;
 }
 
-/// What stands there for a reader without scripts: the table's last lines.
+/// The text for a reader without scripts: the last lines of the table.
 std::string summary(const CutPlan& plan) {
     return (plan.manufacturable() ? "Manufacturable.\n" : "Not manufacturable as drawn.\n") + plan_summary(plan) +
            "All figures are in report.json, tiles.csv and seams.csv beside this page.";
@@ -35,7 +35,7 @@ std::string packed(const std::string& text) {
     return base64(deflated(text));
 }
 
-/// The parts of a page and their places in the template, in its order.
+/// The parts of a page with their slots, in the order of the template.
 struct Slot {
     std::string_view word;
     std::string PageParts::*part;
@@ -46,7 +46,7 @@ constexpr std::array<Slot, 5> slots{{{"RIPSTOP_TITLE", &PageParts::title},
                                      {"RIPSTOP_SHAPES", &PageParts::shapes},
                                      {"RIPSTOP_ROLL", &PageParts::roll}}};
 
-/// What stands between the slots: one text before each, and one after the last.
+/// The template's text between the slots: one piece before each, and one after the last.
 std::array<std::string_view, slots.size() + 1> fixed_texts(std::string_view page) {
     std::array<std::string_view, slots.size() + 1> texts;
     std::size_t from = 0;

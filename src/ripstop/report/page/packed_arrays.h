@@ -8,19 +8,19 @@
 
 namespace ripstop {
 
-/// Arrays of whole numbers as bytes, for a page to read: little-endian, each array once however often it is asked for,
-/// so equal tiles share theirs. Every array starts at a multiple of 4 bytes.
+/// Integer arrays as bytes for the page: little-endian. Equal arrays are stored once, so equal tiles share theirs.
+/// Every array starts at a multiple of 4 bytes.
 class PackedArrays {
   public:
-    /// Where an array stands in `bytes`.
+    /// The position of an array in `bytes`.
     struct Place {
         std::size_t start = 0, length = 0;  ///< [bytes]
     };
 
-    /// Numbers as they are, 2 bytes each, in two's complement.
+    /// Adds the numbers unchanged, 2 bytes each, in two's complement.
     int add(const std::vector<std::int16_t>& values);
-    /// Differences between one row and the next (the first row's from 0), modulo 2^16 or 2^32: neighbours are near one
-    /// another, so that packing finds little to say. `columns` numbers a row.
+    /// Adds the differences between consecutive rows (the first row's from 0), modulo 2^16 or 2^32. Consecutive rows
+    /// are close, so the differences compress well. `columns`: numbers per row.
     int add_steps(const std::vector<std::uint16_t>& values, std::size_t columns);
     int add_steps(const std::vector<std::uint32_t>& values, std::size_t columns);
 
@@ -35,17 +35,17 @@ class PackedArrays {
     std::string bytes_;
 };
 
-/// Numbers as multiples of a step, which is a power of two times `finest` and the smallest that lets all of them fit
-/// into 16 bits: equal maps get equal steps. What is not finite becomes the smallest number there is.
+/// Numbers as multiples of a step. The step is a power of two times `finest`, the smallest with which all numbers fit
+/// into 16 bits, so equal maps get equal steps. A number that is not finite becomes the smallest 16-bit number.
 struct SteppedValues {
     double step = 0;
     std::vector<std::int16_t> values;
 };
 SteppedValues stepped(const Eigen::VectorXd& values, double finest);
 
-/// Points (#P x 2 or 3) on a grid of 2^16 places along the longest side of their box.
+/// Points (#P x 2 or 3) on a grid with 2^16 places along the longest side of their bounding box.
 struct GridPoints {
-    Eigen::VectorXd lower;  ///< of the box
+    Eigen::VectorXd lower;  ///< lower corner of the box
     double step = 0;
     std::vector<std::uint16_t> values;  ///< row by row
 };

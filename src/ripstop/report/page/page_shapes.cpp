@@ -37,7 +37,7 @@ Json values_json(const Eigen::VectorXd& values, double finest, PackedArrays& arr
     return {{"array", arrays.add(map.values)}, {"step", map.step}};
 }
 
-/// Numbers of vertices, in 16 bits where the tile has no more.
+/// Vertex numbers, in 16 bits if the tile has few enough vertices.
 int add_vertices(const std::vector<int>& vertices, int vertex_count, std::size_t columns, PackedArrays& arrays) {
     if (vertex_count < 65536)
         return arrays.add_steps(std::vector<std::uint16_t>(vertices.begin(), vertices.end()), columns);
@@ -120,13 +120,13 @@ Json map_json(const MapView& view) {
     return json;
 }
 
-/// As fine as one can see it in the finest scale.
+/// The step is below what is visible in the finest scale.
 double finest_step(double end) {
     constexpr double steps = 1000;
     return end / steps;
 }
 
-/// The values of a map, in each tile's `maps` and `edges`.
+/// Adds the values of a map to each tile's `maps` and `edges`.
 void add_values(Json& tiles, const MapView& view, PackedArrays& arrays) {
     const auto there =
         std::find_if(view.scales.begin(), view.scales.end(), [](const MapScale& scale) { return scale.id == "there"; });
@@ -160,7 +160,7 @@ Json seams_json(const CutPlan& plan) {
     for (const FlatTile& tile : plan.tiles) drawn.push_back(drawn_lengths(tile.tile));
     Json seams = Json::array();
     for (const Seam& seam : plan.seams) {
-        if (seams.size() == plan.walks.size()) break;  // report.json has those that were walked
+        if (seams.size() == plan.walks.size()) break;  // report.json has only the seams that were walked
         Json json = Json::object();
         for (const auto& [key, side] : {std::pair{"a", &seam.a}, std::pair{"b", &seam.b}})
             if (!side->parts.empty()) json[key] = side_json(*side, drawn[static_cast<std::size_t>(side->tile)]);
@@ -199,7 +199,7 @@ Json piece_json(const PatternPiece& piece, std::size_t tile, PackedArrays& array
 
 Json pieces_json(const CutPlan& plan, const std::vector<PatternPiece>& pieces, PackedArrays& arrays) {
     Json list = Json::array();
-    std::size_t tile = 0;  // pieces stand in the order of their tiles
+    std::size_t tile = 0;  // pieces are in the order of their tiles
     for (const PatternPiece& piece : pieces) {
         while (tile < plan.tiles.size() && plan.tiles[tile].tile.name != piece.name) ++tile;
         if (tile == plan.tiles.size()) break;

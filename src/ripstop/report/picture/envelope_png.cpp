@@ -14,7 +14,7 @@ constexpr int view_side = 740;
 constexpr int pixels_per_unit = 2;
 constexpr std::size_t most_lines = 5, most_names = 10;
 
-/// Where the parts of the page lie, from the top.
+/// The positions of the page's parts, from the top.
 struct Layout {
     double views = 0, foot = 0, height = 0;
 };
@@ -51,7 +51,7 @@ std::string head(const CutPlan& plan, const PageWords& words) {
     return svg;
 }
 
-/// Texts that do not lie on one another.
+/// Keeps texts that do not overlap.
 class Names {
   public:
     bool take(const Vec2& middle, const Vec2& half) {
@@ -66,7 +66,7 @@ class Names {
     std::vector<std::pair<Vec2, Vec2>> taken_;
 };
 
-/// The names of failing tiles whose middles are seen.
+/// The names of failing tiles whose middles are visible.
 std::string names(const CutPlan& plan, const EnvelopeShape& shape, const EnvelopeView& view, const Vec2& corner) {
     Names written;
     std::string svg;

@@ -19,7 +19,7 @@ namespace {
 constexpr double figure_width = 960;
 constexpr double head_height = 112;
 constexpr double foot_height = 116;
-constexpr double side_margin = 96;  ///< left and right of the drawing, for the figures beside the chains
+constexpr double side_margin = 96;  ///< left and right of the drawing, for the figures at the chains
 constexpr double border = 44;       ///< above and below it
 constexpr double inner_width = figure_width - 2 * side_margin;
 constexpr double tallest = 620;
@@ -43,7 +43,7 @@ View fitted(const Points2& positions) {
     return view;
 }
 
-/// A signed figure in percent, with a true minus: a hyphen is easily missed.
+/// A signed percentage with a true minus sign: a hyphen is easy to miss.
 std::string signed_percent(double ratio, int decimals) {
     const std::string text = shown(ratio / percent, decimals, true);
     return text.front() == '-' && text.size() > 1 ? "−" + text.substr(1) : text;
@@ -55,7 +55,7 @@ std::vector<Vec2> on_page(const FlatTile& tile, const View& view, const std::vec
     return points;
 }
 
-/// The place halfway along a line, and the direction away from the cloth there: to the right of the way, seen with y up.
+/// The middle of a line, and the direction away from the cloth there: to the right of the line, with y up.
 struct Halfway {
     Vec2 at = Vec2::Zero();
     Vec2 outward = Vec2::UnitY();
@@ -73,7 +73,7 @@ Halfway halfway(const std::vector<Vec2>& points) {
     return {};
 }
 
-/// Keeps written figures apart.
+/// Prevents written figures from overlapping.
 class Writing {
   public:
     bool is_free(const Vec2& middle, const Vec2& half) const {
@@ -102,8 +102,8 @@ std::string chain_figure(const Halfway& place, double error, bool beyond, Writin
     return result + svg_text(middle() + Vec2(0, 5), figure, style);
 }
 
-/// The ease map: a stroke outward from each boundary edge, as long as its tension; blue where the seam is pulled, amber where
-/// it is pushed. The longest is `longest_tension` on the page.
+/// The ease map: a stroke outward from each boundary edge, proportional to its tension; blue if the seam is pulled,
+/// amber if it is pushed. The longest stroke is `longest_tension` on the page.
 std::string tensions(const FlatTile& tile, const View& view) {
     constexpr double longest_tension = 26;
     const Eigen::VectorXd& tension = tile.flattening.seam_tension;
@@ -147,7 +147,7 @@ std::string chains(const FlatTile& tile, const View& view, double limit) {
     return casing + lines + corners + figures;
 }
 
-/// Findings lie on the surface; each is marked at the vertex nearest to it.
+/// Findings have places on the surface; each is marked at the nearest vertex.
 std::string rings(const FlatTile& tile, const View& view) {
     std::string result;
     for (const Finding& finding : tile.verdict.findings) {
@@ -202,8 +202,9 @@ std::string warp_arrow(const Vec2& at) {
 
 std::string foot(const View& view, double cloth_limit, double length_limit) {
     const double y = view.foot();
-    return "<path stroke=\"#cbd2d9\" stroke-width=\"1\" d=\"M28 " + svg_number(y) + "H" + svg_number(figure_width - 28) +
-           "\"/>\n" + colour_bar({36, y + 42}, "seams: |length error| of a chain", length_limit / percent, "%") +
+    return "<path stroke=\"#cbd2d9\" stroke-width=\"1\" d=\"M28 " + svg_number(y) + "H" +
+           svg_number(figure_width - 28) + "\"/>\n" +
+           colour_bar({36, y + 42}, "seams: |length error| of a chain", length_limit / percent, "%") +
            colour_bar({356, y + 42}, "cloth: |edge length error|, mean of a triangle", cloth_limit / percent, "%") +
            warp_arrow({690, y + 34}) + scale_bar({690, y + 84}, view.scale, 0.2 * figure_width);
 }

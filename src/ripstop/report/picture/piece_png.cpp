@@ -28,7 +28,7 @@ std::string degrees_text(double angle, int decimals) {
     return page_figure(angle / degree, decimals) + "°";
 }
 
-/// The strip at the top: how it is judged and what it is called.
+/// The strip at the top with verdict and name.
 std::string head(double width, const std::string& name, const std::string& word, bool is_good) {
     const double verdict = text_width(word, 16, true);
     return "<rect width=\"" + svg_number(width) + "\" height=\"6\" fill=\"" + (is_good ? page_good : page_bad) +
@@ -68,7 +68,7 @@ std::vector<std::string> figures(const PieceSource& source, std::size_t i) {
                         tile.tile.remeshed ? " (meshed anew)" : "", tile.method)};
 }
 
-/// What each edge of a tile is sewn to: `S12 to G02P03: 1200.0 mm, its mate 1200.1 mm (−0.10 mm)`.
+/// The mate of each edge of a tile: `S12 to G02P03: 1200.0 mm, its mate 1200.1 mm (−0.10 mm)`.
 std::vector<std::string> sewn_edges(const CutPlan& plan, std::size_t tile) {
     std::vector<std::pair<int, std::string>> edges;
     for (std::size_t i = 0; i < plan.walks.size(); ++i)
@@ -89,7 +89,7 @@ std::vector<std::string> sewn_edges(const CutPlan& plan, std::size_t tile) {
     return lines;
 }
 
-/// The map `id`, or the edge error where there are no strains.
+/// The map `id`, or the edge error if there are no strains.
 const MapView& strain_view(const PieceSource& source, std::size_t tile, std::string_view id) {
     const auto warp =
         std::find_if(source.maps.begin(), source.maps.end(), [](const auto& view) { return view.map->id == "warp"; });
@@ -97,13 +97,13 @@ const MapView& strain_view(const PieceSource& source, std::size_t tile, std::str
     return view_of(source.maps, is_strained ? id : "edges");
 }
 
-/// How high a piece is drawn that may be `width` wide and at most `tallest` high.
+/// The height of a drawn piece that is at most `width` wide and `tallest` high.
 double drawn_height(const Vec2& size, double width, double tallest) {
     const double scale = std::min(width / std::max(size.x(), 1e-9), tallest / std::max(size.y(), 1e-9));
     return std::max(140.0, scale * size.y()) + 40;
 }
 
-/// How far the sides are apart on the way along the seam, and what is allowed; in a box from `at` on.
+/// A chart of the distance between the sides along the seam, with the limit, in a box at `at`.
 std::string drift_chart(const SeamWalk& walk, const std::string& second, const Vec2& at, double width) {
     constexpr double half = 44;
     double top = std::max(walk.limit, walk.drift_max);
@@ -218,7 +218,7 @@ std::string seam_png(const PieceSource& source, std::size_t i) {
     svg += text_lines({card_margin, 72}, seam_figures(plan, i), 3, room, {13, "start", page_ink});
     svg += drift_chart(walk, plan.tiles[tiles.back()].tile.name, {card_margin, 130}, room);
     const double top = 262, each = room / static_cast<double>(tiles.size());
-    double height = 0, scale = std::numeric_limits<double>::infinity();  // one, so that the pieces can be compared
+    double height = 0, scale = std::numeric_limits<double>::infinity();  // one scale, so the pieces are comparable
     for (const std::size_t tile : tiles) {
         const Vec2 extent = piece_extent(plan.tiles[tile], source.pieces[tile]).size();
         height = std::max(height, drawn_height(extent, each - 60, tallest));

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of each tile its piece; pieces stand in the order of their tiles.
+/// The piece of each tile; pieces are in the order of their tiles.
 std::vector<const PatternPiece*> pieces_of_tiles(const CutPlan& plan, const std::vector<PatternPiece>& pieces) {
     std::vector<const PatternPiece*> found(plan.tiles.size(), nullptr);
     std::size_t tile = 0;
@@ -37,7 +37,7 @@ std::string picture_stem(const std::string& stem) {
     return is_taken ? "tile-" + stem : stem;
 }
 
-/// Tiles that are cut alike share the first one's, unless they are judged otherwise.
+/// Tiles that are cut the same share the first one's picture, unless their verdicts differ.
 bool has_picture(const CutPlan& plan, const FlatTile& tile) {
     if (tile.equal_to < 0) return true;
     const FlatTile& first = plan.tiles[static_cast<std::size_t>(tile.equal_to)];

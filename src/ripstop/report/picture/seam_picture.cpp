@@ -22,11 +22,11 @@ constexpr double seam_margin = 28;
 constexpr double sheet_head = 92;
 constexpr double sheet_foot = 104;
 
-/// Where each tile lies on the page, and how large.
+/// The scale of the page and the place of each tile on it.
 struct SheetLayout {
-    double scale = 1;           ///< units a metre
+    double scale = 1;           ///< page units per metre
     double height = 0;          ///< of the drawing
-    std::vector<Vec2> origins;  ///< of each tile's flat coordinates, on the page
+    std::vector<Vec2> origins;  ///< origin of each tile's flat coordinates, on the page
 
     Vec2 at(std::size_t tile, const Vec2& p) const { return origins[tile] + scale * Vec2(p.x(), -p.y()); }
 };
@@ -44,7 +44,7 @@ SheetLayout lay_out(const std::vector<Extent>& extents) {
         total += (extent.size().x() + gap) * (extent.size().y() + gap);
         widest = std::max(widest, extent.size().x());
     }
-    // Half as wide again as high; rows do not fill up.
+    // // One and a half times as wide as high; rows are not full.
     const double sheet = std::max(widest, 1.3 * std::sqrt(total));
     SheetLayout layout;
     double x = 0, top = 0, row = 0, reached = 0;
@@ -74,9 +74,9 @@ Extent extent_of(const FlatTile& tile) {
 struct Strokes {
     std::array<std::string, colour_classes> paths;
     std::string figures;
-    std::vector<std::array<Vec2, 2>> taken;  ///< what is written already: middle and half of each
+    std::vector<std::array<Vec2, 2>> taken;  ///< texts already placed: middle and half size of each
 
-    /// Is there room for a text? If so, it is taken.
+    /// Reserves space for a text. Returns false if there is none.
     bool take(const Vec2& middle, const Vec2& half) {
         for (const std::array<Vec2, 2>& other : taken)
             if (((middle - other[0]).cwiseAbs().array() < (half + other[1]).array()).all()) return false;
@@ -85,8 +85,8 @@ struct Strokes {
     }
 };
 
-/// By how much the edge is longer than its mate, beside it where there is room on the cloth; one that fails is written over
-/// all else.
+/// Writes by how much the edge is longer than its mate, if there is space on the cloth beside it. The text of a failing
+/// edge may cover others.
 void write_figure(const CutPlan& plan, std::size_t seam, bool is_b, const SheetLayout& layout,
                   const std::vector<std::array<Vec2, 2>>& steps, double on_page, Strokes& strokes) {
     const SeamWalk& walk = plan.walks[seam];
@@ -98,7 +98,7 @@ void write_figure(const CutPlan& plan, std::size_t seam, bool is_b, const SheetL
     const Vec2 room(2.8 * static_cast<double>(figure.size()), 5);
     const auto place_beside = [&](std::size_t step) {
         const Vec2 along = (steps[step][1] - steps[step][0]).normalized();
-        const Vec2 inward(along.y(), -along.x());  // the cloth lies to the left, seen with y up
+        const Vec2 inward(along.y(), -along.x());  // the cloth lies to the left, with y up
         return Vec2(steps[step][0] + 16 * inward.cwiseProduct(Vec2(1.2, 0.8)));
     };
     const std::size_t n = steps.size();

@@ -6,11 +6,11 @@
 
 namespace ripstop {
 
-/// An SVG picture of how the edges of neighbours fit, for people: every flat outline at one scale, row after row in the
-/// order of the input, its name in it; each sewn edge in the colour of how far the two sides are apart there (between
-/// the notches in proportion), in mm per metre of seam, pinned to the tolerance; beyond it the line is also thicker, so
-/// that the colour is not needed. Beside an edge with room for it: by how many mm it is longer than its mate. Edges
-/// that are sewn to nothing are grey. Empty for a plan without seams.
+/// An SVG picture of how the edges of neighbours fit. It shows every flat outline with its name, at one scale, in rows
+/// in the order of the input. Each sewn edge is coloured by the distance between the two sides (linear between the
+/// notches), in mm per metre of seam, up to the tolerance; beyond the tolerance the line is also thicker, so it can be
+/// recognised without colour. If there is space, the picture states by how many mm an edge is longer than its mate.
+/// Unsewn edges are grey. Empty for a plan without seams.
 std::string seam_picture(const CutPlan& plan);
 
 }  // namespace ripstop

@@ -5,10 +5,10 @@
 
 #include "ripstop/geometry/types.h"
 
-/// The parts that pictures are made of, as SVG. Places on the page are in its units, y down.
+/// Building blocks of pictures, as SVG. Positions are in page units, y down.
 namespace ripstop {
 
-/// Two decimals, which is all a page needs; `x y`.
+/// `x y` with two decimals, which suffice for a page.
 std::string svg_number(double value);
 std::string svg_pair(const Vec2& p);
 
@@ -23,11 +23,11 @@ std::string svg_text(const Vec2& at, const std::string& content, const TextStyle
 
 std::string svg_stroke(const std::vector<Vec2>& points, const std::string& colour, double width);
 
-/// The colours of `class_colour` with the numbers 0, half of `limit` and `limit`, its unit behind it, and what is
-/// beyond.
+/// The colours of `class_colour`, labelled 0, half of `limit` and `limit` with its unit, and the colour beyond.
 std::string colour_bar(const Vec2& at, const std::string& title, double limit, const std::string& unit);
 
-/// The longest of 1, 2, 5 times a power of ten metres that is at most `widest` on the page, at `scale` units a metre.
+/// The longest length of 1, 2 or 5 times a power of ten metres that is at most `widest` on the page, at `scale` units
+/// per metre.
 std::string scale_bar(const Vec2& at, double scale, double widest);
 
 }  // namespace ripstop

@@ -20,7 +20,7 @@ struct Line {
     std::vector<Vec3> points;
     std::uint32_t colour = outline_colour;
     double width = 1;
-    double nearer = 0;  ///< drawn as if so much nearer, in shares of the shape's radius
+    double nearer = 0;  ///< depth offset towards the viewer, relative to the shape's radius
     bool is_dashed = false;
 };
 
@@ -45,7 +45,7 @@ std::vector<Vec3> seam_line(const CutPlan& plan, const EnvelopeShape& shape, con
     return points;
 }
 
-/// Later ones lie on earlier ones.
+/// Later lines are drawn over earlier ones.
 std::vector<Line> lines_of(const CutPlan& plan, const EnvelopeShape& shape, double width) {
     std::vector<Line> lines, failing, proposed;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
@@ -68,7 +68,7 @@ std::vector<Line> lines_of(const CutPlan& plan, const EnvelopeShape& shape, doub
     return lines;
 }
 
-/// The strokes of a dashed line, by its length in space.
+/// Splits a line into dashes by its length in space.
 std::vector<std::array<Vec3, 2>> dashes(const std::vector<Vec3>& points, double dash, double gap) {
     std::vector<std::array<Vec3, 2>> strokes;
     double walked = 0;
@@ -104,7 +104,7 @@ class Painter {
         });
     }
 
-    /// Where no cloth is before it.
+    /// Draws the band where no cloth is in front of it.
     void band(const std::array<Vec3, 4>& corners, int edge) {
         for (const auto& half : {std::array{corners[0], corners[1], corners[2]}, {corners[0], corners[2], corners[3]}})
             fill(half, 0.004 * radius_, [&](std::size_t place, double depth) {
@@ -131,7 +131,7 @@ class Painter {
                    [&](int place, double depth) { paint(static_cast<std::size_t>(place), depth); });
     }
 
-    /// A straight band on the page; the ends of one that goes on reach under their neighbours.
+    /// A straight band on the page; its ends extend below the neighbouring bands of the same line.
     void stroke(Vec3 from, Vec3 to, const Line& line) {
         const Vec3 step = to - from;
         const double length = std::hypot(step.x(), step.y());
@@ -152,10 +152,10 @@ class Painter {
 
     EnvelopeView& view_;
     double radius_;
-    std::vector<double> depths_;  ///< of the cloth
+    std::vector<double> depths_;  ///< depths of the cloth
 };
 
-/// Of each boundary edge the direction into the cloth, in the plane of its triangle.
+/// For each boundary edge, the direction into the cloth, in the plane of its triangle.
 std::vector<Vec3> inward_of(const Tile& tile, const Points3& positions) {
     std::vector<int> place(static_cast<std::size_t>(tile.mesh.vertex_count()), -1);
     for (std::size_t i = 0; i < tile.boundary.size(); ++i)
@@ -191,7 +191,7 @@ void paint_band(Painter& painter, const Tile& tile, const Points3& positions, in
 }  // namespace
 
 EnvelopeShape envelope_shape(const CutPlan& plan, bool is_inflated) {
-    Eigen::AlignedBox3d box;  // as drawn: what is up does not change in flight
+    Eigen::AlignedBox3d box;  // as drawn: the up direction does not change in flight
     for (const FlatTile& tile : plan.tiles)
         for (const auto& row : tile.tile.mesh.positions.rowwise()) box.extend(Vec3(row));
     EnvelopeShape shape;
@@ -219,7 +219,7 @@ Vec3 EnvelopeView::at(const Vec3& point) const {
 }
 
 EnvelopeView aimed_view(const EnvelopeShape& shape, const Vec3& direction, int side) {
-    constexpr double filled = 0.97;  // of the square: lines stand out
+    constexpr double filled = 0.97;  // share of the square; leaves space for the width of lines
     EnvelopeView view;
     view.side = side;
     view.towards = direction.normalized();

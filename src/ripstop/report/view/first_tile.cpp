@@ -9,12 +9,12 @@
 namespace ripstop {
 namespace {
 
-constexpr double equal_share = 1e-6;  ///< of the largest score: tiles that are cut alike differ by rounding
+constexpr double equal_share = 1e-6;  ///< relative to the largest score: equal tiles differ by rounding
 
-/// How far the worst finding of a tile is beyond its limit; 0 where it can be made.
+/// The largest ratio of a tile's findings to their limits; 0 if the tile can be made.
 double excess(const FlatTile& tile) {
     if (tile.verdict.manufacturable()) return 0;
-    double worst = std::numeric_limits<double>::min();  // also one that nobody judged comes before those that pass
+    double worst = std::numeric_limits<double>::min();  // a tile without a verdict precedes those that pass
     for (const Finding& finding : tile.verdict.findings)
         worst = std::max(worst, std::abs(finding.value / (finding.limit != 0 ? finding.limit : 1)));
     return worst;
@@ -41,7 +41,7 @@ double largest_share(const MapView& view, std::size_t tile) {
     return scale.cloth.empty() ? edges : std::max(edges, largest(view.cloth[tile]) / scale.cloth[tile]);
 }
 
-/// The first kind of score that any tile has.
+/// The scores by the first criterion that any tile meets.
 std::vector<double> scores(const CutPlan& plan, const MapView& view) {
     std::vector<double> result(plan.tiles.size(), 0);
     const auto is_scored = [&](const auto& score) {
@@ -54,7 +54,7 @@ std::vector<double> scores(const CutPlan& plan, const MapView& view) {
     return result;
 }
 
-/// The share of a tile's area that is turned to the viewer, less what is turned away.
+/// The fraction of a tile's area that faces the viewer, minus the fraction that faces away.
 double facing(const Points3& positions, const Triangles& triangles) {
     Vec3 normal = Vec3::Zero();
     double area = 0;

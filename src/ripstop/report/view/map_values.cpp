@@ -22,7 +22,7 @@ Eigen::VectorXd mean_of_corners(const Eigen::VectorXd& at_vertices, const Triang
     return means;
 }
 
-/// How much longer a thread is, of Green's strain.
+/// The elongation of a thread from Green's strain.
 Eigen::ArrayXd stretch(const Points3& green, int thread) {
     return (1 + 2 * green.col(thread).array()).max(0).sqrt();
 }

@@ -15,7 +15,7 @@ namespace ripstop {
 namespace {
 
 constexpr double share_within = 0.99;
-constexpr double smallest_scale = 1e-3;  ///< of a map that nothing is allowed in, in its unit
+constexpr double smallest_scale = 1e-3;  ///< of a map with the limit 0, in its unit
 
 struct MapUnit {
     double size = 1;
@@ -36,12 +36,12 @@ const SafetyFactor* judged(const CutPlan& plan, std::string_view part) {
     return nullptr;
 }
 
-/// What is allowed of something as strong as what was judged.
+/// The load allowed for a part as strong as the one judged.
 double allowed_load(const SafetyFactor& factor) {
     return factor.load * factor.factor / factor.required;
 }
 
-/// Of a tile's triangles; none where nothing says so.
+/// The limit for a tile's triangles; empty if there is none.
 std::optional<double> allowed_on_cloth(const CutPlan& plan, const Tile& tile, const PageMap& map) {
     const Tolerances limits = plan.tolerances_of(tile);
     if (!map.is_of_cloth() || map.is_of_states()) return {};
@@ -68,7 +68,7 @@ std::vector<double> sizes_of(const std::vector<Eigen::VectorXd>& values) {
     return sizes;
 }
 
-/// Below which a share of them lies.
+/// The quantile `share` of the sizes.
 double below_which(std::vector<double> sizes, double share) {
     if (sizes.empty()) return 0;
     const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
@@ -76,7 +76,7 @@ double below_which(std::vector<double> sizes, double share) {
     return *at;
 }
 
-/// 1, 2 or 5 times a power of ten.
+/// Rounds up to 1, 2 or 5 times a power of ten.
 double rounded_up(double value) {
     const double decade = std::pow(10, std::floor(std::log10(value)));
     for (const double factor : {1.0, 2.0, 5.0})
@@ -84,11 +84,11 @@ double rounded_up(double value) {
     return 10 * decade;
 }
 
-/// What all tiles are allowed, the least and the most of it.
+/// The limits of all tiles, with their minimum and maximum.
 struct Allowed {
-    std::vector<double> cloth;  ///< of each tile; none where nothing says so
+    std::vector<double> cloth;  ///< per tile; empty if there is no limit
     std::optional<double> edges;
-    double least = 0, most = 0;  ///< of what the ends of the colours say
+    double least = 0, most = 0;  ///< of the limits that the legend states
 
     bool is_known() const { return most > 0; }
 };
@@ -123,7 +123,7 @@ std::string figure_text(double value, const MapUnit& unit) {
     return fmt::format("{:.4g}{}", value / unit.size, unit.text);
 }
 
-/// About three digits of it; nothing below what any unit can mean.
+/// About three significant digits; 0 if below any meaningful value.
 std::string measured_text(double value, const MapUnit& unit) {
     const double shown = value / unit.size;
     if (shown < 1e-6) return fmt::format("0{}", unit.text);
@@ -142,7 +142,7 @@ void set_ends(MapScale& scale, const PageMap& map, const std::string& most) {
     scale.high = map.is_unsigned ? most : fmt::format("+{}", most);
 }
 
-/// What is to be said of a map in any scale.
+/// The note of a map that holds in any scale.
 std::string own_note(const CutPlan& plan, const PageMap& map) {
     if (map.id == "mismatch") return "how far the two sides are apart, for each metre of seam";
     if (map.id == "tension") return "the force that holds each edge at its length";
@@ -168,7 +168,7 @@ std::string band_note(const PageMap& map, double limit) {
                                              : "";
 }
 
-/// Why the colours end where they end, where it is the tolerance.
+/// The reason for the ends of the scale, if it is a tolerance.
 std::string reason(const PageMap& map) {
     if (map.id == "deviation") return "allowed: 0.3 % of the height";
     if (map.id == "tapes" || (map.is_in_flight && map.is_unsigned))

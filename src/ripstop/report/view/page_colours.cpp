@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t unknown_colour = 0xe6e9ed;
 
-/// Three that are told apart by lightness alone, in every palette.
+/// Three colours that differ in lightness, in every palette.
 constexpr std::array<std::uint32_t, 3> state_colours{0xf7f5ef, 0xe8923a, 0x2f3f8f};
 
 std::uint32_t between_stops(const std::vector<std::uint32_t>& stops, double share) {

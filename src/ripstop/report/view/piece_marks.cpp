@@ -9,7 +9,7 @@
 namespace ripstop {
 namespace {
 
-/// The place of the flat outline that lies nearest to a place in space.
+/// The point of the flat outline nearest to a point in space.
 Vec2 nearest_on_outline(const FlatTile& tile, const Vec3& place) {
     const std::vector<int> loop = closed(tile.tile.boundary);
     double nearest = std::numeric_limits<double>::infinity();

@@ -6,17 +6,17 @@
 
 namespace ripstop {
 
-/// Where something is wrong with a tile: the vertex nearest to the place that a finding names.
+/// The mark of a finding: the vertex nearest to the finding's place.
 struct FindingMark {
     int vertex = 0;
-    std::size_t finding = 0;  ///< in `Verdict::findings`
+    std::size_t finding = 0;  ///< index in `Verdict::findings`
 };
 
-/// One a vertex: of several findings the first. Findings that name no place have none.
+/// At most one mark per vertex: that of the first finding there. Findings without a place have none.
 std::vector<FindingMark> finding_marks(const FlatTile& tile);
 
-/// The ends of a proposed seam on the cloth [m]: the places of the flat outline that lie nearest to them in space. None
-/// where nothing is proposed. Requires flat positions.
+/// The ends of a proposed seam on the cloth [m]: the points of the flat outline nearest to its ends in space. Empty
+/// without a proposal. Requires flat positions.
 std::vector<Vec2> proposed_ends(const FlatTile& tile);
 
 }  // namespace ripstop

@@ -21,8 +21,8 @@ namespace ripstop {
 namespace {
 
 constexpr double pixels_per_unit = 2;
-constexpr double ring_margin = 16;                      ///< for rings and lines that stand out
-constexpr double readable_size = 5, largest_size = 26;  ///< of letters
+constexpr double ring_margin = 16;                      ///< space for rings and lines beyond the piece
+constexpr double readable_size = 5, largest_size = 26;  ///< of letters [page units]
 
 Pixels cloth_pixels(const PieceSight& sight, const PageView& view, const Vec2& upper_left, const Vec2& size) {
     const FlatTile& tile = sight.plan.tiles[sight.tile];

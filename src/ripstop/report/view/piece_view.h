@@ -15,29 +15,28 @@ namespace ripstop {
 struct PieceSight {
     const CutPlan& plan;
     std::size_t tile = 0;
-    const PatternPiece* piece = nullptr;  ///< none: the flat tile alone
+    const PatternPiece* piece = nullptr;  ///< null: only the flat tile
     const MapView& map;
-    bool has_band = true;  ///< along the edges, where the map is of them
-    int seam = -1;         ///< in `CutPlan::seams`: drawn green; then no finding has a ring
-    double scale = 0;      ///< units of the page a metre; 0: `fitting_scale`
+    bool has_band = true;  ///< along the edges, if the map covers edges
+    int seam = -1;         ///< index in `CutPlan::seams`: drawn green, without rings for findings
+    double scale = 0;      ///< page units per metre; 0: `fitting_scale`
 };
 
-/// Lower left and upper right of what is cut, and of the cloth [m].
+/// Lower left and upper right corner of the cut line and the cloth together [m].
 struct PieceExtent {
     Vec2 lower = Vec2::Zero(), upper = Vec2::Zero();
     Vec2 size() const { return upper - lower; }
 };
 PieceExtent piece_extent(const FlatTile& tile, const PatternPiece* piece);
 
-/// Units of the page a metre at which a piece of this size [m] fits into a room of the page, with a margin for rings.
+/// The scale [page units per metre] at which a piece of this size [m] fits into `room`, with a margin for rings.
 double fitting_scale(const Vec2& size, const Vec2& room);
 
-/// A piece as report.html shows it (apps/report/src/piece/piece_view.js), in the middle between two corners of the page
-/// (upper left, lower right): the triangles in the colours of the map as pixels, and over them, as SVG, cut line
-/// (solid), sew line (dashed), notches, lines, grain, labels that can be read, a proposed seam (dashed) and a ring
-/// about each finding.
+/// A piece as in report.html (apps/report/src/piece/piece_view.js), centred between two corners of the page (upper
+/// left, lower right). The triangles are pixels in the colours of the map. Drawn over them as SVG: cut line (solid),
+/// sew line (dashed), notches, lines, grain, readable labels, a proposed seam (dashed) and a ring around each finding.
 ///
-/// Without flat positions there are no pixels, and the SVG says so. Cost: O(triangles + pixels).
+/// Without flat positions there are no pixels, and the SVG says so. O(triangles + pixels).
 struct PieceView {
     std::string svg;
     std::vector<PlacedPixels> pixels;

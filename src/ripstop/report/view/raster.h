@@ -9,10 +9,9 @@
 
 namespace ripstop {
 
-/// Calls `paint(place, depth)` for each pixel whose middle lies in a triangle, in a picture of `width` times `height`
-/// pixels: place = row * width + column. Corners are in pixels, y down; z is the depth, linear between them. Pixels
-/// outside of the picture are left out, so is a triangle that is seen from its edge. Neighbours share no pixel and
-/// leave none out between them.
+/// Calls `paint(place, depth)` for each pixel whose centre lies in a triangle, in a picture of `width` times `height`
+/// pixels: place = row * width + column. Corners are in pixels, y down; z is the depth, interpolated linearly. Pixels
+/// outside the picture and triangles seen edge-on are skipped. Neighbouring triangles share no pixel and leave no gap.
 template <class Paint>
 void each_pixel(int width, int height, const std::array<Vec3, 3>& corners, const Paint& paint) {
     const auto& [a, b, c] = corners;
@@ -20,7 +19,7 @@ void each_pixel(int width, int height, const std::array<Vec3, 3>& corners, const
     if (!(std::abs(area) > 0) || !std::isfinite(area)) return;
     const double slope_x = ((b.z() - a.z()) * (c.y() - a.y()) - (c.z() - a.z()) * (b.y() - a.y())) / area;
     const double slope_y = ((c.z() - a.z()) * (b.x() - a.x()) - (b.z() - a.z()) * (c.x() - a.x())) / area;
-    // Before they become whole numbers, which hold no place far away.
+    // // Clamp before conversion to integers, which cannot represent far places.
     const auto inside = [](double from, double to, double last) {
         return std::array{static_cast<int>(std::clamp(std::ceil(from - 0.5), 0.0, last + 1)),
                           static_cast<int>(std::clamp(std::ceil(to - 0.5) - 1, -1.0, last))};
