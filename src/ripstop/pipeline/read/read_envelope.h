@@ -50,8 +50,8 @@ struct EnvelopeInput {
     std::vector<std::string> unused = {};   ///< one sentence for each entry of the project that matches nothing
     std::optional<UnitDoubt> doubt = {};    ///< doubt about the unit, from the surfaces of the file
     std::vector<EnvelopeIssue> issues =
-        {};              ///< what is wrong with the file: `no_tile` for a surface that is none and is
-                         ///< left out, `precision` where rounding is more than the seam tolerance
+        {};              ///< faults of the file: `no_tile` for a surface that is no tile and is left out,
+                         ///< `precision` if rounding exceeds the seam tolerance
     Flight flight = {};  ///< the project's flight conditions, in the envelope's coordinates
 };
 
