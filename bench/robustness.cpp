@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "ripstop/flatten/seam/seam_exact.h"
-#include "ripstop/measure/accuracy.h"
+#include "ripstop/measure/measure_accuracy.h"
 #include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 

@@ -129,14 +129,14 @@
 #include "ripstop/flatten/method.h"
 
 // measure
-#include "ripstop/measure/accuracy.h"
-#include "ripstop/measure/bounds.h"
 #include "ripstop/measure/distortion.h"
 #include "ripstop/measure/equal_tiles.h"
 #include "ripstop/measure/judge.h"
 #include "ripstop/measure/judge_seams.h"
 #include "ripstop/measure/judge_zigzags.h"
-#include "ripstop/measure/seam_walk.h"
+#include "ripstop/measure/measure_accuracy.h"
+#include "ripstop/measure/measure_bounds.h"
+#include "ripstop/measure/walk_seams.h"
 
 // remesh
 #include "ripstop/remesh/facet_row.h"

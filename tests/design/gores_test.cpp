@@ -1,4 +1,5 @@
 #include "ripstop/design/natural/gores.h"
+#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 
@@ -14,6 +15,7 @@
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
 #include "ripstop/model/tile/tile.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace gores_test {
@@ -63,12 +65,7 @@ std::size_t shared(const NamedMesh& a, const NamedMesh& b) {
 }
 
 std::string refusal(const EnvelopeDesign& design) {
-    try {
-        design_natural(design);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { design_natural(design); });
 }
 
 TEST(DesignNatural, NamesPanelsFromTheMouthUpGoreByGore) {

@@ -7,6 +7,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/text/units.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace natural_shape_test {
@@ -33,12 +34,7 @@ NaturalShape lobed(int tapes, double degrees) {
 }
 
 std::string refusal(const NaturalShapeOptions& options) {
-    try {
-        natural_shape(options);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { natural_shape(options); });
 }
 
 constexpr double digits2 = 0.5e-2, digits3 = 0.5e-3, digits4 = 0.5e-4, digits5 = 0.5e-5, digits6 = 0.5e-6;
@@ -216,6 +212,11 @@ TEST(NaturalShape, LobedFamilyHasTheKnownFigures) {
     }
 }
 
+/// N_h = p rho of the lobes, with p = b z [N/m].
+double hoop_tension(const MeridianEquation& equation, const MeridianPoint& at) {
+    return equation.buoyancy * at.z * at.r * std::sin(std::numbers::pi / equation.tapes) / std::sin(equation.bulge);
+}
+
 TEST(NaturalShape, LobedHoopTensionHasTheKnownPeak) {
     const double table[][3] = {{24, 45, 57.9}, {24, 30, 85.3},  {24, 20, 130.3}, {24, 10, 303.4},
                                {12, 60, 88.5}, {12, 45, 115.8}, {12, 30, 179.2}, {32, 20, 95.8}};
@@ -223,7 +224,7 @@ TEST(NaturalShape, LobedHoopTensionHasTheKnownPeak) {
         const NaturalShape shape = lobed(static_cast<int>(row[0]), row[1]);
         double peak = 0;
         for (const MeridianPoint& p : shape.meridian.stations)
-            peak = std::max(peak, shape.meridian.equation.hoop_tension(p));
+            peak = std::max(peak, hoop_tension(shape.meridian.equation, p));
         EXPECT_NEAR(peak, row[2], 0.06) << row[0] << " tapes, " << row[1] << " degrees";
     }
 }

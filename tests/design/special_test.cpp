@@ -16,6 +16,7 @@
 #include "ripstop/io/json/special_json.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace special_test {
@@ -100,12 +101,7 @@ std::vector<SpecialShape> kinds() {
 }
 
 std::string refusal(const SpecialShape& shape) {
-    try {
-        design_special(shape);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { design_special(shape); });
 }
 
 using Place = std::array<double, 3>;

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
-#include "ripstop/measure/accuracy.h"
+#include "ripstop/measure/measure_accuracy.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

@@ -7,7 +7,7 @@
 
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/flatten/seam/seam_exact.h"
-#include "ripstop/measure/accuracy.h"
+#include "ripstop/measure/measure_accuracy.h"
 #include "ripstop/mesh/boundary.h"
 #include "ripstop/tile/make_tile.h"
 #include "support/closed_tiles.h"

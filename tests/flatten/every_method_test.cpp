@@ -6,7 +6,7 @@
 
 #include "ripstop/flatten/method.h"
 #include "ripstop/flatten/tools/grain.h"
-#include "ripstop/measure/accuracy.h"
+#include "ripstop/measure/measure_accuracy.h"
 #include "ripstop/mesh/change/flips.h"
 #include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ripstop/base/error.h"
-#include "ripstop/measure/accuracy.h"
+#include "ripstop/measure/measure_accuracy.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

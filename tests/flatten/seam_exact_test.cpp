@@ -12,8 +12,8 @@
 #include "ripstop/energy/boundary_bending.h"
 #include "ripstop/flatten/tools/grain.h"
 #include "ripstop/geometry/triangle.h"
-#include "ripstop/measure/accuracy.h"
-#include "ripstop/measure/bounds.h"
+#include "ripstop/measure/measure_accuracy.h"
+#include "ripstop/measure/measure_bounds.h"
 #include "support/fabrics.h"
 #include "support/shapes.h"
 

@@ -15,7 +15,7 @@
 #include "ripstop/energy/boundary_bending.h"
 #include "ripstop/flatten/seam/seam_exact.h"
 #include "ripstop/flatten/seam/seam_problem.h"
-#include "ripstop/measure/accuracy.h"
+#include "ripstop/measure/measure_accuracy.h"
 #include "support/fabrics.h"
 #include "support/flat_errors.h"
 #include "support/sewn.h"

@@ -17,6 +17,7 @@
 #include "ripstop/tile/seam_place.h"
 #include "support/balloons.h"
 #include "support/envelopes.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 
 namespace ripstop {
@@ -81,14 +82,7 @@ Points3 thrown(const SewnEnvelope& sewn) {
     return nodes;
 }
 
-std::string refusal(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
-}
+using testing::refusal;
 
 TEST(Sew, VerticesThatMeetOnASeamAreOne) {
     const CutPlan plan = small_plan();
@@ -151,9 +145,9 @@ TEST(Sew, TJunctionsAndNeighboursMeshedDifferentlyLeaveNoGap) {
         const SewnEnvelope sewn = sew(plan);
         const Points3 nodes = thrown(sewn);
         int hanging = 0;
-        for (const Place& place : sewn.places) {
+        for (const SewnPoint& place : sewn.places) {
             double sum = 0;
-            for (const PlacePart& part : place) sum += part.weight;
+            for (const NodeShare& part : place.shares) sum += part.weight;
             EXPECT_NEAR(sum, 1, 1e-12);
             hanging += place.size() > 1;
         }

@@ -9,6 +9,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/pattern/drawing/check_drawing.h"
 #include "support/outside.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace dxf_read_test {
@@ -37,12 +38,7 @@ PatternDrawing read(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-    try {
-        read(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { read(text); });
 }
 
 double length(const DrawnPath& path) {

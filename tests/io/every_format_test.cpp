@@ -10,6 +10,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/io/mesh/mesh_file.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"
 
@@ -201,12 +202,7 @@ INSTANTIATE_TEST_SUITE_P(, EveryFormat, ::testing::ValuesIn(written_formats()),
                          [](const auto& format) { return std::string(format.param.extension + 1); });
 
 std::string refusal(const std::filesystem::path& path) {
-    try {
-        read_model(path);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { read_model(path); });
 }
 
 TEST(MeshFile, RefusesWhatItCannotOpenOrDoesNotKnow) {

@@ -8,6 +8,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/text/units.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace fabric_json_test {
@@ -22,12 +23,7 @@ Fabric read(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-    try {
-        read(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { read(text); });
 }
 
 /// A valid fabric with `more` at its end.

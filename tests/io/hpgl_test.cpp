@@ -12,6 +12,7 @@
 #include "support/outside.h"
 #include "support/pattern_pieces.h"
 #include "support/plotter.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace hpgl_test {
@@ -113,12 +114,7 @@ TEST(Hpgl, CutsLongPiecesIntoFramesForPlottersOfSixteenBits) {
 }
 
 std::string refusal(const std::vector<PatternPiece>& pieces, double frame) {
-    try {
-        hpgl(pieces, {.frame = frame});
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { hpgl(pieces, {.frame = frame}); });
 }
 
 TEST(Hpgl, RefusesWhatNoPlotterCounts) {

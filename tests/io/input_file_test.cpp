@@ -7,6 +7,7 @@
 
 #include "ripstop/base/error.h"
 #include "support/program.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace input_file_test {
@@ -14,12 +15,7 @@ namespace input_file_test {
 using ::testing::HasSubstr;
 
 std::string refusal(const std::string& path) {
-    try {
-        open_input(path, "the project file");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "opened";
+    return testing::refusal([&] { open_input(path, "the project file"); });
 }
 
 TEST(OpenInput, OpensAFileAndSaysWhyItCannotOpenAnythingElse) {

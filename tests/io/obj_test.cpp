@@ -6,6 +6,7 @@
 
 #include "ripstop/base/error.h"
 #include "support/mesh_text.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace obj_test {
@@ -26,12 +27,7 @@ CadModel model_of(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-    try {
-        read(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { read(text); });
 }
 
 std::vector<std::string> names(const std::vector<NamedMesh>& surfaces) {

@@ -5,6 +5,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/geometry/polygon.h"
 #include "support/pattern_pieces.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace paper_test {
@@ -12,12 +13,7 @@ namespace paper_test {
 using ::testing::HasSubstr;
 
 std::string refusal(const std::string& paper) {
-    try {
-        paper_named(paper);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { paper_named(paper); });
 }
 
 TEST(Paper, IsKnownByNameOrByTheWidthOfTheRoll) {

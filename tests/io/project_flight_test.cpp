@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ripstop/base/error.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace project_flight_test {
@@ -17,12 +18,7 @@ Flight read(const char* text, double unit = 1) {
 }
 
 std::string refusal(const char* text) {
-    try {
-        read(text);
-        return "accepted";
-    } catch (const InputError& error) {
-        return error.what();
-    }
+    return testing::refusal([&] { read(text); });
 }
 
 TEST(ProjectFlight, TakesUnitsFromItsKeys) {

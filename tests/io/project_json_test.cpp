@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace project_json_test {
@@ -23,12 +24,7 @@ Project read(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-    try {
-        read(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { read(text); });
 }
 
 TEST(ProjectJson, JudgesTheCasesAsTheSchemaDoes) {

@@ -14,6 +14,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/io/mesh/mesh_file.h"
 #include "support/outside.h"
+#include "support/refusal.h"
 #include "support/rhino.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"
@@ -39,12 +40,7 @@ CadModel read(const std::string& bytes) {
 }
 
 std::string refusal(const std::string& bytes) {
-    try {
-        read(bytes);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { read(bytes); });
 }
 
 const NamedMesh& surface_of(const CadModel& model, const std::string& name) {

@@ -6,6 +6,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "support/refusal.h"
 #include "support/sewn.h"
 
 namespace ripstop {
@@ -31,12 +32,7 @@ Sewing read(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-    try {
-        read(text);
-        return "accepted";
-    } catch (const InputError& error) {
-        return error.what();
-    }
+    return testing::refusal([&] { read(text); });
 }
 
 TEST(SewingJson, ReadsBackWhatItWroteToTheSameDoubles) {

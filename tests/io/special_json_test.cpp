@@ -8,6 +8,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/base/text/units.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace special_json_test {
@@ -16,13 +17,10 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 std::string refusal(const std::string& text) {
-    std::istringstream in(text);
-    try {
+    return testing::refusal([&] {
+        std::istringstream in(text);
         read_special_shape(in, "shape.json");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    });
 }
 
 TEST(SpecialJson, JudgesTheCasesAsTheSchemaDoes) {

@@ -10,6 +10,7 @@
 #include "ripstop/io/svg/svg.h"
 #include "ripstop/pattern/drawing/check_drawing.h"
 #include "support/dxf_pieces.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace svg_read_test {
@@ -26,12 +27,7 @@ PatternDrawing read_body(const std::string& body) {
 }
 
 std::string refusal(const std::string& text) {
-    try {
-        read(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { read(text); });
 }
 
 TEST(ReadSvg, TakesPathsWithEveryCommandOfStraightLines) {

@@ -3,9 +3,9 @@
 
 #include <gmock/gmock.h>
 
-#include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/judge.h"
-#include "ripstop/measure/seam_walk.h"
+#include "ripstop/measure/measure_accuracy.h"
+#include "ripstop/measure/walk_seams.h"
 #include "support/seams.h"
 #include "support/sewn.h"
 #include "support/shapes.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ripstop/base/text/units.h"
-#include "ripstop/measure/accuracy.h"
+#include "ripstop/measure/measure_accuracy.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "ripstop/base/error.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 
 namespace ripstop {
@@ -11,12 +12,7 @@ namespace disk_test {
 using ::testing::HasSubstr;
 
 std::string refusal(const TriangleMesh& mesh) {
-    try {
-        require_disk(mesh, Adjacency(mesh.triangles, mesh.vertex_count()), "G01P01");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { require_disk(mesh, Adjacency(mesh.triangles, mesh.vertex_count()), "G01P01"); });
 }
 
 TEST(RequireDisk, GivesTheBoundaryCounterClockwise) {

@@ -5,10 +5,10 @@
 #include <fstream>
 #include <numbers>
 
-#include "ripstop/flatten/spring/paper.h"
+#include "ripstop/flatten/spring/kubicek_zemcik.h"
 #include "ripstop/io/mesh/mesh_file.h"
-#include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/judge.h"
+#include "ripstop/measure/measure_accuracy.h"
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "ripstop/pipeline/read/read_envelope.h"
 #include "ripstop/tile/make_tile.h"
@@ -19,7 +19,7 @@ namespace ripstop {
 namespace paper_test {
 
 Accuracy flattened(const Tile& tile, const Fabric& fabric = {}) {
-    return measure_accuracy(tile, flatten_paper(tile, fabric).positions, fabric);
+    return measure_accuracy(tile, flatten_kubicek_zemcik(tile, fabric).positions, fabric);
 }
 
 TEST(Paper, RuledConeIsFarBelowItsTable1) {
@@ -48,7 +48,7 @@ TEST(Paper, QuarterSphereIsRefusedWithErrorsOfThePrintedOrder) {
     // printed: area 1.93 %, shape 14.01 %. Here a 90 degree lune, warp from pole to pole, isotropic.
     const Tile tile = make_tile("quarter", testing::lune(std::numbers::pi / 2, 24, 48), {.warp = Vec3::UnitZ()});
     const Fabric fabric;
-    const Flattening flat = flatten_paper(tile, fabric);
+    const Flattening flat = flatten_kubicek_zemcik(tile, fabric);
     const Accuracy found = measure_accuracy(tile, flat.positions, fabric);
     EXPECT_EQ(found.flipped, 0);
     EXPECT_GT(found.perimeter_error, 0.09);
@@ -60,8 +60,8 @@ TEST(Paper, QuarterSphereIsRefusedWithErrorsOfThePrintedOrder) {
 
 TEST(Paper, AdaptiveStepReachesTheSameRestSooner) {
     const Tile tile = make_tile("gore", testing::lune(2 * std::numbers::pi / 24, 8, 64), {.warp = Vec3::UnitZ()});
-    const Flattening fixed = flatten_paper(tile, Fabric{});
-    const Flattening adaptive = flatten_paper(tile, Fabric{}, {.adaptive = true});
+    const Flattening fixed = flatten_kubicek_zemcik(tile, Fabric{});
+    const Flattening adaptive = flatten_kubicek_zemcik(tile, Fabric{}, {.adaptive = true});
     EXPECT_EQ(adaptive.summary.termination, Termination::converged);
     EXPECT_LT(adaptive.summary.iterations, fixed.summary.iterations);
     const double a = measure_accuracy(tile, fixed.positions, Fabric{}).perimeter_error;

@@ -6,7 +6,7 @@
 #include "ripstop/design/natural/gores.h"
 #include "ripstop/flatten/method.h"
 #include "ripstop/io/json/fabric_json.h"
-#include "ripstop/measure/bounds.h"
+#include "ripstop/measure/measure_bounds.h"
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "ripstop/pipeline/read/read_envelope.h"
 #include "ripstop/report/figures/figures.h"

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 
 namespace ripstop {
@@ -38,12 +39,7 @@ std::vector<std::string> named(const std::string& tiles) {
 }
 
 std::string refusal(const std::string& tiles) {
-    try {
-        named(tiles);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { named(tiles); });
 }
 
 TEST(NameTiles, CallsSurfacesByTheirNameInTheFileOrAPointOnThem) {

@@ -15,6 +15,7 @@
 #include "support/balloons.h"
 #include "support/envelopes.h"
 #include "support/outside.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 
 namespace ripstop {
@@ -46,14 +47,7 @@ Envelope impossible() {
     return testing::tiles_of({{"dome", testing::cap(1.3, 12)}});
 }
 
-std::string refusal(const std::function<void()>& call) {
-    try {
-        call();
-        return "accepted";
-    } catch (const InputError& error) {
-        return error.what();
-    }
-}
+using testing::refusal;
 
 TEST(Plan, OfALibraryUserIsThatOfTheCommand) {
     const testing::ScratchDirectory scratch;

@@ -11,6 +11,7 @@
 #include "support/flat_tiles.h"
 #include "support/outside.h"
 #include "support/pattern_pieces.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace cut_files_test {
@@ -52,13 +53,10 @@ TEST(PieceSet, ComesBackFromItsFileToTheLastBit) {
 }
 
 std::string refusal(const PieceSet& set) {
-    std::istringstream in(pieces_json(set));
-    try {
+    return testing::refusal([&] {
+        std::istringstream in(pieces_json(set));
         read_pieces(in, "pieces.json");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    });
 }
 
 TEST(PieceSet, IsRefusedWhereItSaysWhatNoPieceHas) {

@@ -16,6 +16,7 @@
 #include "ripstop/report/page/page_template.h"
 #include "support/flat_tiles.h"
 #include "support/outside.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace directory_test {
@@ -30,12 +31,7 @@ void write(const std::string& dir, const DirectoryOptions& options = {},
 }
 
 std::string refusal(const std::string& dir, const DirectoryOptions& options = {}) {
-    try {
-        write(dir, options);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return testing::refusal([&] { write(dir, options); });
 }
 
 std::map<std::string, std::string> files(const std::string& dir) {

@@ -8,6 +8,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/base/system/folder_lock.h"
 #include "support/outside.h"
+#include "support/refusal.h"
 
 namespace ripstop {
 namespace whole_directory_test {
@@ -24,14 +25,7 @@ void write(const std::string& dir, const std::string& text, bool force = false) 
                           [&](const fs::path& folder) { testing::write_text((folder / "plan").string(), text); });
 }
 
-std::string refusal(const std::function<void()>& run) {
-    try {
-        run();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
-}
+using testing::refusal;
 
 std::vector<std::string> names(const std::string& dir) {
     std::vector<std::string> result;

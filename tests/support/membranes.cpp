@@ -53,7 +53,7 @@ SewnEnvelope skin(const TriangleMesh& mesh, const Fabric& fabric, const Points2&
     sewn.nodes = mesh.positions;
     sewn.freedom.assign(static_cast<std::size_t>(mesh.vertex_count()), Freedom::everywhere);
     sewn.first_vertex = {0};
-    for (int v = 0; v < mesh.vertex_count(); ++v) sewn.places.push_back({{v, 1, 0}});
+    for (int v = 0; v < mesh.vertex_count(); ++v) sewn.places.push_back({{{v, 1, 0}}});
     sewn.triangles = mesh.triangles;
     for (int t = 0; t < mesh.triangle_count(); ++t)
         sewn.flat.push_back(cut.rows() > 0 ? flat_edges(mesh.triangles, cut, t)

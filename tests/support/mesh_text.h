@@ -8,6 +8,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/io/mesh/binary.h"
 #include "ripstop/model/tile/cad_model.h"
+#include "support/refusal.h"
 
 namespace ripstop::testing {
 
@@ -20,12 +21,7 @@ inline CadModel read_bytes_with(MeshReader read, const std::string& bytes, const
 
 /// The message with which a reader refuses the bytes.
 inline std::string refusal_of(MeshReader read, const std::string& bytes, const std::string& name) {
-    try {
-        read_bytes_with(read, bytes, name);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return refusal([&] { read_bytes_with(read, bytes, name); });
 }
 
 inline std::vector<std::string> names_of(const std::vector<NamedMesh>& surfaces) {

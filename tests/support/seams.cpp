@@ -1,7 +1,7 @@
 #include "support/seams.h"
 
 #include "ripstop/measure/judge_seams.h"
-#include "ripstop/measure/seam_walk.h"
+#include "ripstop/measure/walk_seams.h"
 #include "ripstop/tile/make_tile.h"
 #include "ripstop/tile/targets.h"
 #include "support/sewn.h"

@@ -18,9 +18,10 @@ Vec3 strain_on(const Tile& tile, const Mat22& target, int t) {
     const Eigen::Matrix2Xd warp = warp_in_triangles(tile);
     Mat22 axes;
     axes << warp(0, t), -warp(1, t), warp(1, t), warp(0, t);
-    const Mat22 E =
-        green_strain(triangle_metric(tile.mesh.corner(t, 0), tile.mesh.corner(t, 1), tile.mesh.corner(t, 2)),
+    const Mat22 C =
+        cauchy_green(triangle_metric(tile.mesh.corner(t, 0), tile.mesh.corner(t, 1), tile.mesh.corner(t, 2)),
                      axes.transpose() * target);
+    const Mat22 E = (C - Mat22::Identity()) / 2;
     return {E(0, 0), E(1, 1), 2 * E(0, 1)};
 }
 

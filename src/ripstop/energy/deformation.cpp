@@ -31,10 +31,6 @@ Mat22 cauchy_green(const TriangleMetric& metric, const Mat22& flat) {
     return inverse.transpose() * gram * inverse;
 }
 
-Mat22 green_strain(const TriangleMetric& metric, const Mat22& flat) {
-    return 0.5 * (cauchy_green(metric, flat) - Mat22::Identity());
-}
-
 ThreadStrain thread_strain(const TriangleMetric& metric, const Mat22& flat) {
     const Mat22 stretch = cauchy_green(metric, flat);
     const double warp = std::sqrt(stretch(0, 0));

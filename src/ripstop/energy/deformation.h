@@ -26,9 +26,6 @@ Mat22 flat_edges(const Triangles& triangles, const Points2& positions, int trian
 /// 0.
 Mat22 cauchy_green(const TriangleMetric& metric, const Mat22& flat);
 
-/// The Green strain E = (C - I) / 2, positive where the cloth must stretch. Requires det D != 0.
-Mat22 green_strain(const TriangleMetric& metric, const Mat22& flat);
-
 /// The strain of warp and weft and the shear between them, from cloth to space.
 struct ThreadStrain {
     double warp = 0;   ///< |F e_x| - 1

@@ -11,8 +11,8 @@
 #include "ripstop/flatten/seam/seam_exact.h"
 #include "ripstop/flatten/seam/seam_matched.h"
 #include "ripstop/flatten/spring/energy_release.h"
+#include "ripstop/flatten/spring/kubicek_zemcik.h"
 #include "ripstop/flatten/spring/mccartney.h"
-#include "ripstop/flatten/spring/paper.h"
 #include "ripstop/flatten/weave/aono.h"
 #include "ripstop/flatten/weave/kub10.h"
 #include "ripstop/flatten/weave/woven_mesh.h"
@@ -41,9 +41,11 @@ constexpr std::array table = {
                                            {.slack = paper_tolerance, .threads = threads, .progress = progress});
            }},
     Method{"paper", "Kubicek, Zemcik: woven mesh fit, then springs along warp and weft, midpoint rule",
-           [](const Tile& tile, const Fabric& fabric) { return flatten_paper(tile, fabric); }},
+           [](const Tile& tile, const Fabric& fabric) { return flatten_kubicek_zemcik(tile, fabric); }},
     Method{"paper-adaptive", "the same with the adaptive time step the paper leaves to future work",
-           [](const Tile& tile, const Fabric& fabric) { return flatten_paper(tile, fabric, {.adaptive = true}); }},
+           [](const Tile& tile, const Fabric& fabric) {
+               return flatten_kubicek_zemcik(tile, fabric, {.adaptive = true});
+           }},
     Method{"woven", "Wang, Tang, Yeung 2005: a woven mesh fitted to the surface, the paper's first step alone",
            [](const Tile& tile, const Fabric& fabric) { return flatten_woven(tile, fabric); }},
     Method{"woven-1-1-1", "the same with springs that resist shear as much as stretch, its authors' isotropic weave",

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/triangle.h"
 
 namespace ripstop {
@@ -43,13 +44,12 @@ Sparse operator_of(const Eigen::VectorXd& steps, double k, bool cyclic) {
     std::vector<Eigen::Triplet<double>> entries;
     for (Eigen::Index i = 0; i < rows; ++i) {
         std::array<double, 4> x{};
-        for (Eigen::Index j = 0; j < 3; ++j)
-            x[static_cast<std::size_t>(j + 1)] = x[static_cast<std::size_t>(j)] + steps[(i + j) % edges];
+        for (Eigen::Index j = 0; j < 3; ++j) x[at(j + 1)] = x[at(j)] + steps[(i + j) % edges];
         const double size = x[3];
         Eigen::Matrix4d values;
         for (int j = 0; j < 4; ++j)
             // scaled to unit length for conditioning
-            values.col(j) = basis(k * size, x[static_cast<std::size_t>(j)] / size - 0.5);
+            values.col(j) = basis(k * size, x[at(j)] / size - 0.5);
         const Eigen::Vector4d weights = values.fullPivLu().solve(Eigen::Vector4d(0, 0, 0, 1)) / (size * size * size);
         for (int j = 0; j < 4; ++j) entries.emplace_back(i, (i + j) % count, weights[j] * std::sqrt(size / 3));
     }

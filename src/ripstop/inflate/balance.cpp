@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 #include "ripstop/energy/load_tape.h"
 #include "ripstop/model/flight/air.h"
@@ -36,7 +37,7 @@ struct Balance::Element {
     double weight = 0;  ///< [N]
     bool gas = false;
     std::vector<RelaxedMembrane> membrane = {};  ///< for cloth only: one entry
-    std::array<const Place*, 3> places = {};
+    std::array<const SewnPoint*, 3> places = {};
     int corners = 3;
     std::vector<int> unknowns = {};
     bool is_plain = false;     ///< each corner is a node that may move freely, so the unknowns are its coordinates
@@ -83,17 +84,18 @@ Balance::Balance(const SewnEnvelope& sewn, const GasPressure& gas, int threads)
 
 Balance::~Balance() = default;
 
-void Balance::add_element(const std::vector<const Place*>& places, Element element) {
+void Balance::add_element(const std::vector<const SewnPoint*>& places, Element element) {
     element.corners = static_cast<int>(places.size());
     std::map<int, int> column;  // first column of each node
     element.is_plain = true;
     for (std::size_t k = 0; k < places.size(); ++k) {
         element.places[k] = places[k];
-        const Place& place = *places[k];
-        element.is_plain = element.is_plain && place.size() == 1 && place[0].turns == 0 && place[0].weight == 1 &&
-                           sewn_.freedom[static_cast<std::size_t>(place[0].node)] == Freedom::everywhere &&
-                           !column.contains(place[0].node);
-        for (const PlacePart& part : place) {
+        const SewnPoint& place = *places[k];
+        element.is_plain = element.is_plain && place.is_node() && place.shares[0].turns == 0 &&
+                           place.shares[0].weight == 1 &&
+                           sewn_.freedom[static_cast<std::size_t>(place.shares[0].node)] == Freedom::everywhere &&
+                           !column.contains(place.shares[0].node);
+        for (const NodeShare& part : place.shares) {
             if (column.contains(part.node)) continue;
             column[part.node] = static_cast<int>(element.unknowns.size());
             const auto node = static_cast<std::size_t>(part.node);
@@ -104,7 +106,7 @@ void Balance::add_element(const std::vector<const Place*>& places, Element eleme
     if (!element.is_plain) {
         element.map = Eigen::MatrixXd::Zero(3 * element.corners, std::ssize(element.unknowns));
         for (int k = 0; k < element.corners; ++k)
-            for (const PlacePart& part : *places[static_cast<std::size_t>(k)]) {
+            for (const NodeShare& part : places[static_cast<std::size_t>(k)]->shares) {
                 const double c = std::cos(part.turns * angle_), s = std::sin(part.turns * angle_);
                 Eigen::Matrix3d turn;
                 turn << c, -s, 0, s, c, 0, 0, 0, 1;
@@ -123,8 +125,8 @@ void Balance::set_residual(double residual) {
 }
 
 Vec3 Balance::point(const Element& element, int corner, const Points3& nodes) const {
-    const Place& place = *element.places[static_cast<std::size_t>(corner)];
-    if (place.size() == 1 && place[0].turns == 0) return Vec3(nodes.row(place[0].node)) + place.offset;
+    const SewnPoint& place = *element.places[at(corner)];
+    if (place.is_node() && place.shares[0].turns == 0) return Vec3(nodes.row(place.shares[0].node)) + place.offset;
     return position(place, nodes, angle_);
 }
 
@@ -133,14 +135,14 @@ SpaceElement Balance::evaluate(const Element& element, const Points3& nodes) con
     const Vec3 x[3] = {point(element, 0, nodes), point(element, 1, nodes),
                        element.corners == 3 ? point(element, 2, nodes) : Vec3::Zero()};
     if (element.kind == Element::Kind::tape) {
-        const SewnTape& tape = sewn_.tapes[static_cast<std::size_t>(element.number)];
+        const SewnTape& tape = sewn_.tapes[at(element.number)];
         const TapeElement pull = tape_element(tape.stiffness, tape.rest, x[0], x[1]);
         result.energy = pull.energy;
         result.gradient.head<6>() = pull.gradient;
         result.hessian.topLeftCorner<6, 6>() = pull.hessian;
     }
     if (element.kind == Element::Kind::cloth) {
-        const auto fabric = static_cast<std::size_t>(sewn_.fabric[static_cast<std::size_t>(element.number)]);
+        const auto fabric = static_cast<std::size_t>(sewn_.fabric[at(element.number)]);
         result = element.membrane[0].element(cloth_[fabric], x[0], x[1], x[2]);
     }
     if (element.gas) {
@@ -159,12 +161,11 @@ double Balance::energy_of(const Element& element, const Points3& nodes) const {
     double sum = 0;
     for (int k = 0; k < element.corners; ++k) sum += element.weight / element.corners * x[k].z();
     if (element.kind == Element::Kind::tape) {
-        const SewnTape& tape = sewn_.tapes[static_cast<std::size_t>(element.number)];
+        const SewnTape& tape = sewn_.tapes[at(element.number)];
         sum += tape_energy(tape.stiffness, tape.rest, x[0], x[1]);
     }
     if (element.kind == Element::Kind::cloth)
-        sum += element.membrane[0].energy(
-            cloth_[static_cast<std::size_t>(sewn_.fabric[static_cast<std::size_t>(element.number)])], x[0], x[1], x[2]);
+        sum += element.membrane[0].energy(cloth_[at(sewn_.fabric[at(element.number)])], x[0], x[1], x[2]);
     if (element.gas) sum += gas_energy(gas_, x[0], x[1], x[2]);
     return sum;
 }
@@ -175,7 +176,7 @@ double Balance::energy(const Points3& nodes) const {
     parallel_for(tasks, threads_, [&](int task) {
         const std::size_t first = static_cast<std::size_t>(task) * chunk;
         for (std::size_t i = first; i < std::min(first + chunk, elements_.size()); ++i)
-            sums[static_cast<std::size_t>(task)] += energy_of(elements_[i], nodes);
+            sums[at(task)] += energy_of(elements_[i], nodes);
     });
     double sum = 0;
     for (const double each : sums) sum += each;
@@ -223,7 +224,7 @@ double Balance::assemble(const Points3& nodes, Eigen::VectorXd& gradient, Eigen:
         const std::span<const int> slots = pattern_->slots(element.group);
         std::size_t entry = 0;
         for (int a = 0; a < static_cast<int>(element.unknowns.size()); ++a) {
-            gradient[element.unknowns[static_cast<std::size_t>(a)]] += force[a];
+            gradient[element.unknowns[at(a)]] += force[a];
             for (int b = 0; b <= a; ++b) values[slots[entry++]] += stiffness(a, b);
         }
     });
@@ -259,13 +260,13 @@ double Balance::longest(const Eigen::VectorXd& step) const {
 
 double Balance::lift(const Points3& nodes) const {
     std::vector<char> is_held(sewn_.freedom.size(), 0);
-    for (const int node : sewn_.held) is_held[static_cast<std::size_t>(node)] = 1;
+    for (const int node : sewn_.held) is_held[at(node)] = 1;
     double sum = 0;
     for (const Element& element : elements_) {
         const SpaceElement result = evaluate(element, nodes);
         for (int k = 0; k < element.corners; ++k)
-            for (const PlacePart& part : *element.places[static_cast<std::size_t>(k)])
-                if (is_held[static_cast<std::size_t>(part.node)]) sum -= part.weight * result.gradient[3 * k + 2];
+            for (const NodeShare& part : element.places[at(k)]->shares)
+                if (is_held[at(part.node)]) sum -= part.weight * result.gradient[3 * k + 2];
     }
     return sewn_.sectors * sum;
 }
@@ -287,14 +288,14 @@ double Balance::weight() const {
     return sewn_.sectors * sum;
 }
 
-SpaceElement Balance::on_lid(const std::array<Place, 3>& lid, const GasPressure& gas, const Points3& nodes) const {
+SpaceElement Balance::on_lid(const std::array<SewnPoint, 3>& lid, const GasPressure& gas, const Points3& nodes) const {
     return gas_element(gas, position(lid[0], nodes, angle_), position(lid[1], nodes, angle_),
                        position(lid[2], nodes, angle_));
 }
 
 double Balance::thrust_on_lids(const Points3& nodes) const {
     double sum = 0;
-    for (const std::array<Place, 3>& lid : sewn_.lids)
+    for (const std::array<SewnPoint, 3>& lid : sewn_.lids)
         for (int k = 0; k < 3; ++k) sum += on_lid(lid, gas_, nodes).gradient[3 * k + 2];
     return sewn_.sectors * sum;
 }
@@ -302,7 +303,7 @@ double Balance::thrust_on_lids(const Points3& nodes) const {
 double Balance::volume(const Points3& nodes) const {
     const GasPressure one{1, 0, gas_.floor};
     double sum = 0;
-    for (const std::array<Place, 3>& lid : sewn_.lids) sum -= on_lid(lid, one, nodes).energy;
+    for (const std::array<SewnPoint, 3>& lid : sewn_.lids) sum -= on_lid(lid, one, nodes).energy;
     for (const Element& element : elements_)
         if (element.gas)
             sum -= gas_energy(one, point(element, 0, nodes), point(element, 1, nodes), point(element, 2, nodes));
@@ -310,7 +311,7 @@ double Balance::volume(const Points3& nodes) const {
 }
 
 std::array<Vec3, 3> Balance::corners(const Points3& nodes, int triangle) const {
-    const Element& element = elements_[static_cast<std::size_t>(triangle)];
+    const Element& element = elements_[at(triangle)];
     return {point(element, 0, nodes), point(element, 1, nodes), point(element, 2, nodes)};
 }
 
@@ -322,11 +323,10 @@ Eigen::VectorXd Balance::fictitious_masses(const Points3& nodes, double safety) 
                            element.corners == 3 ? point(element, 2, nodes) : Vec3::Zero()};
         double stiffness = 0;
         if (element.kind == Element::Kind::tape) {
-            const SewnTape& tape = sewn_.tapes[static_cast<std::size_t>(element.number)];
+            const SewnTape& tape = sewn_.tapes[at(element.number)];
             stiffness = 1.8 * tape.stiffness / tape.rest;
         } else if (element.kind == Element::Kind::cloth) {
-            const Fabric& fabric =
-                sewn_.fabrics[static_cast<std::size_t>(sewn_.fabric[static_cast<std::size_t>(element.number)])];
+            const Fabric& fabric = sewn_.fabrics[at(sewn_.fabric[at(element.number)])];
             const double longest = std::max({(x[1] - x[0]).norm(), (x[2] - x[1]).norm(), (x[0] - x[2]).norm()});
             const double area = element.membrane[0].area();
             stiffness = std::max(fabric.c11(), fabric.c22()) * longest * longest / (4 * area) * 2;

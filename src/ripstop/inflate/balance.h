@@ -24,7 +24,6 @@ class Balance {
     ~Balance();
 
     void set_residual(double residual);  ///< fraction of the unrelaxed cloth energy (`TensionField`); initially 0
-    void set_gas(const GasPressure& gas) { gas_ = gas; }
 
     int unknowns() const { return pattern_->size(); }
     const SparsePattern& pattern() const { return *pattern_; }
@@ -61,12 +60,12 @@ class Balance {
 
   private:
     struct Element;
-    void add_element(const std::vector<const Place*>& places, Element element);
+    void add_element(const std::vector<const SewnPoint*>& places, Element element);
     template <class Visit>
     void visit_results(const Points3& nodes, bool with_hessian, Visit&& visit) const;
     double energy_of(const Element& element, const Points3& nodes) const;
     SpaceElement evaluate(const Element& element, const Points3& nodes) const;
-    SpaceElement on_lid(const std::array<Place, 3>& lid, const GasPressure& gas, const Points3& nodes) const;
+    SpaceElement on_lid(const std::array<SewnPoint, 3>& lid, const GasPressure& gas, const Points3& nodes) const;
     Vec3 point(const Element& element, int corner, const Points3& nodes) const;
 
     const SewnEnvelope& sewn_;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/surface_finder.h"
@@ -77,8 +78,8 @@ void measure_deviation(const CutPlan& plan, int threads, Inflated& inflated) {
     parallel_for(workers, workers, [&](int worker) {
         Drawing drawing(plan);
         for (int i = worker; i < count; i += workers) {
-            InflatedTile& tile = inflated.tiles[static_cast<std::size_t>(i)];
-            const Points3& drawn = plan.tiles[static_cast<std::size_t>(i)].tile.mesh.positions;
+            InflatedTile& tile = inflated.tiles[at(i)];
+            const Points3& drawn = plan.tiles[at(i)].tile.mesh.positions;
             tile.deviation.resize(drawn.rows());
             for (Eigen::Index v = 0; v < drawn.rows(); ++v)
                 tile.deviation[v] = drawing.distance(tile.positions.row(v), drawn.row(v), static_cast<std::size_t>(i));

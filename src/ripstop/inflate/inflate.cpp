@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "ripstop/base/index.h"
 #include "ripstop/energy/deformation.h"
 #include "ripstop/energy/load_tape.h"
 #include "ripstop/inflate/deviation.h"
@@ -19,12 +20,12 @@ Points3 start_nodes(const SewnEnvelope& sewn, const std::vector<Points3>& start)
     Points3 nodes = sewn.nodes;
     for (std::size_t i = 0; i < start.size(); ++i)
         for (Eigen::Index v = 0; v < start[i].rows(); ++v) {
-            const Place& place = sewn.places[static_cast<std::size_t>(sewn.first_vertex[i] + v)];
-            if (place.size() != 1 || place[0].turns != 0) continue;
+            const SewnPoint& place = sewn.places[static_cast<std::size_t>(sewn.first_vertex[i] + v)];
+            if (!place.is_node() || place.shares[0].turns != 0) continue;
             const Vec3 at = Vec3(start[i].row(v)) - sewn.origin - place.offset;
             for (int axis = 0; axis < 3; ++axis)
-                if (may_move(sewn.freedom[static_cast<std::size_t>(place[0].node)], axis))
-                    nodes(place[0].node, axis) = at[axis];
+                if (may_move(sewn.freedom[static_cast<std::size_t>(place.shares[0].node)], axis))
+                    nodes(place.shares[0].node, axis) = at[axis];
         }
     return nodes;
 }
@@ -110,8 +111,7 @@ void read_tiles(const CutPlan& plan, const SewnEnvelope& sewn, const Points3& no
         InflatedTile there;
         there.positions.resize(tile.tile.mesh.vertex_count(), 3);
         for (Eigen::Index v = 0; v < there.positions.rows(); ++v)
-            there.positions.row(v) =
-                position(sewn.places[static_cast<std::size_t>(sewn.first_vertex[i] + v)], nodes, angle) + sewn.origin;
+            there.positions.row(v) = position(sewn.places[at(sewn.first_vertex[i] + v)], nodes, angle) + sewn.origin;
         read_cloth(tile, fabric, rest, there);
         if (there.tension_max > inflated.tension_max) {
             inflated.tension_max = there.tension_max;
@@ -210,16 +210,14 @@ std::vector<SafetyFactor> safety_factors(const Inflated& inflated, const CutPlan
         SafetyFactor worst{part, 0, strength, knock_down, required};
         for (const InflatedTape& tape : inflated.tapes) {
             if (tape.kind != kind) continue;
-            const double own = kind == TapeKind::tie
-                                   ? rigging.ties[static_cast<std::size_t>(tape.source)].material.strength
-                                   : strength;
+            const double own = kind == TapeKind::tie ? rigging.ties[at(tape.source)].material.strength : strength;
             const double factor = knock_down * own / (limit_load * std::max(tape.force_max, 1e-12));
             if (worst.load > 0 && factor >= worst.factor) continue;
             worst.load = tape.force_max;
             worst.strength = own;
             worst.factor = factor;
-            worst.where = kind == TapeKind::load  ? "seam " + plan.seams[static_cast<std::size_t>(tape.source)].id
-                          : kind == TapeKind::tie ? "tie " + rigging.ties[static_cast<std::size_t>(tape.source)].name
+            worst.where = kind == TapeKind::load  ? "seam " + plan.seams[at(tape.source)].id
+                          : kind == TapeKind::tie ? "tie " + rigging.ties[at(tape.source)].name
                                                   : fmt::format("wire {}", tape.source + 1);
         }
         if (worst.load > 0) factors.push_back(worst);

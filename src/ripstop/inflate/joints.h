@@ -3,6 +3,7 @@
 #include <set>
 #include <vector>
 
+#include "ripstop/base/index.h"
 #include "ripstop/model/flight/sewn_envelope.h"
 
 namespace ripstop {
@@ -16,21 +17,21 @@ class Joints {
 
     /// Makes two places coincide. Returns false, without a change, if both already depend on other points and nothing
     /// is left to move. If the places are a point and its own image under a rotation, the point is kept on the axis.
-    bool join(const Place& a, const Place& b);
+    bool join(const SewnPoint& a, const SewnPoint& b);
 
     /// The place as a combination of points that are still free, each once.
-    Place resolved(const Place& place) const;
+    SewnPoint resolved(const SewnPoint& place) const;
 
-    bool is_free(int point) const { return hangs_on_[static_cast<std::size_t>(point)].empty(); }
+    bool is_free(int point) const { return hangs_on_[at(point)].shares.empty(); }
     const std::set<int>& on_axis() const { return on_axis_; }
 
   private:
     /// Requires that `one` has a single term.
-    bool replace(const Place& one, const Place& by);
+    bool replace(const SewnPoint& one, const SewnPoint& by);
 
     int sectors_;
-    double angle_;                 ///< angle of a sector [rad]
-    std::vector<Place> hangs_on_;  ///< dependency of each point; empty: free
+    double angle_;                     ///< angle of a sector [rad]
+    std::vector<SewnPoint> hangs_on_;  ///< dependency of each point; empty: free
     std::set<int> on_axis_;
 };
 

@@ -21,7 +21,7 @@ constexpr double most_rise = 0.3;  // relative to the height: a mouth may be sla
 
 /// A connected run of boundary edges that are in no seam.
 struct Opening {
-    std::vector<std::array<Place, 2>> edges;  ///< counter-clockwise seen from outside
+    std::vector<std::array<SewnPoint, 2>> edges;  ///< counter-clockwise seen from outside
     std::set<int> nodes;
     double height = 0, rises = 0;  ///< mean height; height from its lowest to its highest point [m]
     bool is_round = false;         ///< runs through all sectors
@@ -33,8 +33,7 @@ std::vector<Eigen::VectorXd> sewn_shares(const CutPlan& plan) {
     for (const FlatTile& tile : plan.tiles) shares.push_back(Eigen::VectorXd::Zero(std::ssize(tile.tile.boundary)));
     for (const Seam& seam : plan.seams)
         for (const SeamSide* side : seam.own_sides())
-            for (const SeamPart& part : side->parts)
-                shares[static_cast<std::size_t>(side->tile)][part.edge] += part.length;
+            for (const SeamPart& part : side->parts) shares[at(side->tile)][part.edge] += part.length;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)
         shares[i] = shares[i].cwiseQuotient(drawn_lengths(plan.tiles[i].tile));
     return shares;
@@ -44,7 +43,7 @@ std::vector<Eigen::VectorXd> sewn_shares(const CutPlan& plan) {
 std::vector<Opening> find_openings(const CutPlan& plan, const Symmetry& symmetry, const std::vector<char>& is_inside,
                                    const SewnEnvelope& sewn) {
     const std::vector<Eigen::VectorXd> shares = sewn_shares(plan);
-    std::vector<std::array<Place, 2>> edges;
+    std::vector<std::array<SewnPoint, 2>> edges;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         if (is_inside[i] || symmetry.tiles[i].turns != 0 || symmetry.tiles[i].of != static_cast<int>(i)) continue;
         const std::vector<int>& boundary = plan.tiles[i].tile.boundary;
@@ -58,14 +57,14 @@ std::vector<Opening> find_openings(const CutPlan& plan, const Symmetry& symmetry
     }
     UnionFind sets(static_cast<std::size_t>(sewn.nodes.rows()));
     for (const auto& edge : edges)
-        for (const Place& place : edge)
-            for (const PlacePart& part : place) sets.join(edge[0][0].node, part.node);
+        for (const SewnPoint& place : edge)
+            for (const NodeShare& part : place.shares) sets.join(edge[0].shares[0].node, part.node);
     std::map<int, Opening> by_root;
     for (const auto& edge : edges) {
-        Opening& opening = by_root[sets.root(edge[0][0].node)];
+        Opening& opening = by_root[sets.root(edge[0].shares[0].node)];
         opening.edges.push_back(edge);
-        for (const Place& place : edge)
-            for (const PlacePart& part : place) {
+        for (const SewnPoint& place : edge)
+            for (const NodeShare& part : place.shares) {
                 opening.nodes.insert(part.node);
                 opening.is_round = opening.is_round || part.turns != 0;
             }
@@ -87,9 +86,9 @@ std::vector<Opening> find_openings(const CutPlan& plan, const Symmetry& symmetry
 }
 
 /// The points of a seam in order, with their arc length along it: the vertices of both sides.
-std::vector<std::pair<double, Place>> points_of(const CutPlan& plan, const Seam& seam,
-                                                const PlaceOnBoundary& place_of) {
-    std::vector<std::pair<double, Place>> points;
+std::vector<std::pair<double, SewnPoint>> points_of(const CutPlan& plan, const Seam& seam,
+                                                    const PlaceOnBoundary& place_of) {
+    std::vector<std::pair<double, SewnPoint>> points;
     const auto add = [&](double along) {
         points.emplace_back(along, place_of(seam.a.tile, place_on_side(plan.tiles, seam, false, along)));
     };
@@ -100,20 +99,21 @@ std::vector<std::pair<double, Place>> points_of(const CutPlan& plan, const Seam&
     return points;
 }
 
-std::set<int> nodes_of(const std::vector<std::pair<double, Place>>& points) {
+std::set<int> nodes_of(const std::vector<std::pair<double, SewnPoint>>& points) {
     std::set<int> nodes;
     for (const auto& [along, place] : points)
-        for (const PlacePart& part : place) nodes.insert(part.node);
+        for (const NodeShare& part : place.shares) nodes.insert(part.node);
     return nodes;
 }
 
-bool touches(const Place& place, const std::set<int>& nodes) {
-    return std::all_of(place.begin(), place.end(), [&](const PlacePart& part) { return nodes.contains(part.node); });
+bool touches(const SewnPoint& place, const std::set<int>& nodes) {
+    return std::all_of(place.shares.begin(), place.shares.end(),
+                       [&](const NodeShare& part) { return nodes.contains(part.node); });
 }
 
 /// The end of a load tape at the mouth, with its direction there.
 struct TapeEnd {
-    Place place;
+    SewnPoint place;
     Vec3 at = Vec3::Zero(), run = Vec3::Zero();  ///< run: unit length, out of the envelope
 };
 
@@ -132,7 +132,7 @@ std::vector<TapeEnd> add_load_tapes(const CutPlan& plan, const Rigging& rigging,
             sewn.tapes.push_back({TapeKind::load, points[i - 1].second, points[i].second,
                                   shorter * (points[i].first - points[i - 1].first), rigging.load_tape.stiffness,
                                   rigging.load_tape.mass, static_cast<int>(s)});
-        const auto add_end = [&](const Place& end, const Place& before) {
+        const auto add_end = [&](const SewnPoint& end, const SewnPoint& before) {
             if (!touches(end, mouth)) return;
             const Vec3 at = position(end, sewn.nodes, symmetry.angle());
             ends.push_back({end, at, (at - position(before, sewn.nodes, symmetry.angle())).normalized()});
@@ -154,24 +154,24 @@ int add_held_node(const Vec3& at, SewnEnvelope& sewn) {
 
 void hold(const std::set<int>& nodes, SewnEnvelope& sewn) {
     for (const int node : nodes) {
-        sewn.freedom[static_cast<std::size_t>(node)] = Freedom::nowhere;
+        sewn.freedom[at(node)] = Freedom::nowhere;
         sewn.held.push_back(node);
     }
 }
 
 /// Triangles from the edges of an opening to its centre, outside up. An opening within one sector has its own centre.
-std::vector<std::array<Place, 3>> closed(const Opening& opening, const Symmetry& symmetry) {
+std::vector<std::array<SewnPoint, 3>> closed(const Opening& opening, const Symmetry& symmetry) {
     const int turns = opening.is_round ? symmetry.sectors : 1;
-    Place centre;
+    SewnPoint centre;
     const double share = 1.0 / static_cast<double>(opening.nodes.size() * static_cast<std::size_t>(turns));
     for (const int node : opening.nodes)
-        for (int turn = 0; turn < turns; ++turn) centre.push_back({node, share, turn});
-    std::vector<std::array<Place, 3>> triangles;
+        for (int turn = 0; turn < turns; ++turn) centre.shares.push_back({node, share, turn});
+    std::vector<std::array<SewnPoint, 3>> triangles;
     for (const auto& edge : opening.edges) triangles.push_back({edge[1], edge[0], centre});
     return triangles;
 }
 
-void append(const std::vector<std::array<Place, 3>>& triangles, std::vector<std::array<Place, 3>>& into) {
+void append(const std::vector<std::array<SewnPoint, 3>>& triangles, std::vector<std::array<SewnPoint, 3>>& into) {
     into.insert(into.end(), triangles.begin(), triangles.end());
 }
 
@@ -216,7 +216,7 @@ void add_rigging(const CutPlan& plan, const Rigging& rigging, const Symmetry& sy
             const int frame = add_held_node(ends[i].at + rigging.wire_length * ends[i].run, sewn);
             sewn.tapes.push_back({TapeKind::wire,
                                   ends[i].place,
-                                  {{frame, 1, 0}},
+                                  {{{frame, 1, 0}}},
                                   rigging.wire_length,
                                   rigging.wire.stiffness,
                                   rigging.wire.mass,
@@ -236,7 +236,7 @@ void add_rigging(const CutPlan& plan, const Rigging& rigging, const Symmetry& sy
             "the "
             "gas; set one of them");
     if (rigging.crown_ring)
-        for (const int node : openings.back().nodes) sewn.freedom[static_cast<std::size_t>(node)] = Freedom::vertical;
+        for (const int node : openings.back().nodes) sewn.freedom[at(node)] = Freedom::vertical;
     append(closed(openings.back(), symmetry), rigging.crown_closed ? sewn.caps : sewn.lids);
     if (rigging.crown_closed) sewn.cap_mass = plan.fabric.mass;
 }

@@ -11,7 +11,7 @@
 namespace ripstop {
 
 /// The place in the sewn envelope of a place on a tile's boundary.
-using PlaceOnBoundary = std::function<Place(int tile, const BoundaryPlace&)>;
+using PlaceOnBoundary = std::function<SewnPoint(int tile, const BoundaryPlace&)>;
 
 /// Adds the rigging to the sewn cloth as described at `sew`: load tapes along the seams that have one, the supports
 /// of the mouth, the crown ring and the valve that closes it. Throws InputError if nothing could hold the envelope.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/glob.h"
 #include "ripstop/energy/deformation.h"
 #include "ripstop/geometry/triangle.h"
@@ -62,28 +63,28 @@ class Seamstress {
     }
 
     /// A vertex as a point of its tile in the first sector.
-    Place point(int tile, int vertex) const {
-        const TurnedTile& turned = symmetry_.tiles[static_cast<std::size_t>(tile)];
-        const int there = turned.vertex.empty() ? vertex : turned.vertex[static_cast<std::size_t>(vertex)];
-        return {{first_[static_cast<std::size_t>(turned.of)] + there, 1, turned.turns}};
+    SewnPoint point(int tile, int vertex) const {
+        const TurnedTile& turned = symmetry_.tiles[at(tile)];
+        const int there = turned.vertex.empty() ? vertex : turned.vertex[at(vertex)];
+        return {{{first_[at(turned.of)] + there, 1, turned.turns}}};
     }
 
-    Place on_boundary(int tile, const BoundaryPlace& place) const {
-        const std::vector<int>& boundary = plan_.tiles[static_cast<std::size_t>(tile)].tile.boundary;
+    SewnPoint on_boundary(int tile, const BoundaryPlace& place) const {
+        const std::vector<int>& boundary = plan_.tiles[at(tile)].tile.boundary;
         const auto i = static_cast<std::size_t>(place.edge);
-        Place from = point(tile, boundary[i]), to = point(tile, boundary[(i + 1) % boundary.size()]);
+        SewnPoint from = point(tile, boundary[i]), to = point(tile, boundary[(i + 1) % boundary.size()]);
         if (place.share < same_place) return from;
         if (place.share > 1 - same_place) return to;
-        from[0].weight = 1 - place.share;
-        to[0].weight = place.share;
-        return {from[0], to[0]};
+        from.shares[0].weight = 1 - place.share;
+        to.shares[0].weight = place.share;
+        return {{from.shares[0], to.shares[0]}};
     }
 
     /// Joins vertices that coincide with vertices.
     void join_vertices(const Seam& seam) {
         for (const bool second : {false, true})
             for (const SideVertex& each : vertices_of_side(plan_, seam, second))
-                if (const Place mate = on_mate(seam, second, each); mate.size() == 1)
+                if (const SewnPoint mate = on_mate(seam, second, each); mate.is_node())
                     joints_.join(point(side(seam, second).tile, each.vertex), mate);
     }
 
@@ -109,7 +110,7 @@ class Seamstress {
         for (const FlatTile& tile : plan.tiles) sum += tile.tile.mesh.vertex_count();
         return sum;
     }
-    const Tile& tile_of(int tile) const { return plan_.tiles[static_cast<std::size_t>(tile)].tile; }
+    const Tile& tile_of(int tile) const { return plan_.tiles[at(tile)].tile; }
     Vec3 drawn_point(int tile, const BoundaryPlace& place) const {
         const Tile& there = tile_of(tile);
         const auto i = static_cast<std::size_t>(place.edge);
@@ -119,14 +120,14 @@ class Seamstress {
     }
     static const SeamSide& side(const Seam& seam, bool second) { return second ? seam.b : seam.a; }
 
-    Place on_mate(const Seam& seam, bool second, const SideVertex& each) const {
+    SewnPoint on_mate(const Seam& seam, bool second, const SideVertex& each) const {
         return on_boundary(side(seam, !second).tile, place_on_side(plan_.tiles, seam, !second, each.along));
     }
     void join_to_edge(const Seam& seam, bool second, const SideVertex& each) {
         const BoundaryPlace there = place_on_side(plan_.tiles, seam, !second, each.along);
         const int tile = side(seam, second).tile, mate_tile = side(seam, !second).tile;
-        Place mate = on_boundary(mate_tile, there);
-        if (mate.size() < 2) return;
+        SewnPoint mate = on_boundary(mate_tile, there);
+        if (mate.is_node()) return;
         // An edge is a chord of the seam's curve: a dependent vertex keeps its offset from the chord.
         mate.offset = Vec3(tile_of(tile).mesh.positions.row(each.vertex)) - drawn_point(mate_tile, there);
         joints_.join(point(tile, each.vertex), mate);
@@ -169,21 +170,21 @@ class Skin {
     }
 
     /// Empty if it is farther than `reach` [m].
-    std::optional<Place> nearest(const Vec3& point, double reach) {
-        std::optional<Place> place;
+    std::optional<SewnPoint> nearest(const Vec3& point, double reach) {
+        std::optional<SewnPoint> place;
         for (std::size_t k = 0; k < tiles_.size(); ++k) {
             const auto found = finders_[k].nearest(point, reach);
             if (!found) continue;
             reach = found->distance;
             place.emplace();
-            const TriangleMesh& mesh = plan_.tiles[static_cast<std::size_t>(tiles_[k])].tile.mesh;
+            const TriangleMesh& mesh = plan_.tiles[at(tiles_[k])].tile.mesh;
             const int t = found->point.triangle;
             const Vec2 share =
                 lay_flat(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)).inverse() * found->point.local;
             for (int c = 0; c < 3; ++c) {
-                PlacePart part = sewn_.point(tiles_[k], mesh.triangles(t, c))[0];
+                NodeShare part = sewn_.point(tiles_[k], mesh.triangles(t, c)).shares[0];
                 part.weight = c == 0 ? 1 - share.sum() : share[c - 1];
-                if (part.weight != 0) place->push_back(part);
+                if (part.weight != 0) place->shares.push_back(part);
             }
         }
         return place;
@@ -245,7 +246,7 @@ std::vector<SewnTape> find_ties(const CutPlan& plan, const std::vector<InnerTie>
         SewnTape tape{TapeKind::tie};
         for (const bool second : {false, true}) {
             const Vec3& end = second ? ties[i].to : ties[i].from;
-            const std::optional<Place> there = skin.nearest(end, on_skin);
+            const std::optional<SewnPoint> there = skin.nearest(end, on_skin);
             if (!there)
                 throw InputError(
                     fmt::format("tie {}: its end at ({:.3f}, {:.3f}, {:.3f}) m is further than {:.0f} mm "
@@ -284,19 +285,19 @@ class Numbering {
         for (std::size_t n = 0; n < drawn.size(); ++n) into.nodes.row(static_cast<Eigen::Index>(n)) = drawn[n];
         into.freedom.assign(drawn.size(), Freedom::everywhere);
         for (const int point : joints.on_axis()) {
-            const int node = node_[static_cast<std::size_t>(point)];
+            const int node = node_[at(point)];
             if (node < 0) continue;
             into.nodes.row(node).head<2>().setZero();
-            into.freedom[static_cast<std::size_t>(node)] = Freedom::vertical;
+            into.freedom[at(node)] = Freedom::vertical;
         }
         for (std::size_t i = 0; i < plan.tiles.size(); ++i)
             for (int v = 0; v < plan.tiles[i].tile.mesh.vertex_count(); ++v)
                 into.places.push_back(place(sewn.point(static_cast<int>(i), v)));
     }
 
-    Place place(const Place& in_points) const {
-        Place result = joints_.resolved(in_points);
-        for (PlacePart& part : result) part.node = node_[static_cast<std::size_t>(part.node)];
+    SewnPoint place(const SewnPoint& in_points) const {
+        SewnPoint result = joints_.resolved(in_points);
+        for (NodeShare& part : result.shares) part.node = node_[at(part.node)];
         return result;
     }
 
@@ -329,7 +330,7 @@ void add_cloth(const CutPlan& plan, const SewOptions& options, const Symmetry& s
         for (int t = 0; t < tile.tile.mesh.triangle_count(); ++t) {
             const int first = into.first_vertex[i];
             triangles.push_back({first + corners(t, 0), first + corners(t, 1), first + corners(t, 2)});
-            into.flat.push_back(rest[static_cast<std::size_t>(t)]);
+            into.flat.push_back(rest[at(t)]);
             into.tile.push_back(static_cast<int>(i));
             into.fabric.push_back(number);
             into.holds_gas.push_back(!is_inside[i]);
@@ -345,7 +346,7 @@ double largest_gap(const CutPlan& plan, const Symmetry& symmetry, const SewnEnve
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         const Points3& x = plan.tiles[i].tile.mesh.positions;
         for (Eigen::Index v = 0; v < x.rows(); ++v) {
-            const Place& place = sewn.places[static_cast<std::size_t>(sewn.first_vertex[i] + v)];
+            const SewnPoint& place = sewn.places[at(sewn.first_vertex[i] + v)];
             most =
                 std::max(most, (position(place, sewn.nodes, symmetry.angle()) + sewn.origin - Vec3(x.row(v))).norm());
         }
@@ -374,7 +375,7 @@ std::vector<Mat22> cloth_at_rest(const FlatTile& tile, RestState rest) {
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         Mat22 axes;
         axes << warp(0, t), -warp(1, t), warp(1, t), warp(0, t);
-        triangles[static_cast<std::size_t>(t)] = axes.transpose() * triangles[static_cast<std::size_t>(t)];
+        triangles[at(t)] = axes.transpose() * triangles[at(t)];
     }
     return triangles;
 }

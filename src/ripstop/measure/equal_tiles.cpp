@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/boundary.h"
@@ -27,8 +28,7 @@ struct Signature {
 /// The index of each vertex in the boundary (#V), -1 for interior vertices.
 std::vector<int> places_of(const Tile& tile) {
     std::vector<int> places(static_cast<std::size_t>(tile.mesh.vertex_count()), -1);
-    for (std::size_t i = 0; i < tile.boundary.size(); ++i)
-        places[static_cast<std::size_t>(tile.boundary[i])] = static_cast<int>(i);
+    for (std::size_t i = 0; i < tile.boundary.size(); ++i) places[at(tile.boundary[i])] = static_cast<int>(i);
     return places;
 }
 
@@ -38,8 +38,7 @@ Signature signature_of(const Tile& tile) {
     Signature signature{surface_area(tile.mesh), lengths.sum(), {}};
     for (const Chain& chain : tile.chains) {
         double length = 0;
-        for (int i = 0; i < chain.edge_count(); ++i)
-            length += lengths[places[static_cast<std::size_t>(chain.vertices[static_cast<std::size_t>(i)])]];
+        for (int i = 0; i < chain.edge_count(); ++i) length += lengths[places[at(chain.vertices[at(i)])]];
         signature.chains.push_back(length);
     }
     return signature;
@@ -77,7 +76,7 @@ Eigen::Matrix3Xd points_along(const Tile& tile, const Chain& chain) {
     for (int i = 0; i < points_a_chain; ++i) {
         const double s = total * i / points_a_chain;
         while (edge + 1 < lengths.size() && before + lengths[edge] < s) before += lengths[edge++];
-        const Vec3 a = tile.mesh.positions.row(chain.vertices[static_cast<std::size_t>(edge)]);
+        const Vec3 a = tile.mesh.positions.row(chain.vertices[at(edge)]);
         const Vec3 b = tile.mesh.positions.row(chain.vertices[static_cast<std::size_t>(edge) + 1]);
         points.col(i) = a + std::clamp((s - before) / lengths[edge], 0.0, 1.0) * (b - a);
     }
@@ -158,12 +157,12 @@ std::vector<int> correspondence(const Tile& one, const Tile& other, int from_one
             if (h != g) return {};
             continue;
         }
-        if (partner[static_cast<std::size_t>(g)] >= 0) {
-            if (partner[static_cast<std::size_t>(g)] != h) return {};
+        if (partner[at(g)] >= 0) {
+            if (partner[at(g)] != h) return {};
             continue;
         }
-        partner[static_cast<std::size_t>(g)] = h;
-        int& mate = vertex[static_cast<std::size_t>(second.from(g))];
+        partner[at(g)] = h;
+        int& mate = vertex[at(second.from(g))];
         if (mate >= 0 && mate != first.from(h)) return {};
         mate = first.from(h);
         open.push_back({Adjacency::next(h), Adjacency::next(g)});
@@ -177,14 +176,14 @@ bool edges_agree(const Tile& one, const Tile& other, const std::vector<int>& ver
     const Eigen::VectorXd first = target_lengths(one), second = target_lengths(other);
     const std::vector<int> places = places_of(one);
     for (std::size_t i = 0; i < other.boundary.size(); ++i) {
-        const int place = places[static_cast<std::size_t>(vertex[static_cast<std::size_t>(other.boundary[i])])];
+        const int place = places[at(vertex[at(other.boundary[i])])];
         if (place < 0 || std::abs(first[place] - second[static_cast<Eigen::Index>(i)]) > same_place) return false;
     }
     const auto corners = [](const Tile& tile, const std::vector<int>* through) {
         std::vector<int> list;
         for (const Chain& chain : tile.chains) {
             const int v = chain.vertices.front();
-            list.push_back(through ? (*through)[static_cast<std::size_t>(v)] : v);
+            list.push_back(through ? (*through)[at(v)] : v);
         }
         std::sort(list.begin(), list.end());
         return list;
@@ -315,13 +314,12 @@ std::vector<Likeness> find_equal_tiles(const std::vector<Tile>& tiles, double to
         std::vector<int> candidates;
         for (auto it = firsts.lower_bound(signatures[i].perimeter - room);
              it != firsts.end() && it->first <= signatures[i].perimeter + room; ++it)
-            if (may_be_equal(signatures[static_cast<std::size_t>(it->second)], signatures[i], tolerance))
-                candidates.push_back(it->second);
+            if (may_be_equal(signatures[at(it->second)], signatures[i], tolerance)) candidates.push_back(it->second);
         std::sort(candidates.begin(), candidates.end());
         std::optional<Likeness> found;
         for (const bool mirrored : {false, true})
             for (std::size_t c = 0; c < candidates.size() && !found; ++c) {
-                const Tile& earlier = tiles[static_cast<std::size_t>(candidates[c])];
+                const Tile& earlier = tiles[at(candidates[c])];
                 found = compare(mirrored ? mirror_image(earlier) : earlier, tiles[i], tolerance);
                 if (!found) continue;
                 found->to = candidates[c];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ripstop/measure/bounds.h"
+#include "ripstop/measure/measure_bounds.h"
 #include "ripstop/model/plan/accuracy.h"
 #include "ripstop/model/plan/flattening.h"
 #include "ripstop/model/plan/verdict.h"

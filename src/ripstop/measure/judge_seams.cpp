@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/model/tile/corner_turn.h"
@@ -23,7 +24,7 @@ std::string in_mm(double length, int decimals) {
 }
 
 std::string message(const Seam& seam, const SeamWalk& walk, const CutPlan& plan) {
-    const auto name = [&](const SeamSide& side) { return plan.tiles[static_cast<std::size_t>(side.tile)].tile.name; };
+    const auto name = [&](const SeamSide& side) { return plan.tiles[at(side.tile)].tile.name; };
     const std::string open =
         walk.uncertainty > 0 ? "; the meshes leave " + in_mm(walk.uncertainty, 2) + " open" : std::string();
     if (!std::isfinite(walk.drift_max)) return "seam " + seam.id + " has a side that was not flattened";
@@ -41,7 +42,7 @@ std::vector<std::vector<Mating>> mate(const CutPlan& plan) {
     for (const FlatTile& tile : plan.tiles) mates.emplace_back(tile.tile.chains.size());
     for (std::size_t i = 0; i < plan.seams.size(); ++i)
         for (const SeamSide* side : {&plan.seams[i].a, &plan.seams[i].b}) {
-            Mating& here = mates[static_cast<std::size_t>(side->tile)][static_cast<std::size_t>(side->chain)];
+            Mating& here = mates[at(side->tile)][at(side->chain)];
             if (!plan.seams[i].into || side == &plan.seams[i].a) here.sewn += plan.seams[i].length;
             here.agrees = here.agrees && plan.walks[i].ok;
         }
@@ -53,11 +54,10 @@ std::vector<double> chain_lengths(const Tile& tile) {
     const Eigen::VectorXd drawn = drawn_lengths(tile);
     std::vector<double> leaving(static_cast<std::size_t>(tile.mesh.vertex_count()), 0), lengths;
     for (std::size_t i = 0; i < tile.boundary.size(); ++i)
-        leaving[static_cast<std::size_t>(tile.boundary[i])] = drawn[static_cast<Eigen::Index>(i)];
+        leaving[at(tile.boundary[i])] = drawn[static_cast<Eigen::Index>(i)];
     for (const Chain& chain : tile.chains) {
         lengths.push_back(0);
-        for (int i = 0; i < chain.edge_count(); ++i)
-            lengths.back() += leaving[static_cast<std::size_t>(chain.vertices[static_cast<std::size_t>(i)])];
+        for (int i = 0; i < chain.edge_count(); ++i) lengths.back() += leaving[at(chain.vertices[at(i)])];
     }
     return lengths;
 }
@@ -84,7 +84,7 @@ void waive(FlatTile& tile, const std::vector<Mating>& mates, double tolerance) {
 }  // namespace
 
 void judge_seams(CutPlan& plan) {
-    const auto name = [&](const SeamSide& side) { return plan.tiles[static_cast<std::size_t>(side.tile)].tile.name; };
+    const auto name = [&](const SeamSide& side) { return plan.tiles[at(side.tile)].tile.name; };
     for (std::size_t i = 0; i < plan.seams.size(); ++i) {
         const SeamWalk& walk = plan.walks[i];
         if (!walk.ok)
@@ -103,7 +103,7 @@ std::string uncertain_text(const Seam& seam, const std::string& tile_a, const st
     // A chord is shorter than an arc that turns by t by t^2 / 24 of its length.
     const double turn = std::sqrt(24 * limit / seam.length);
     return "seam " + seam.id + ": the meshes of " + tile_a + " and " + tile_b + " leave " + in_mm(seam.uncertainty, 2) +
-           " of its length open, it may err by " + in_mm(limit, 2) +
+           " of its length open, the limit is " + in_mm(limit, 2) +
            ": they do not say whether their edges or a curve through their corners is meant; export a mesh whose edges "
            "turn by less than " +
            format_fixed(std::floor(turn / degree), 0) + " degrees from one to the next along it, or by more than " +

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/geometry/polygon.h"
@@ -18,10 +19,10 @@ double cloth_per_length(const Zigzag& zigzag, const Tile& tile) {
     const Eigen::VectorXd drawn = drawn_lengths(tile), target = target_lengths(tile);
     std::vector<bool> along(static_cast<std::size_t>(tile.mesh.vertex_count()), false);
     for (std::size_t i = 0; i + (zigzag.closed ? 0 : 1) < zigzag.vertices.size(); ++i)
-        along[static_cast<std::size_t>(zigzag.vertices[i])] = true;
+        along[at(zigzag.vertices[i])] = true;
     double before = 0, after = 0;
     for (Eigen::Index i = 0; i < drawn.size(); ++i) {
-        if (!along[static_cast<std::size_t>(tile.boundary[static_cast<std::size_t>(i)])]) continue;
+        if (!along[at(tile.boundary[at(i)])]) continue;
         before += drawn[i];
         after += target[i];
     }
@@ -79,8 +80,7 @@ void judge_zigzags(CutPlan& plan) {
     std::vector<const Tile*> tiles;
     for (const FlatTile& flat : plan.tiles) tiles.push_back(&flat.tile);
     std::vector<std::vector<Zigzag>> of_tile(plan.tiles.size());
-    for (Zigzag& zigzag : find_zigzags(tiles, plan.seams))
-        of_tile[static_cast<std::size_t>(zigzag.tile)].push_back(std::move(zigzag));
+    for (Zigzag& zigzag : find_zigzags(tiles, plan.seams)) of_tile[at(zigzag.tile)].push_back(std::move(zigzag));
     for (std::size_t t = 0; t < plan.tiles.size(); ++t) {
         FlatTile& flat = plan.tiles[t];
         judge_zigzags(flat.tile, walk_zigzags(flat.tile, flat.flattening.positions, of_tile[t]),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/triangle.h"
 
 namespace ripstop {
@@ -86,8 +87,8 @@ std::vector<std::array<int, 2>> overlapping_triangles(const Triangles& triangles
             for (int x = range.x0; x <= range.x1; ++x) {
                 std::vector<int>& here = cells[grid.cell(x, y)];
                 for (const int other : here) {
-                    if (met[static_cast<std::size_t>(other)] == t) continue;
-                    met[static_cast<std::size_t>(other)] = t;
+                    if (met[at(other)] == t) continue;
+                    met[at(other)] = t;
                     const Corners d = corners(triangles, flat, other);
                     if (!separated_by_edge_of(c, d) && !separated_by_edge_of(d, c)) pairs.push_back({other, t});
                 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 
 Adjacency::Adjacency(const Triangles& triangles, int vertex_count)
@@ -20,8 +22,8 @@ Adjacency::Adjacency(const Triangles& triangles, int vertex_count)
         const int first = std::get<2>(keys[i]);
         if (end - i == 2 && from(first) == to(std::get<2>(keys[i + 1])) && from(first) != to(first)) {
             const int second = std::get<2>(keys[i + 1]);
-            twin_[static_cast<std::size_t>(first)] = second;
-            twin_[static_cast<std::size_t>(second)] = first;
+            twin_[at(first)] = second;
+            twin_[at(second)] = first;
         } else if (end - i > 1 || from(first) == to(first)) {
             irregular_.push_back({from(first), to(first)});
         }
@@ -35,11 +37,11 @@ Adjacency::Adjacency(const Triangles& triangles, int vertex_count)
     for (std::size_t v = 1; v < outgoing_start_.size(); ++v) outgoing_start_[v] += outgoing_start_[v - 1];
     outgoing_.resize(static_cast<std::size_t>(count));
     std::vector<int> fill(outgoing_start_.begin(), outgoing_start_.end() - 1);
-    for (int h = 0; h < count; ++h) outgoing_[static_cast<std::size_t>(fill[static_cast<std::size_t>(from(h))]++)] = h;
+    for (int h = 0; h < count; ++h) outgoing_[at(fill[at(from(h))]++)] = h;
 }
 
 std::vector<int> Adjacency::outgoing(int vertex) const {
-    const auto begin = outgoing_.begin() + outgoing_start_[static_cast<std::size_t>(vertex)];
+    const auto begin = outgoing_.begin() + outgoing_start_[at(vertex)];
     const auto end = outgoing_.begin() + outgoing_start_[static_cast<std::size_t>(vertex) + 1];
     return {begin, end};
 }

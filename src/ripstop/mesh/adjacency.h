@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/types.h"
 
 namespace ripstop {
@@ -17,7 +18,7 @@ class Adjacency {
     explicit Adjacency(const Triangles& triangles, int vertex_count);
 
     int half_edge_count() const { return static_cast<int>(twin_.size()); }
-    int twin(int half_edge) const { return twin_[static_cast<std::size_t>(half_edge)]; }  ///< -1 at the boundary
+    int twin(int half_edge) const { return twin_[at(half_edge)]; }  ///< -1 at the boundary
     bool is_boundary(int half_edge) const { return twin(half_edge) < 0; }
     int from(int half_edge) const { return triangles_(half_edge / 3, half_edge % 3); }
     int to(int half_edge) const { return triangles_(half_edge / 3, (half_edge % 3 + 1) % 3); }

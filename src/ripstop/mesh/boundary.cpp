@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/triangle.h"
 
 namespace ripstop {
@@ -12,9 +13,7 @@ template <class Points>
 Eigen::VectorXd lengths(const Points& positions, const std::vector<int>& vertices) {
     Eigen::VectorXd result(std::max<Eigen::Index>(0, static_cast<Eigen::Index>(vertices.size()) - 1));
     for (Eigen::Index i = 0; i < result.size(); ++i)
-        result[i] = (positions.row(vertices[static_cast<std::size_t>(i) + 1]) -
-                     positions.row(vertices[static_cast<std::size_t>(i)]))
-                        .norm();
+        result[i] = (positions.row(vertices[static_cast<std::size_t>(i) + 1]) - positions.row(vertices[at(i)])).norm();
     return result;
 }
 
@@ -39,8 +38,7 @@ Eigen::VectorXd surface_turning(const TriangleMesh& mesh, const std::vector<int>
             angle[mesh.triangles(t, k)] +=
                 angle_at(mesh.corner(t, k), mesh.corner(t, (k + 1) % 3), mesh.corner(t, (k + 2) % 3));
     Eigen::VectorXd turning(static_cast<Eigen::Index>(boundary.size()));
-    for (Eigen::Index i = 0; i < turning.size(); ++i)
-        turning[i] = std::numbers::pi - angle[boundary[static_cast<std::size_t>(i)]];
+    for (Eigen::Index i = 0; i < turning.size(); ++i) turning[i] = std::numbers::pi - angle[boundary[at(i)]];
     return turning;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/mesh/components.h"
 
@@ -56,15 +57,15 @@ std::vector<std::vector<int>> boundary_loops(const Adjacency& adjacency) {
     std::vector<std::vector<int>> loops;
     std::vector<bool> seen(static_cast<std::size_t>(adjacency.half_edge_count()), false);
     for (int start = 0; start < adjacency.half_edge_count(); ++start) {
-        if (!adjacency.is_boundary(start) || seen[static_cast<std::size_t>(start)]) continue;
+        if (!adjacency.is_boundary(start) || seen[at(start)]) continue;
         std::vector<int> loop;
         int h = start;
         do {
-            seen[static_cast<std::size_t>(h)] = true;
+            seen[at(h)] = true;
             loop.push_back(adjacency.from(h));
             h = Adjacency::next(h);
             while (!adjacency.is_boundary(h)) h = Adjacency::next(adjacency.twin(h));
-        } while (h != start && !seen[static_cast<std::size_t>(h)]);
+        } while (h != start && !seen[at(h)]);
         std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
         loops.push_back(std::move(loop));
     }

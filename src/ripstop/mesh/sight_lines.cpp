@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
@@ -64,8 +66,8 @@ int SightLines::build(int first, int count) {
                      [axis](const auto& p, const auto& q) { return middle(p)[axis] < middle(q)[axis]; });
     build(first, half);
     const int second = build(first + half, count - half);
-    boxes_[static_cast<std::size_t>(number)].count = 0;
-    boxes_[static_cast<std::size_t>(number)].second = second;
+    boxes_[at(number)].count = 0;
+    boxes_[at(number)].second = second;
     return number;
 }
 
@@ -76,7 +78,7 @@ bool SightLines::is_blocked(const Vec3& from, const Vec3& direction, double leas
     while (!open.empty()) {
         const int number = open.back();
         open.pop_back();
-        const Box& box = boxes_[static_cast<std::size_t>(number)];
+        const Box& box = boxes_[at(number)];
         if (!meets(box.box, from, inverse)) continue;
         if (box.count == 0) {
             open.push_back(number + 1);
@@ -84,7 +86,7 @@ bool SightLines::is_blocked(const Vec3& from, const Vec3& direction, double leas
             continue;
         }
         for (int t = box.first; t < box.first + box.count; ++t) {
-            const double away = distance(triangles_[static_cast<std::size_t>(t)], from, direction);
+            const double away = distance(triangles_[at(t)], from, direction);
             if (away > least && away < std::numeric_limits<double>::infinity()) return true;
         }
     }

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/triangle.h"
 
 namespace ripstop {
@@ -25,12 +26,12 @@ Mat22 turn_between(const Vec2& from, const Vec2& to) {
 std::vector<LayingStep> laying_order(const Adjacency& adjacency, int seed) {
     std::vector<LayingStep> order = {{seed, 0}};
     std::vector<bool> found(static_cast<std::size_t>(adjacency.half_edge_count() / 3), false);
-    found[static_cast<std::size_t>(seed)] = true;
+    found[at(seed)] = true;
     for (std::size_t next = 0; next < order.size(); ++next)
         for (int k = 0; k < 3; ++k) {
             const int twin = adjacency.twin(3 * order[next].triangle + k);
-            if (twin < 0 || found[static_cast<std::size_t>(twin / 3)]) continue;
-            found[static_cast<std::size_t>(twin / 3)] = true;
+            if (twin < 0 || found[at(twin / 3)]) continue;
+            found[at(twin / 3)] = true;
             order.push_back({twin / 3, (twin % 3 + 2) % 3});
         }
     return order;
@@ -57,11 +58,11 @@ std::vector<LaidTriangle> unroll(const TriangleMesh& mesh, const Adjacency& adja
     for (std::size_t i = 1; i < order.size(); ++i) {
         const int t = order[i].triangle, from = (order[i].corner + 1) % 3, to = (order[i].corner + 2) % 3;
         const int mate = adjacency.twin(3 * t + from);
-        const LaidTriangle& beside = laid[static_cast<std::size_t>(mate / 3)];
+        const LaidTriangle& beside = laid[at(mate / 3)];
         const Mat22 there = flat(mate / 3), here = flat(t);
         const auto placed = [&](int k) { return Vec2(beside.origin + beside.turn * laid_corner(there, k)); };
         const Vec2 start = placed((mate % 3 + 1) % 3), end = placed(mate % 3);
-        LaidTriangle& next = laid[static_cast<std::size_t>(t)];
+        LaidTriangle& next = laid[at(t)];
         next.turn = turn_between(laid_corner(here, to) - laid_corner(here, from), end - start);
         next.origin = start - next.turn * laid_corner(here, from);
     }

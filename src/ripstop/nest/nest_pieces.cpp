@@ -7,15 +7,16 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/nest/contact_table.h"
 #include "ripstop/nest/own_pieces.h"
+#include "ripstop/nest/roll_strip.h"
 #include "ripstop/nest/search_order.h"
 #include "ripstop/nest/slide_together.h"
-#include "ripstop/nest/strip.h"
 
 namespace ripstop {
 namespace {
@@ -169,7 +170,7 @@ class Nester {
         double height = 0;
         for (std::size_t k = 0; k < kinds_.size(); ++k) {
             copies.insert(copies.end(), static_cast<std::size_t>(kinds_[k].copies), static_cast<int>(k));
-            height += kinds_[k].copies * strip_.shapes[static_cast<std::size_t>(strip_.first_shape[k])].size.y();
+            height += kinds_[k].copies * strip_.shapes[at(strip_.first_shape[k])].size.y();
         }
         if (!copies.empty()) {
             const double lanes = width_ * static_cast<double>(copies.size()) / height;
@@ -197,16 +198,14 @@ class Nester {
         marker.length = lengths[best];
         const std::vector<Placement>& placements = found[best];
         marker.placements.insert(marker.placements.end(), placements.begin(), placements.end());
-        for (const int kind : copies)
-            marker.net_area +=
-                strip_.shapes[static_cast<std::size_t>(strip_.first_shape[static_cast<std::size_t>(kind)])].area;
+        for (const int kind : copies) marker.net_area += strip_.shapes[at(strip_.first_shape[at(kind)])].area;
     }
 
     std::vector<Placement> placements_of(const std::vector<PlacedItem>& items) const {
         std::vector<Placement> placements;
         for (const PlacedItem& item : items) {
             const LaidShape& shape = strip_.shape(item);
-            const Kind& kind = kinds_[static_cast<std::size_t>(shape.kind)];
+            const Kind& kind = kinds_[at(shape.kind)];
             placements.push_back({kind.piece, 1, kind.mirrored, shape.face_down, shape.turn,
                                   Vec2(item.x, item.row * row_height_ + shape.lift) - shape.corner});
         }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/polygon.h"
 
 namespace ripstop {
@@ -39,7 +40,7 @@ void add_segment(std::vector<std::vector<Interval>>& rows, Vec2 from, Vec2 to, d
         const double start = rise > 0 ? std::clamp((base + row * height - from.y()) / rise, 0.0, 1.0) : 0.0;
         const double end = rise > 0 ? std::clamp((base + (row + 1) * height - from.y()) / rise, 0.0, 1.0) : 1.0;
         const double x = from.x() + start * (to - from).x(), x_end = from.x() + end * (to - from).x();
-        add_interval(rows[static_cast<std::size_t>(row)], {std::min(x, x_end), std::max(x, x_end)});
+        add_interval(rows[at(row)], {std::min(x, x_end), std::max(x, x_end)});
     }
 }
 
@@ -48,8 +49,8 @@ void add_row(const RowProfile& a, int row_a, const RowProfile& b, int row_b, std
     const auto r = static_cast<std::size_t>(row_a), s = static_cast<std::size_t>(row_b);
     for (int i = a.first[r]; i < a.first[r + 1]; ++i)
         for (int k = b.first[s]; k < b.first[s + 1]; ++k) {
-            const Interval& one = a.intervals[static_cast<std::size_t>(i)];
-            const Interval& other = b.intervals[static_cast<std::size_t>(k)];
+            const Interval& one = a.intervals[at(i)];
+            const Interval& other = b.intervals[at(k)];
             add_interval(shifts, {one.lower - other.upper, one.upper - other.lower});
         }
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ripstop/nest/contact_table.h"
-#include "ripstop/nest/strip.h"
+#include "ripstop/nest/roll_strip.h"
 
 namespace ripstop {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
@@ -29,7 +31,7 @@ void slide_together(const Strip& strip, const FineRows& rows, std::vector<Placed
     double longest = 0;
     std::vector<RowProfile> profiles(strip.shapes.size());
     for (const PlacedItem& item : items) {
-        RowProfile& profile = profiles[static_cast<std::size_t>(item.shape)];
+        RowProfile& profile = profiles[at(item.shape)];
         const LaidShape& shape = strip.shape(item);
         longest = std::max(longest, shape.size.x());
         if (profile.rows() == 0) profile = make_row_profile(shape.grown, rows.base, rows.height);
@@ -43,8 +45,7 @@ void slide_together(const Strip& strip, const FineRows& rows, std::vector<Placed
         first[i] = std::max(strip.start, strip.joins.before(items[i].x));
         for (before[i] = i > 0 ? before[i - 1] : 0; items[before[i]].x + seen <= items[i].x;) ++before[i];
         for (std::size_t k = before[i]; k < i; ++k) {
-            find_overlapping_shifts(profiles[static_cast<std::size_t>(items[k].shape)],
-                                    profiles[static_cast<std::size_t>(items[i].shape)],
+            find_overlapping_shifts(profiles[at(items[k].shape)], profiles[at(items[i].shape)],
                                     rows.times * (items[i].row - items[k].row), overlapping);
             add_limit(limits[i], k, items[i].x - items[k].x, overlapping);
             for (Interval& shift : overlapping) shift = {-shift.upper, -shift.lower};

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ripstop/nest/strip.h"
+#include "ripstop/nest/roll_strip.h"
 
 namespace ripstop {
 

@@ -1,5 +1,7 @@
 #include "ripstop/numeric/box_quadratic.h"
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
@@ -13,9 +15,7 @@ Vector without(const SparsePattern& pattern, const Vector& values, const std::ve
     Vector kept = values;
     for (int c = 0; c < pattern.size(); ++c)
         for (int s = pattern.diagonal_slot(c) + 1; s < pattern.column_start()[static_cast<std::size_t>(c) + 1]; ++s)
-            if (rests[static_cast<std::size_t>(c)] ||
-                rests[static_cast<std::size_t>(pattern.rows()[static_cast<std::size_t>(s)])])
-                kept[s] = 0;
+            if (rests[at(c)] || rests[at(pattern.rows()[at(s)])]) kept[s] = 0;
     return kept;
 }
 
@@ -35,7 +35,7 @@ std::optional<Vector> minimize_in_box(const SparsePattern& pattern, SymmetricSol
         const Vector slope = g + product(pattern, values, p);
         const Vector open = free_gradient(slope, p, lower, upper);
         if (round > 0 && open.lpNorm<Eigen::Infinity>() <= at_rest * g.lpNorm<Eigen::Infinity>()) break;
-        for (Eigen::Index i = 0; i < p.size(); ++i) rests[static_cast<std::size_t>(i)] = open[i] == 0 && slope[i] != 0;
+        for (Eigen::Index i = 0; i < p.size(); ++i) rests[at(i)] = open[i] == 0 && slope[i] != 0;
         if (rests != rested) {
             if (!solver.factorize(without(pattern, values, rests)) || solver.inertia().negative > 0)
                 return std::nullopt;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
@@ -10,9 +12,9 @@ namespace {
 template <class Visit>
 void visit_entries(const Couplings& couplings, Visit&& visit) {
     for (int g = 0; g < couplings.count(); ++g) {
-        const int* const first = couplings.unknowns.data() + couplings.start[static_cast<std::size_t>(g)];
+        const int* const first = couplings.unknowns.data() + couplings.start[at(g)];
         const int* const last = couplings.unknowns.data() + couplings.start[static_cast<std::size_t>(g) + 1];
-        if (couplings.is_row[static_cast<std::size_t>(g)]) {
+        if (couplings.is_row[at(g)]) {
             for (const int* a = first; a != last; ++a) visit(std::max(*first, *a), std::min(*first, *a));
         } else {
             for (const int* a = first; a != last; ++a)
@@ -60,7 +62,7 @@ SparsePattern::SparsePattern(int size, const Couplings& couplings) {
     std::vector<std::size_t> fill(bucket_start.begin(), bucket_start.end() - 1);
     visit_entries(couplings, [&](int row, int column) {
         slots_[entry] = row;
-        entries[fill[static_cast<std::size_t>(column)]++] = entry++;
+        entries[fill[at(column)]++] = entry++;
     });
 
     std::vector<int> slot_of_row(columns, -1);  // slots of the current column; smaller values are stale, from earlier
@@ -69,7 +71,7 @@ SparsePattern::SparsePattern(int size, const Couplings& couplings) {
     for (std::size_t c = 0; c < columns; ++c) {
         const int first = static_cast<int>(rows_.size());
         const auto add = [&](int row) {
-            int& slot = slot_of_row[static_cast<std::size_t>(row)];
+            int& slot = slot_of_row[at(row)];
             if (slot >= first) return;
             slot = first;
             rows_.push_back(row);
@@ -77,10 +79,9 @@ SparsePattern::SparsePattern(int size, const Couplings& couplings) {
         add(static_cast<int>(c));
         for (std::size_t k = bucket_start[c]; k < bucket_start[c + 1]; ++k) add(slots_[entries[k]]);
         std::sort(rows_.begin() + first, rows_.end());
-        for (int s = first; s < static_cast<int>(rows_.size()); ++s)
-            slot_of_row[static_cast<std::size_t>(rows_[static_cast<std::size_t>(s)])] = s;
+        for (int s = first; s < static_cast<int>(rows_.size()); ++s) slot_of_row[at(rows_[at(s)])] = s;
         for (std::size_t k = bucket_start[c]; k < bucket_start[c + 1]; ++k)
-            slots_[entries[k]] = slot_of_row[static_cast<std::size_t>(slots_[entries[k]])];
+            slots_[entries[k]] = slot_of_row[at(slots_[entries[k]])];
         column_start_[c + 1] = static_cast<int>(rows_.size());
     }
 }
@@ -92,7 +93,7 @@ Eigen::VectorXd product(const SparsePattern& pattern, const Eigen::VectorXd& val
         const int end = pattern.column_start()[static_cast<std::size_t>(c) + 1];
         double sum = values[s] * x[c];
         for (++s; s < end; ++s) {
-            const int r = pattern.rows()[static_cast<std::size_t>(s)];
+            const int r = pattern.rows()[at(s)];
             sum += values[s] * x[r];
             result[r] += values[s] * x[c];
         }

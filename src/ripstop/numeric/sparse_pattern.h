@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 
 /// Lists which unknowns of a symmetric system are coupled, group by group. Groups are numbered in order of insertion.
@@ -43,7 +45,7 @@ class SparsePattern {
         const auto g = static_cast<std::size_t>(group);
         return {slots_.data() + slot_start_[g], slots_.data() + slot_start_[g + 1]};
     }
-    int diagonal_slot(int unknown) const { return column_start_[static_cast<std::size_t>(unknown)]; }
+    int diagonal_slot(int unknown) const { return column_start_[at(unknown)]; }
 
     const std::vector<int>& column_start() const { return column_start_; }  ///< size + 1
     const std::vector<int>& rows() const { return rows_; }                  ///< entry_count

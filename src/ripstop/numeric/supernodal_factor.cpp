@@ -1,3 +1,4 @@
+#include "ripstop/base/index.h"
 #include "ripstop/numeric/symmetric_factor.h"
 
 #ifdef RIPSTOP_CHOLMOD
@@ -106,7 +107,7 @@ class SupernodalFactor : public SymmetricFactor {
         // a_kk = sum_i l_ki^2, and the pivot l_kk^2 is one of the terms: the magnitudes of all terms sum to 2 a_kk
         const Eigen::VectorXd pivot = pivots();
         for (Eigen::Index k = 0; k < pivot.size(); ++k) {
-            const double diagonal = values_[lower_.column_start[static_cast<std::size_t>(k)]];
+            const double diagonal = values_[lower_.column_start[at(k)]];
             ++(pivot[k] <= pivot_rounding * 2 * diagonal ? count.zero : count.positive);
         }
         return count;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/triangle.h"
 
 namespace ripstop {
@@ -33,12 +34,12 @@ class Surroundings {
         std::vector<int> corners{corner};
         for (int h = corner;;) {  // counter-clockwise: across the incoming edge
             const int in = Adjacency::previous(h);
-            if (adjacency_.is_boundary(in) || crease_[static_cast<std::size_t>(in)]) break;
+            if (adjacency_.is_boundary(in) || crease_[at(in)]) break;
             h = adjacency_.twin(in);
             if (h == corner) return corners;
             corners.push_back(h);
         }
-        for (int h = corner; !adjacency_.is_boundary(h) && !crease_[static_cast<std::size_t>(h)];) {
+        for (int h = corner; !adjacency_.is_boundary(h) && !crease_[at(h)];) {
             h = Adjacency::next(adjacency_.twin(h));
             if (h == corner) break;
             corners.push_back(h);
@@ -51,7 +52,7 @@ class Surroundings {
         ++mark_;
         std::vector<int> found, front;
         const int centre = mesh_.triangles(fan.front() / 3, fan.front() % 3);
-        seen_vertex_[static_cast<std::size_t>(centre)] = mark_;
+        seen_vertex_[at(centre)] = mark_;
         for (const int h : fan) take(h / 3, front, found);
         for (int ring = 1; ring < most_rings && found.size() < enough; ++ring) {
             std::vector<int> next;
@@ -67,13 +68,13 @@ class Surroundings {
 
   private:
     void take(int t, std::vector<int>& front, std::vector<int>& found) {
-        if (seen_triangle_[static_cast<std::size_t>(t)] == mark_) return;
-        seen_triangle_[static_cast<std::size_t>(t)] = mark_;
+        if (seen_triangle_[at(t)] == mark_) return;
+        seen_triangle_[at(t)] = mark_;
         front.push_back(t);
         for (int k = 0; k < 3; ++k) {
             const int v = mesh_.triangles(t, k);
-            if (seen_vertex_[static_cast<std::size_t>(v)] == mark_) continue;
-            seen_vertex_[static_cast<std::size_t>(v)] = mark_;
+            if (seen_vertex_[at(v)] == mark_) continue;
+            seen_vertex_[at(v)] = mark_;
             found.push_back(v);
         }
     }
@@ -105,7 +106,7 @@ std::optional<Vec3> fitted_normal(const TriangleMesh& mesh, int vertex, const st
     const Vec3 centre = mesh.positions.row(vertex), x_axis = up.unitOrthogonal(), y_axis = up.cross(x_axis);
     Points3 local(count, 3);
     for (int i = 0; i < count; ++i) {
-        const Vec3 d = Vec3(mesh.positions.row(neighbours[static_cast<std::size_t>(i)])) - centre;
+        const Vec3 d = Vec3(mesh.positions.row(neighbours[at(i)])) - centre;
         local.row(i) << d.dot(x_axis), d.dot(y_axis), d.dot(up);
     }
     const double size = local.rowwise().norm().maxCoeff();
@@ -116,7 +117,7 @@ std::optional<Vec3> fitted_normal(const TriangleMesh& mesh, int vertex, const st
         const double x = local(i, 0), y = local(i, 1);
         const double weight = 1 / (nearness + local.row(i).squaredNorm());
         const std::array<double, 9> all{x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y};
-        for (int k = 0; k < unknowns; ++k) terms(i, k) = weight * all[static_cast<std::size_t>(k)];
+        for (int k = 0; k < unknowns; ++k) terms(i, k) = weight * all[at(k)];
         heights[i] = weight * local(i, 2);
     }
     const Eigen::RowVectorXd scale = terms.colwise().norm();
@@ -138,8 +139,8 @@ Points3 corner_normals(const TriangleMesh& mesh, const Adjacency& adjacency,
     const std::set<std::array<int, 2>> sharp(creases.begin(), creases.end());
     std::vector<bool> crease(static_cast<std::size_t>(adjacency.half_edge_count()), false);
     for (int h = 0; h < adjacency.half_edge_count(); ++h)
-        crease[static_cast<std::size_t>(h)] = sharp.contains({adjacency.from(h), adjacency.to(h)}) ||
-                                              sharp.contains({adjacency.to(h), adjacency.from(h)});
+        crease[at(h)] = sharp.contains({adjacency.from(h), adjacency.to(h)}) ||
+                        sharp.contains({adjacency.to(h), adjacency.from(h)});
     Points3 normals = Points3::Zero(3 * mesh.triangle_count(), 3);
     Surroundings about(mesh, adjacency, crease);
     for (int corner = 0; corner < adjacency.half_edge_count(); ++corner) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/geometry/triangle.h"
 
@@ -54,12 +55,11 @@ Vec3 point_on_old_boundary(const Tile& tile, const BoundaryPlace& place) {
 double area_between_boundaries(const Tile& tile, const Adjacency& adjacency, const NewBoundary& boundary) {
     const int count = static_cast<int>(tile.boundary.size());
     std::vector<int> place(static_cast<std::size_t>(tile.mesh.vertex_count()), -1);
-    for (int i = 0; i < count; ++i) place[static_cast<std::size_t>(tile.boundary[static_cast<std::size_t>(i)])] = i;
+    for (int i = 0; i < count; ++i) place[at(tile.boundary[at(i)])] = i;
     std::vector<Vec3> normals(static_cast<std::size_t>(count), Vec3::Zero());
     for (const int h : adjacency.edges())
         if (adjacency.is_boundary(h))
-            normals[static_cast<std::size_t>(place[static_cast<std::size_t>(adjacency.from(h))])] =
-                area_vector(tile.mesh, Adjacency::triangle(h)).normalized();
+            normals[at(place[at(adjacency.from(h))])] = area_vector(tile.mesh, Adjacency::triangle(h)).normalized();
     double sum = 0;
     for (std::size_t i = 0; i < boundary.nodes.size(); ++i) {
         const BoundaryNode &first = boundary.nodes[i], &second = boundary.nodes[(i + 1) % boundary.nodes.size()];
@@ -67,12 +67,11 @@ double area_between_boundaries(const Tile& tile, const Adjacency& adjacency, con
         if (edges == 0 && second.place.share <= first.place.share) edges = count;
         std::vector<Vec3> polygon{first.position, second.position, point_on_old_boundary(tile, second.place)};
         for (int e = edges; e > 0; --e)
-            polygon.push_back(
-                tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>((first.place.edge + e) % count)]));
+            polygon.push_back(tile.mesh.positions.row(tile.boundary[at((first.place.edge + e) % count)]));
         polygon.push_back(point_on_old_boundary(tile, first.place));
         Vec3 normal = Vec3::Zero(), area = Vec3::Zero();
         for (int e = 0; e < edges + (second.place.share > 0 ? 1 : 0); ++e)
-            normal += normals[static_cast<std::size_t>((first.place.edge + e) % count)];
+            normal += normals[at((first.place.edge + e) % count)];
         for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
             area += (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]) / 2;
         sum += area.dot(normal.normalized());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/geometry/angle.h"
@@ -30,14 +31,14 @@ void measure_boundary(const Tile& tile, MeshState& state) {
         const int count = chain.edge_count();
         const auto edge = [&](int e) {
             return Vec3(tile.mesh.positions.row(chain.vertices[static_cast<std::size_t>(e) + 1]) -
-                        tile.mesh.positions.row(chain.vertices[static_cast<std::size_t>(e)]));
+                        tile.mesh.positions.row(chain.vertices[at(e)]));
         };
         double sum = 0, length = 0;
         std::vector<double> turns(static_cast<std::size_t>(count) + 1, 0);
         for (int e = 1; e < count; ++e) {
             const double turn = angle_between(edge(e - 1), edge(e));
             if (turn > corner_turn) continue;
-            turns[static_cast<std::size_t>(e)] = turn;
+            turns[at(e)] = turn;
             state.turn_max = std::max(state.turn_max, turn);
         }
         for (int e = 0; e < count; ++e) {
@@ -75,7 +76,7 @@ void measure_interior(const TriangleMesh& mesh, const Adjacency& adjacency, Mesh
 void measure_shapes(const Tile& tile, const Adjacency& adjacency, MeshState& state) {
     const TriangleMesh& mesh = tile.mesh;
     std::vector<bool> outer(static_cast<std::size_t>(mesh.vertex_count()), false);
-    for (const int v : tile.boundary) outer[static_cast<std::size_t>(v)] = true;
+    for (const int v : tile.boundary) outer[at(v)] = true;
     const auto is_ear = [&](int t) {
         int sides = 0;
         for (int k = 0; k < 3; ++k) sides += adjacency.is_boundary(3 * t + k) ? 1 : 0;
@@ -90,9 +91,8 @@ void measure_shapes(const Tile& tile, const Adjacency& adjacency, MeshState& sta
         slivers += least < sliver_angle ? 1 : 0;
     }
     for (const int h : adjacency.edges())
-        if (!adjacency.is_boundary(h) && outer[static_cast<std::size_t>(adjacency.from(h))] &&
-            outer[static_cast<std::size_t>(adjacency.to(h))] && !is_ear(Adjacency::triangle(h)) &&
-            !is_ear(Adjacency::triangle(adjacency.twin(h))))
+        if (!adjacency.is_boundary(h) && outer[at(adjacency.from(h))] && outer[at(adjacency.to(h))] &&
+            !is_ear(Adjacency::triangle(h)) && !is_ear(Adjacency::triangle(adjacency.twin(h))))
             ++locked;
     state.sliver_share = slivers / static_cast<double>(mesh.triangle_count());
     state.locked_share = locked / static_cast<double>(tile.boundary.size());

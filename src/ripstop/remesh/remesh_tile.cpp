@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/mesh/adjacency.h"
@@ -32,8 +33,8 @@ Vec3 normal_of(const TriangleMesh& mesh, int t) {
 /// across it, or be nearest to one of its other side.
 void require_upright(const TriangleMesh& old, const DiskRemesh& made, const std::vector<bool>& at_crease) {
     for (int t = 0; t < made.mesh.triangle_count(); ++t) {
-        const int origin = made.origin[static_cast<std::size_t>(t)];
-        const double limit = at_crease[static_cast<std::size_t>(origin)] ? 0 : least_agreement;
+        const int origin = made.origin[at(t)];
+        const double limit = at_crease[at(origin)] ? 0 : least_agreement;
         if (!(normal_of(made.mesh, t).dot(normal_of(old, origin)) > limit))
             throw std::runtime_error("the new triangles would fold over");
     }
@@ -41,10 +42,10 @@ void require_upright(const TriangleMesh& old, const DiskRemesh& made, const std:
 
 std::vector<bool> triangles_at(const TriangleMesh& mesh, const std::vector<std::array<int, 2>>& creases) {
     std::vector<bool> vertex(static_cast<std::size_t>(mesh.vertex_count()), false), triangle;
-    for (const auto& [a, b] : creases) vertex[static_cast<std::size_t>(a)] = vertex[static_cast<std::size_t>(b)] = true;
+    for (const auto& [a, b] : creases) vertex[at(a)] = vertex[at(b)] = true;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         bool any = false;
-        for (int k = 0; k < 3; ++k) any = any || vertex[static_cast<std::size_t>(mesh.triangles(t, k))];
+        for (int k = 0; k < 3; ++k) any = any || vertex[at(mesh.triangles(t, k))];
         triangle.push_back(any);
     }
     return triangle;
@@ -89,8 +90,7 @@ Tile tile_on_mesh(const Tile& tile, const NewBoundary& boundary, TriangleMesh me
     result.chains = chains_of(boundary);
     if (tile.grain.field.rows() > 0) {
         result.grain.field.resize(mesh.triangle_count(), 3);
-        for (int t = 0; t < mesh.triangle_count(); ++t)
-            result.grain.field.row(t) = tile.grain.field.row(origin[static_cast<std::size_t>(t)]);
+        for (int t = 0; t < mesh.triangle_count(); ++t) result.grain.field.row(t) = tile.grain.field.row(origin[at(t)]);
     }
     result.curve_lengths.resize(static_cast<Eigen::Index>(boundary.nodes.size()));
     for (std::size_t i = 0; i < boundary.nodes.size(); ++i)

@@ -131,8 +131,8 @@ class RowMesher {
 
     /// Triangulates the strip between two lines, always advancing on the line whose next vertex comes first. `right`
     /// lies to the right of the direction.
-    template <class Place>
-    void stitch(const Line& right, const Line& left, const Place& place) {
+    template <class PlaceVertex>
+    void stitch(const Line& right, const Line& left, const PlaceVertex& place) {
         std::size_t i = 0, j = 0;
         while (i + 1 < right.size() || j + 1 < left.size()) {
             bool go_right = j + 1 == left.size();

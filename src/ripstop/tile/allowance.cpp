@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ripstop/base/index.h"
 #include "ripstop/tile/targets.h"
 
 namespace ripstop {
@@ -43,9 +44,8 @@ std::vector<Eigen::VectorXd> free_of_edges(const Tiles& tiles, const std::vector
 std::vector<std::size_t> chains_of_edges(const Tile& tile) {
     std::vector<std::size_t> leaving(static_cast<std::size_t>(tile.mesh.vertex_count()), 0), chains;
     for (std::size_t c = 0; c < tile.chains.size(); ++c)
-        for (int i = 0; i < tile.chains[c].edge_count(); ++i)
-            leaving[static_cast<std::size_t>(tile.chains[c].vertices[static_cast<std::size_t>(i)])] = c;
-    for (const int v : tile.boundary) chains.push_back(leaving[static_cast<std::size_t>(v)]);
+        for (int i = 0; i < tile.chains[c].edge_count(); ++i) leaving[at(tile.chains[c].vertices[at(i)])] = c;
+    for (const int v : tile.boundary) chains.push_back(leaving[at(v)]);
     return chains;
 }
 
@@ -56,7 +56,7 @@ std::vector<Eigen::VectorXd> free_of_chains(const Tiles& tiles, const std::vecto
         const std::vector<std::size_t> chains = chains_of_edges(*tiles[t]);
         lengths.emplace_back(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(tiles[t]->chains.size())));
         for (Eigen::Index i = 0; i < left[t].size(); ++i)
-            lengths[t][static_cast<Eigen::Index>(chains[static_cast<std::size_t>(i)])] += left[t][i];
+            lengths[t][static_cast<Eigen::Index>(chains[at(i)])] += left[t][i];
     }
     return lengths;
 }
@@ -94,8 +94,7 @@ std::vector<Eigen::VectorXd> edge_allowances(const CutPlan& plan) {
     for (std::size_t t = 0; t < tiles.size(); ++t) {
         const std::vector<std::size_t> chains = chains_of_edges(*tiles[t]);
         for (Eigen::Index i = 0; i < allowances[t].size(); ++i)
-            if (allowances[t][i] > 0)
-                allowances[t][i] = tiles[t]->chains[chains[static_cast<std::size_t>(i)]].finish.allowance;
+            if (allowances[t][i] > 0) allowances[t][i] = tiles[t]->chains[chains[at(i)]].finish.allowance;
     }
     for_each_part(plan.seams, [&](std::size_t t, const SeamPart& part, double allowance) {
         allowances[t][part.edge] = std::max(allowances[t][part.edge], allowance);

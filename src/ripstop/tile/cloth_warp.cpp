@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/unroll.h"
 
@@ -39,7 +40,7 @@ Axis axis_of(const Mat22& moment) {
 
 /// The corners of a triangle on the unrolled tile, as columns.
 Eigen::Matrix<double, 2, 3> laid_corners(const TriangleMesh& mesh, const std::vector<LaidTriangle>& laid, int t) {
-    const LaidTriangle& here = laid[static_cast<std::size_t>(t)];
+    const LaidTriangle& here = laid[at(t)];
     Eigen::Matrix<double, 2, 3> corners;
     corners << Vec2::Zero(), lay_flat(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
     return (here.turn * corners).colwise() + here.origin;
@@ -87,7 +88,7 @@ ClothWarp lay_on_cloth(const TriangleMesh& mesh, const Points3& directions) {
         area += own;
         if (!(length > rounding_of_unit)) continue;
         warp.along.col(t) = part / length;
-        const Vec2 turned = laid[static_cast<std::size_t>(t)].turn * part;
+        const Vec2 turned = laid[at(t)].turn * part;
         mean += own * turned / length;
         spread += own * turned * turned.transpose();
         if (sense.isZero()) sense = turned;
@@ -97,7 +98,7 @@ ClothWarp lay_on_cloth(const TriangleMesh& mesh, const Points3& directions) {
     const Axis axis = axis_of(spread);
     Vec2 one = axis.clarity >= agreement ? axis.direction : whole_of(mesh, laid).axis.direction;
     if (one.dot(mean.norm() > rounding_of_unit * area ? mean : sense) < 0) one = -one;
-    for (int t = 0; t < count; ++t) warp.along.col(t) = laid[static_cast<std::size_t>(t)].turn.transpose() * one;
+    for (int t = 0; t < count; ++t) warp.along.col(t) = laid[at(t)].turn.transpose() * one;
     return warp;
 }
 
@@ -113,7 +114,7 @@ std::optional<Vec3> longest_axis_on_cloth(const TriangleMesh& mesh) {
         least = away;
         middle = t;
     }
-    return axes_of(mesh, middle) * (laid[static_cast<std::size_t>(middle)].turn.transpose() * whole.axis.direction);
+    return axes_of(mesh, middle) * (laid[at(middle)].turn.transpose() * whole.axis.direction);
 }
 
 Points3 warp_in_space(const TriangleMesh& mesh, const Eigen::Matrix2Xd& warp, double angle) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ripstop/base/index.h"
 #include "ripstop/mesh/boundary.h"
 #include "ripstop/model/tile/corner_turn.h"
 
@@ -36,8 +37,7 @@ std::vector<std::vector<Along>> along_boundaries(const std::vector<const Tile*>&
             const SeamSide& side = second ? seams[s].b : seams[s].a;
             const int mate = second ? seams[s].a.tile : seams[s].b.tile;
             for (const SeamPart& part : side.parts)
-                along[static_cast<std::size_t>(side.tile)][static_cast<std::size_t>(part.edge)] = {
-                    mate, second && mate == side.tile, static_cast<int>(s)};
+                along[at(side.tile)][at(part.edge)] = {mate, second && mate == side.tile, static_cast<int>(s)};
         }
     return along;
 }
@@ -70,24 +70,20 @@ class Finder {
   private:
     double turn(int i) const { return turning_[i % size_]; }
     bool turns(int i) const { return std::abs(turn(i)) > turns_at_all; }
-    Vec3 point(int i) const {
-        return tile_.mesh.positions.row(tile_.boundary[static_cast<std::size_t>((i + size_) % size_)]);
-    }
+    Vec3 point(int i) const { return tile_.mesh.positions.row(tile_.boundary[at((i + size_) % size_)]); }
 
     /// The places where the neighbour changes, and the corners if they were given (then sharp turns do not count).
     std::vector<int> find_breaks() const {
         std::vector<bool> corner(static_cast<std::size_t>(tile_.mesh.vertex_count()), false);
         if (tile_.chains.size() > 1)
-            for (const Chain& chain : tile_.chains) corner[static_cast<std::size_t>(chain.vertices.front())] = true;
-        const auto is_corner = [&](int i) {
-            return corner[static_cast<std::size_t>(tile_.boundary[static_cast<std::size_t>(i)])];
-        };
+            for (const Chain& chain : tile_.chains) corner[at(chain.vertices.front())] = true;
+        const auto is_corner = [&](int i) { return corner[at(tile_.boundary[at(i)])]; };
         bool given = false;
         for (int i = 0; i < size_; ++i) given = given || is_corner(i) != (std::abs(turn(i)) > corner_turn);
         std::vector<int> breaks;
         for (int i = 0; i < size_; ++i) {
-            const Along& before = along_[static_cast<std::size_t>((i + size_ - 1) % size_)];
-            if (!before.goes_on_in(along_[static_cast<std::size_t>(i)]) || (given && is_corner(i))) breaks.push_back(i);
+            const Along& before = along_[at((i + size_ - 1) % size_)];
+            if (!before.goes_on_in(along_[at(i)]) || (given && is_corner(i))) breaks.push_back(i);
         }
         return breaks;
     }
@@ -134,15 +130,14 @@ class Finder {
 
     void add(int from, int to, bool closed) {
         Zigzag zigzag{index_, tile_.name, {}, closed, from % size_, {}, {}, 0, 0, 0};
-        const int mate = along_[static_cast<std::size_t>(from % size_)].mate;
-        if (mate >= 0) zigzag.mate = tiles_[static_cast<std::size_t>(mate)]->name;
-        for (int i = from; i < to + (closed ? 0 : 1); ++i)
-            zigzag.vertices.push_back(tile_.boundary[static_cast<std::size_t>(i % size_)]);
+        const int mate = along_[at(from % size_)].mate;
+        if (mate >= 0) zigzag.mate = tiles_[at(mate)]->name;
+        for (int i = from; i < to + (closed ? 0 : 1); ++i) zigzag.vertices.push_back(tile_.boundary[at(i % size_)]);
         double longest = 0;
         for (int i = from; i < to; ++i) {
-            const int seam = along_[static_cast<std::size_t>(i % size_)].seam;
+            const int seam = along_[at(i % size_)].seam;
             if (seam >= 0) {
-                const std::string& id = seams_[static_cast<std::size_t>(seam)].id;
+                const std::string& id = seams_[at(seam)].id;
                 if (zigzag.seams.empty() || zigzag.seams.back() != id) zigzag.seams.push_back(id);
             }
             const double edge = (point(i + 1) - point(i)).norm();

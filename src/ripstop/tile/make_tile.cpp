@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
@@ -67,7 +68,7 @@ std::vector<Chain> cut_into_chains(const std::vector<int>& boundary, const std::
         int end = corners[(c + 1) % corners.size()];
         if (end <= corners[c]) end += count;
         Chain chain;
-        for (int i = corners[c]; i <= end; ++i) chain.vertices.push_back(boundary[static_cast<std::size_t>(i % count)]);
+        for (int i = corners[c]; i <= end; ++i) chain.vertices.push_back(boundary[at(i % count)]);
         chains.push_back(std::move(chain));
     }
     return chains;

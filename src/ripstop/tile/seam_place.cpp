@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ripstop/base/index.h"
 #include "ripstop/tile/targets.h"
 
 namespace ripstop {
@@ -33,14 +34,14 @@ bool start_is_told(const SeamSide& side, const Eigen::VectorXd& drawn) {
 /// The fraction of its edge at which the first part of a side starts.
 double start_share(const std::vector<FlatTile>& tiles, const Seam& seam, bool second) {
     const SeamSide& side = second ? seam.b : seam.a;
-    const Tile& tile = tiles[static_cast<std::size_t>(side.tile)].tile;
+    const Tile& tile = tiles[at(side.tile)].tile;
     const Eigen::VectorXd drawn = drawn_lengths(tile);
     const SeamPart& first = side.parts.front();
     const double share = first.length / drawn[first.edge];
     if (start_is_told(side, drawn)) return std::max(0.0, 1 - share);
     // A single part within an edge: the other side runs the opposite way, so its end is where this one starts.
     const SeamSide& other = second ? seam.a : seam.b;
-    const Tile& mate = tiles[static_cast<std::size_t>(other.tile)].tile;
+    const Tile& mate = tiles[at(other.tile)].tile;
     const SeamPart& last = other.parts.back();
     const double reach = other.parts.size() > 1 ? last.length / drawn_lengths(mate)[last.edge] : 1;
     const Vec3 start = point_on(mate.mesh.positions, mate, {last.edge, std::min(1.0, reach)});
@@ -51,7 +52,7 @@ double start_share(const std::vector<FlatTile>& tiles, const Seam& seam, bool se
 
 BoundaryPlace place_on_side(const std::vector<FlatTile>& tiles, const Seam& seam, bool second, double along) {
     const SeamSide& side = second ? seam.b : seam.a;
-    const Eigen::VectorXd drawn = drawn_lengths(tiles[static_cast<std::size_t>(side.tile)].tile);
+    const Eigen::VectorXd drawn = drawn_lengths(tiles[at(side.tile)].tile);
     double left = std::clamp(second ? seam.length - along : along, 0.0, seam.length);
     for (std::size_t i = 0; i < side.parts.size(); ++i) {
         const SeamPart& part = side.parts[i];

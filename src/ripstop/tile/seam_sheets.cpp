@@ -11,7 +11,7 @@ std::vector<std::vector<SeamSheet>> sheets_of_seams(const std::vector<Seam>& sea
     for (std::size_t s = 0; s < seams.size(); ++s) {
         const Seam& seam = seams[s];
         if (seam.into) {
-            sheets[static_cast<std::size_t>(seam.into->seam)].push_back(
+            sheets[at(seam.into->seam)].push_back(
                 {&seam, &seam.a, seam.into->from, seam.into->from + seam.length, seam.into->backwards});
             continue;
         }

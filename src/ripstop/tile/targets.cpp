@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/boundary.h"
@@ -34,15 +35,14 @@ Eigen::Matrix2Xd warp_in_triangles(const Tile& tile) {
 std::vector<Mat22> target_triangles(const Tile& tile) {
     std::vector<Mat22> targets(static_cast<std::size_t>(tile.mesh.triangle_count()));
     for (int t = 0; t < tile.mesh.triangle_count(); ++t)
-        targets[static_cast<std::size_t>(t)] =
-            lay_flat(tile.mesh.corner(t, 0), tile.mesh.corner(t, 1), tile.mesh.corner(t, 2));
+        targets[at(t)] = lay_flat(tile.mesh.corner(t, 0), tile.mesh.corner(t, 1), tile.mesh.corner(t, 2));
     const Compensation& given = tile.compensation;
     const bool is_strained = given.strain.rows() > 0;
     if (given.warp == 0 && given.weft == 0 && !is_strained) return targets;
     const Eigen::Matrix2Xd warp = warp_in_triangles(tile);
     for (int t = 0; t < tile.mesh.triangle_count(); ++t) {
         const Vec2 along = warp.col(t), across(-along.y(), along.x());
-        Mat22 target = targets[static_cast<std::size_t>(t)];
+        Mat22 target = targets[at(t)];
         if (is_strained) {
             Mat22 axes;
             axes << along, across;
@@ -50,7 +50,7 @@ std::vector<Mat22> target_triangles(const Tile& tile) {
         }
         const Mat22 longer =
             Mat22::Identity() + given.warp * along * along.transpose() + given.weft * across * across.transpose();
-        targets[static_cast<std::size_t>(t)] = longer * target;
+        targets[at(t)] = longer * target;
     }
     return targets;
 }

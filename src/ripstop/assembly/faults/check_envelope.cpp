@@ -9,6 +9,7 @@
 #include "ripstop/assembly/faults/loose_edges.h"
 #include "ripstop/assembly/seams/seam_runs.h"
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/tile/allowance.h"
 #include "ripstop/tile/seam_sheets.h"
@@ -44,7 +45,7 @@ bool names_unit(const std::vector<Tile>& tiles, const UnitRead& read, EnvelopeCh
 /// True for a seam within one tile that has no gap and ends where its two sides come together.
 bool is_crack(const std::vector<Tile>& tiles, const Seam& seam) {
     if (seam.a.tile != seam.b.tile || seam.gap > no_gap) return false;
-    const auto count = static_cast<int>(tiles[static_cast<std::size_t>(seam.a.tile)].boundary.size());
+    const auto count = static_cast<int>(tiles[at(seam.a.tile)].boundary.size());
     const auto meet = [count](const SeamSide& before, const SeamSide& after) {
         return (before.parts.back().edge + 1) % count == after.parts.front().edge;
     };
@@ -58,7 +59,7 @@ void note_cracks(const std::vector<Tile>& tiles, const std::vector<Seam>& seams,
     for (const Seam& seam : seams) {
         if (!is_crack(tiles, seam)) continue;
         ++cracks;
-        const std::string& name = tiles[static_cast<std::size_t>(seam.a.tile)].name;
+        const std::string& name = tiles[at(seam.a.tile)].name;
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
     if (cracks == 0) return;
@@ -91,7 +92,7 @@ void add_notes(EnvelopeCheck& check) {
 
 /// Which tiles are sewn into which seams, where more than two tiles meet on an edge.
 std::string further_sheets_text(const std::vector<Tile>& tiles, const std::vector<Seam>& seams) {
-    const auto name = [&](const SeamSheet& sheet) { return tiles[static_cast<std::size_t>(sheet.side->tile)].name; };
+    const auto name = [&](const SeamSheet& sheet) { return tiles[at(sheet.side->tile)].name; };
     std::vector<std::string> edges, first;
     for (const std::vector<SeamSheet>& sheets : sheets_of_seams(seams)) {
         if (sheets.size() < 3) continue;
@@ -169,7 +170,7 @@ int count_odd_corners(const std::vector<Tile>& tiles, const std::vector<Seam>& s
             if (before == last.end() || after == first.end()) continue;
             const End &p = before->second, &q = after->second;
             if (p.tile != q.tile || p.chain != q.chain || p.tile == static_cast<int>(t)) continue;
-            const int mate_count = static_cast<int>(tiles[static_cast<std::size_t>(p.tile)].boundary.size());
+            const int mate_count = static_cast<int>(tiles[at(p.tile)].boundary.size());
             odd += p.edge == q.edge || (q.edge + 1) % mate_count == p.edge;
         }
     }
@@ -183,7 +184,7 @@ int count_t_junctions(const std::vector<Tile>& tiles, const std::vector<Seam>& s
         for (const SeamSide* side : seam.own_sides()) ++seams_on[{side->tile, side->chain}];
     int junctions = 0;
     for (const auto& [chain, count] : seams_on) {
-        const Tile& tile = tiles[static_cast<std::size_t>(chain.first)];
+        const Tile& tile = tiles[at(chain.first)];
         const bool loop = tile.chains.size() == 1;
         junctions += loop ? (count > 1 ? count : 0) : count - 1;
     }

@@ -20,7 +20,7 @@ constexpr double corner_on_cloth = 40 * degree;
 constexpr double corner_reach = 4;  // in tolerances: how far from a corner of a hole the corners of its tiles may lie
 
 std::string name_of(const std::vector<Tile>& tiles, int tile) {
-    return tiles[static_cast<std::size_t>(tile)].name;
+    return tiles[at(tile)].name;
 }
 
 std::vector<std::string> names_of(const std::vector<Tile>& tiles, const std::vector<int>& members) {
@@ -102,7 +102,7 @@ std::vector<int> sewn_groups(int tiles, const std::vector<Seam>& seams) {
     for (int t = 0; t < tiles; ++t) {
         int& first = number[at(groups.root(t))];
         if (first < 0) first = count++;
-        number[static_cast<std::size_t>(t)] = first;
+        number[at(t)] = first;
     }
     return number;
 }
@@ -112,19 +112,19 @@ std::vector<EnvelopeIssue> name_gaps(const std::vector<Tile>& tiles, const Found
     std::vector<std::vector<int>> near(tiles.size()), misses_of(tiles.size());  // a tile and its neighbours; its misses
     for (std::size_t t = 0; t < tiles.size(); ++t) near[t].push_back(static_cast<int>(t));
     for (const Seam& seam : found.seams) {
-        near[static_cast<std::size_t>(seam.a.tile)].push_back(seam.b.tile);
-        near[static_cast<std::size_t>(seam.b.tile)].push_back(seam.a.tile);
+        near[at(seam.a.tile)].push_back(seam.b.tile);
+        near[at(seam.b.tile)].push_back(seam.a.tile);
     }
     for (std::size_t i = 0; i < misses.size(); ++i) {
-        misses_of[static_cast<std::size_t>(misses[i].tile_a)].push_back(static_cast<int>(i));
-        misses_of[static_cast<std::size_t>(misses[i].tile_b)].push_back(static_cast<int>(i));
+        misses_of[at(misses[i].tile_a)].push_back(static_cast<int>(i));
+        misses_of[at(misses[i].tile_b)].push_back(static_cast<int>(i));
     }
     UnionFind groups(misses.size());
     for (std::size_t i = 0; i < misses.size(); ++i) {
-        const std::vector<int>& beside = near[static_cast<std::size_t>(misses[i].tile_b)];
-        for (const int tile : near[static_cast<std::size_t>(misses[i].tile_a)])
-            for (const int j : misses_of[static_cast<std::size_t>(tile)]) {
-                const NearMiss& other = misses[static_cast<std::size_t>(j)];
+        const std::vector<int>& beside = near[at(misses[i].tile_b)];
+        for (const int tile : near[at(misses[i].tile_a)])
+            for (const int j : misses_of[at(tile)]) {
+                const NearMiss& other = misses[at(j)];
                 const int across = other.tile_a == tile ? other.tile_b : other.tile_a;
                 if (std::find(beside.begin(), beside.end(), across) != beside.end())
                     groups.join(static_cast<int>(i), j);
@@ -253,7 +253,7 @@ std::vector<EnvelopeIssue> name_strays(const std::vector<Tile>& tiles, const Fou
     if (found.seams.empty() && found.near_misses.empty()) return {unsewn_issue(tiles.size(), sewn_as_given)};
     const std::vector<int> group = sewn_groups(count, found.seams);
     std::vector<std::vector<int>> members(static_cast<std::size_t>(*std::max_element(group.begin(), group.end()) + 1));
-    for (int t = 0; t < count; ++t) members[static_cast<std::size_t>(group[static_cast<std::size_t>(t)])].push_back(t);
+    for (int t = 0; t < count; ++t) members[at(group[at(t)])].push_back(t);
     const auto largest = std::max_element(members.begin(), members.end(),
                                           [](const auto& p, const auto& q) { return p.size() < q.size(); });
     UnionFind near(tiles.size());  // groups that a gap already names are not reported again

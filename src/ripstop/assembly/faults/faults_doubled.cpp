@@ -6,6 +6,7 @@
 
 #include "ripstop/assembly/faults/faults.h"
 #include "ripstop/assembly/seams/seam_runs.h"
+#include "ripstop/base/index.h"
 #include "ripstop/tile/make_tile.h"
 
 namespace ripstop {
@@ -56,12 +57,12 @@ std::vector<bool> groups_to_turn(const std::vector<int>& group, const std::vecto
     const std::size_t count = static_cast<std::size_t>(*std::max_element(group.begin(), group.end()) + 1);
     std::vector<std::vector<int>> beside(count);
     std::vector<int> size(count, 0), side(count, -1);
-    for (const int g : group) ++size[static_cast<std::size_t>(g)];
+    for (const int g : group) ++size[at(g)];
     for (const NearMiss& pair : same_way) {
-        const int a = group[static_cast<std::size_t>(pair.tile_a)], b = group[static_cast<std::size_t>(pair.tile_b)];
+        const int a = group[at(pair.tile_a)], b = group[at(pair.tile_b)];
         if (a == b) continue;
-        beside[static_cast<std::size_t>(a)].push_back(b);
-        beside[static_cast<std::size_t>(b)].push_back(a);
+        beside[at(a)].push_back(b);
+        beside[at(b)].push_back(a);
     }
     std::vector<bool> turn(count, false);
     for (std::size_t first = 0; first < count; ++first) {
@@ -71,10 +72,10 @@ std::vector<bool> groups_to_turn(const std::vector<int>& group, const std::vecto
         int tiles[2] = {size[first], 0};
         for (std::size_t k = 0; k < reached.size(); ++k)
             for (const int next : beside[reached[k]]) {
-                int& its = side[static_cast<std::size_t>(next)];
+                int& its = side[at(next)];
                 if (its >= 0) continue;
                 its = 1 - side[reached[k]];
-                tiles[its] += size[static_cast<std::size_t>(next)];
+                tiles[its] += size[at(next)];
                 reached.push_back(static_cast<std::size_t>(next));
             }
         const int fewer = tiles[1] <= tiles[0] ? 1 : 0;

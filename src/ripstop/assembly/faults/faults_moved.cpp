@@ -9,6 +9,7 @@
 #include "ripstop/assembly/faults/faults.h"
 #include "ripstop/assembly/faults/loose_edges.h"
 #include "ripstop/assembly/faults/tile_fit.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 
 namespace ripstop {
@@ -46,15 +47,14 @@ std::vector<Standing> standings(const Picture& picture) {
     for (std::size_t t = 0; t < all.size(); ++t) all[t].tile = static_cast<int>(t);
     for (const NearMiss& miss : picture.found.near_misses) {
         if (miss.tile_a == miss.tile_b) continue;
-        Standing& a = all[static_cast<std::size_t>(miss.tile_a)];
-        Standing& b = all[static_cast<std::size_t>(miss.tile_b)];
+        Standing& a = all[at(miss.tile_a)];
+        Standing& b = all[at(miss.tile_b)];
         a.missing_chains.insert(miss.chain_a);
         b.missing_chains.insert(miss.chain_b);
         a.missed_tiles.insert(miss.tile_b);
         b.missed_tiles.insert(miss.tile_a);
     }
-    for (const LooseRun& run : picture.found.loose)
-        all[static_cast<std::size_t>(run.tile)].loose += run.end - run.start;
+    for (const LooseRun& run : picture.found.loose) all[at(run.tile)].loose += run.end - run.start;
     std::stable_sort(all.begin(), all.end(), [](const Standing& p, const Standing& q) {
         return p.missing_chains.size() > q.missing_chains.size();
     });
@@ -122,14 +122,13 @@ std::optional<TileFit> fit_to_neighbours(const Picture& picture, int tile) {
             for (int v = 0; v <= chain.curve.edge_count(); ++v) vertices.push_back(chain.curve.points.row(v));
     }
     Points3 points(static_cast<Eigen::Index>(vertices.size()), 3);
-    for (Eigen::Index i = 0; i < points.rows(); ++i) points.row(i) = vertices[static_cast<std::size_t>(i)];
+    for (Eigen::Index i = 0; i < points.rows(); ++i) points.row(i) = vertices[at(i)];
     return lay_on(points, edges, {}, picture.tolerance, least_of_edge * shortest);
 }
 
 Points3 boundary_points(const Tile& tile) {
     Points3 points(static_cast<Eigen::Index>(tile.boundary.size()), 3);
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-        points.row(i) = tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>(i)]);
+    for (Eigen::Index i = 0; i < points.rows(); ++i) points.row(i) = tile.mesh.positions.row(tile.boundary[at(i)]);
     return points;
 }
 
@@ -183,7 +182,7 @@ double length_round(const Points3& polygon) {
 /// Fits the tile to the hole whose outline matches it best, at any scale.
 std::optional<TileFit> fit_to_hole(const Picture& picture, int tile, std::vector<int>& around) {
     const std::vector<Hole> holes = find_holes(picture, tile);
-    const Points3 points = boundary_points(picture.tiles[static_cast<std::size_t>(tile)]);
+    const Points3 points = boundary_points(picture.tiles[at(tile)]);
     std::optional<TileFit> best;
     for (const Hole& hole : holes) {
         const Similarity start = match_outlines(points, hole.outline);
@@ -246,7 +245,7 @@ std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found
         for (const Standing& standing : standings(picture)) {
             const int t = standing.tile;
             const bool misses = standing.missing_chains.size() >= 2 && standing.missed_tiles.size() >= 2;
-            const bool free = standing.mostly_loose(tiles[static_cast<std::size_t>(t)]);
+            const bool free = standing.mostly_loose(tiles[at(t)]);
             if (settled.contains(t) || (!misses && !free)) continue;
             std::optional<TileFit> fit;
             std::vector<int> around(standing.missed_tiles.begin(), standing.missed_tiles.end());
@@ -256,17 +255,17 @@ std::vector<EnvelopeIssue> move_back(std::vector<Tile>& tiles, FoundSeams& found
             std::vector<std::string> names;
             for (const int other : around) {
                 settled.insert(other);
-                const std::string& name = tiles[static_cast<std::size_t>(other)].name;
+                const std::string& name = tiles[at(other)].name;
                 if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
             }
             settled.insert(t);
-            issues.push_back(moved_issue(tiles[static_cast<std::size_t>(t)], fit->move, names));
+            issues.push_back(moved_issue(tiles[at(t)], fit->move, names));
             moves.emplace_back(t, fit->move);
         }
         if (moves.empty()) break;
         std::vector<Tile> mended = tiles;
         for (const auto& [t, move] : moves) {
-            Points3& positions = mended[static_cast<std::size_t>(t)].mesh.positions;
+            Points3& positions = mended[at(t)].mesh.positions;
             for (Eigen::Index v = 0; v < positions.rows(); ++v) positions.row(v) = move(positions.row(v).transpose());
         }
         FoundSeams mended_seams = find_seams(mended, options);

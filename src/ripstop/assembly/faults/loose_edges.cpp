@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "ripstop/base/index.h"
 #include "ripstop/mesh/boundary.h"
 
 namespace ripstop {
@@ -58,10 +59,10 @@ LooseLoop make_loop(const std::vector<Tile>& tiles, const std::vector<PlacedRun>
     LoopSums sums;
     Vec3 outward = Vec3::Zero();
     for (std::size_t i = 0; i < members.size(); ++i) {
-        const PlacedRun& run = runs[static_cast<std::size_t>(members[i])];
-        const PlacedRun& next = runs[static_cast<std::size_t>(members[(i + 1) % members.size()])];
+        const PlacedRun& run = runs[at(members[i])];
+        const PlacedRun& next = runs[at(members[(i + 1) % members.size()])];
         loop.tiles.push_back(run.run->tile);
-        outward += area_vector(tiles[static_cast<std::size_t>(run.run->tile)].mesh);
+        outward += area_vector(tiles[at(run.run->tile)].mesh);
         sums.add(run);
         if (i + 1 == members.size() && !closed) continue;
         sums.add_step(run.end, next.start);
@@ -81,12 +82,12 @@ LooseLoop make_loop(const std::vector<Tile>& tiles, const std::vector<PlacedRun>
 
 /// The free run that starts nearest to the end of `from`; -1 if none is near.
 int nearest_start(const std::vector<PlacedRun>& runs, const std::vector<bool>& taken, int from, double tolerance) {
-    const PlacedRun& run = runs[static_cast<std::size_t>(from)];
+    const PlacedRun& run = runs[at(from)];
     int best = -1;
     double nearest = std::numeric_limits<double>::infinity();
     for (int r = 0; r < static_cast<int>(runs.size()); ++r) {
-        const PlacedRun& other = runs[static_cast<std::size_t>(r)];
-        if (other.closed || taken[static_cast<std::size_t>(r)]) continue;
+        const PlacedRun& other = runs[at(r)];
+        if (other.closed || taken[at(r)]) continue;
         const double reach = std::max(20 * tolerance, 0.05 * std::max(run.length, other.length));
         const double distance = (other.start - run.end).norm();
         if (distance > reach || !(distance < nearest)) continue;
@@ -169,19 +170,19 @@ std::vector<LooseLoop> find_loops(const std::vector<Tile>& tiles, const std::vec
         if (runs_of_loop) runs_of_loop->push_back(members);
     };
     for (int first = 0; first < static_cast<int>(runs.size()); ++first) {
-        if (taken[static_cast<std::size_t>(first)]) continue;
-        if (runs[static_cast<std::size_t>(first)].closed) {
+        if (taken[at(first)]) continue;
+        if (runs[at(first)].closed) {
             keep({first}, true);
             continue;
         }
         std::vector<int> members{first};
         int next = nearest_start(runs, taken, first, tolerance);
         while (next >= 0 && next != first) {
-            taken[static_cast<std::size_t>(next)] = true;
+            taken[at(next)] = true;
             members.push_back(next);
             next = nearest_start(runs, taken, next, tolerance);
         }
-        taken[static_cast<std::size_t>(first)] = true;
+        taken[at(first)] = true;
         keep(members, next == first);
     }
     return loops;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/angle.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/model/tile/corner_turn.h"
@@ -118,8 +119,7 @@ double turn_of_normal(const TriangleMesh& mesh, int from, int to) {
 ChainCurve make_chain_curve(const Tile& tile, const Chain& chain) {
     ChainCurve curve;
     curve.points.resize(chain.edge_count() + 1, 3);
-    for (int i = 0; i <= chain.edge_count(); ++i)
-        curve.points.row(i) = tile.mesh.positions.row(chain.vertices[static_cast<std::size_t>(i)]);
+    for (int i = 0; i <= chain.edge_count(); ++i) curve.points.row(i) = tile.mesh.positions.row(chain.vertices[at(i)]);
     curve.closed = is_without_corner(tile, curve.points);
     set_tangents(curve);
     curve.stations = Eigen::VectorXd::Zero(chain.edge_count() + 1);

@@ -89,7 +89,7 @@ int ClothAcross::Surface::go_on(const WalkPlane& plane, int h, WalkState& walk) 
 }
 
 /// A place on a boundary, on the mesh: straight edges replace the chain's curve.
-struct ClothAcross::Place {
+struct ClothAcross::WalkEnd {
     int tile, chain, edge;  ///< index of the edge in the boundary
     int vertex;             ///< -1: inside the edge
     Vec3 point;
@@ -120,7 +120,7 @@ const ClothAcross::Surface& ClothAcross::surface(int tile) const {
     return *known;
 }
 
-ClothAcross::Place ClothAcross::place_on(int chain, double at) const {
+ClothAcross::WalkEnd ClothAcross::place_on(int chain, double at) const {
     const PlacedChain& placed = chains_[static_cast<std::size_t>(chain)];
     const Tile& tile = tiles_[static_cast<std::size_t>(placed.tile)];
     const int local = static_cast<int>(std::floor(at));
@@ -128,7 +128,7 @@ ClothAcross::Place ClothAcross::place_on(int chain, double at) const {
         return tile.boundary[static_cast<std::size_t>((placed.first_edge + k) % placed.boundary_edges)];
     };
     const Vec3 start = tile.mesh.positions.row(vertex(local));
-    Place place{placed.tile, chain, (placed.first_edge + local) % placed.boundary_edges, -1, start};
+    WalkEnd place{placed.tile, chain, (placed.first_edge + local) % placed.boundary_edges, -1, start};
     if (at == local)
         place.vertex = vertex(local);
     else
@@ -137,7 +137,7 @@ ClothAcross::Place ClothAcross::place_on(int chain, double at) const {
 }
 
 /// Starts a walk at a place on the boundary, across its tile. Returns the boundary half-edge it reaches, or -1.
-int ClothAcross::set_out(const WalkPlane& plane, const Place& from, WalkState& walk) const {
+int ClothAcross::set_out(const WalkPlane& plane, const WalkEnd& from, WalkState& walk) const {
     const Surface& on = *walk.on;
     if (from.vertex < 0) {
         const int h = on.half_edge(from.edge);
@@ -175,7 +175,7 @@ int ClothAcross::cross_seam(const WalkPlane& plane, int edge, double reach, Walk
     return beyond->go_on(plane, into, walk);
 }
 
-bool ClothAcross::walk_arrives(const Place& from, const Place& to, bool zero_is_left) const {
+bool ClothAcross::walk_arrives(const WalkEnd& from, const WalkEnd& to, bool zero_is_left) const {
     WalkState walk{&surface(from.tile), from.point, longest_way * (to.point - from.point).norm()};
     const double reach = off_place / longest_way * walk.left;
     Vec3 normal = Vec3::Zero();
@@ -201,9 +201,9 @@ bool ClothAcross::walk_arrives(const Place& from, const Place& to, bool zero_is_
 }
 
 bool ClothAcross::joins(const Touch& touch) const {
-    const Place a = place_on(touch.a, touch.at_a), b = place_on(touch.b, touch.at_b);
+    const WalkEnd a = place_on(touch.a, touch.at_a), b = place_on(touch.b, touch.at_b);
     if (!((a.point - b.point).norm() > 0)) return false;
-    for (const Place* place : {&a, &b})
+    for (const WalkEnd* place : {&a, &b})
         if (surface(place->tile).tile.mesh.triangle_count() == 0) return false;
     return walk_arrives(a, b, false) || walk_arrives(a, b, true) || walk_arrives(b, a, false) ||
            walk_arrives(b, a, true);

@@ -39,12 +39,12 @@ class ClothAcross {
     struct WalkPlane;
     struct WalkState;
     struct Surface;
-    struct Place;
+    struct WalkEnd;
     const Surface& surface(int tile) const;
-    Place place_on(int chain, double at) const;
-    int set_out(const WalkPlane& plane, const Place& from, WalkState& walk) const;
+    WalkEnd place_on(int chain, double at) const;
+    int set_out(const WalkPlane& plane, const WalkEnd& from, WalkState& walk) const;
     int cross_seam(const WalkPlane& plane, int edge, double reach, WalkState& walk) const;
-    bool walk_arrives(const Place& from, const Place& to, bool zero_is_left) const;
+    bool walk_arrives(const WalkEnd& from, const WalkEnd& to, bool zero_is_left) const;
 
     const std::vector<Tile>& tiles_;
     const std::vector<PlacedChain>& chains_;

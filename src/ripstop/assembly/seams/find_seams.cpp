@@ -13,6 +13,7 @@
 #include "ripstop/assembly/seams/sewn_in.h"
 #include "ripstop/assembly/seams/sheets.h"
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 
 namespace ripstop {
@@ -43,9 +44,7 @@ std::vector<Run> runs_where(const std::vector<PlacedChain>& chains, const std::v
 /// The names of a run's tiles, in alphabetical order.
 std::pair<std::string, std::string> names_of(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains,
                                              const Run& run) {
-    const auto name = [&](int chain) {
-        return tiles[static_cast<std::size_t>(chains[static_cast<std::size_t>(chain)].tile)].name;
-    };
+    const auto name = [&](int chain) { return tiles[at(chains[at(chain)].tile)].name; };
     return std::minmax(name(run.a), name(run.b));
 }
 
@@ -139,8 +138,8 @@ Vec3 outward_at(const Tile& tile, const PlacedChain& placed, double at) {
 }
 
 NearMiss near_miss(const std::vector<Tile>& tiles, const std::vector<PlacedChain>& chains, const Run& run) {
-    const PlacedChain& a = chains[static_cast<std::size_t>(run.a)];
-    const PlacedChain& b = chains[static_cast<std::size_t>(run.b)];
+    const PlacedChain& a = chains[at(run.a)];
+    const PlacedChain& b = chains[at(run.b)];
     const Touch& worst = *std::max_element(run.touches.begin(), run.touches.end(),
                                            [](const Touch& p, const Touch& q) { return p.distance < q.distance; });
     return {a.tile,
@@ -151,7 +150,7 @@ NearMiss near_miss(const std::vector<Tile>& tiles, const std::vector<PlacedChain
             run.gap,
             (point_at(a.curve, worst.at_a) + point_at(b.curve, worst.at_b)) / 2,
             (point_at(a.curve, worst.at_a) - point_at(b.curve, worst.at_b))
-                .dot(outward_at(tiles[static_cast<std::size_t>(a.tile)], a, worst.at_a))};
+                .dot(outward_at(tiles[at(a.tile)], a, worst.at_a))};
 }
 
 std::string seam_id(std::size_t index, std::size_t count) {

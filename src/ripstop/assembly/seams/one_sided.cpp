@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 
 namespace ripstop {
@@ -21,8 +22,8 @@ std::array<Vec3, 2 * half_sphere> directions() {
     const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
     for (int k = 0; k < half_sphere; ++k) {
         const double z = (k + 0.5) / half_sphere, radius = std::sqrt(1 - z * z);
-        found[static_cast<std::size_t>(k)] = Vec3(radius * std::cos(golden * k), radius * std::sin(golden * k), z);
-        found[static_cast<std::size_t>(k + half_sphere)] = -found[static_cast<std::size_t>(k)];
+        found[at(k)] = Vec3(radius * std::cos(golden * k), radius * std::sin(golden * k), z);
+        found[at(k + half_sphere)] = -found[at(k)];
     }
     return found;
 }

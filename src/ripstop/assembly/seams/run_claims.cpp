@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
@@ -23,8 +25,8 @@ RunClaims::RunClaims(const std::vector<PlacedChain>& chains, const std::vector<R
       sewn_(chains.size()),
       on_seam_(chains.size()) {
     for (std::size_t r = 0; r < beside.size(); ++r) {
-        beside_on_[static_cast<std::size_t>(beside[r].a)].push_back(r);
-        if (beside[r].b != beside[r].a) beside_on_[static_cast<std::size_t>(beside[r].b)].push_back(r);
+        beside_on_[at(beside[r].a)].push_back(r);
+        if (beside[r].b != beside[r].a) beside_on_[at(beside[r].b)].push_back(r);
     }
 }
 
@@ -41,22 +43,22 @@ void RunClaims::take(const Run& run) {
 }
 
 void RunClaims::take(int chain, double from, double to) {
-    const ChainCurve& curve = chains_[static_cast<std::size_t>(chain)].curve;
-    sewn_[static_cast<std::size_t>(chain)].push_back({station_at(curve, from), station_at(curve, to)});
+    const ChainCurve& curve = chains_[at(chain)].curve;
+    sewn_[at(chain)].push_back({station_at(curve, from), station_at(curve, to)});
 }
 
 void RunClaims::take_beside(const Run& run, int chain, double from, double to) {
-    const ChainCurve& curve = chains_[static_cast<std::size_t>(chain)].curve;
+    const ChainCurve& curve = chains_[at(chain)].curve;
     const double lap = curve.closed ? curve.edge_count() : 0;
-    for (const std::size_t r : beside_on_[static_cast<std::size_t>(chain)]) {
+    for (const std::size_t r : beside_on_[at(chain)]) {
         const Run& other = beside_[r];
         const bool by_b = other.b == chain;
         const int across = by_b ? other.a : other.b;
         if (is_of_one_tile(across, run)) continue;  // a pleat: its layers are sewn to each other
-        const ChainCurve& its = chains_[static_cast<std::size_t>(across)].curve;
+        const ChainCurve& its = chains_[at(across)].curve;
         for (const double turn : {-lap, 0.0, lap}) {
             if (const auto part = cut_run(chains_, other, by_b, from + turn, to + turn))
-                on_seam_[static_cast<std::size_t>(across)].push_back(
+                on_seam_[at(across)].push_back(
                     by_b ? std::pair(station_at(its, part->start_a()), station_at(its, part->end_a()))
                          : std::pair(station_at(its, part->low_b), station_at(its, part->high_b)));
             if (lap == 0) break;
@@ -65,7 +67,7 @@ void RunClaims::take_beside(const Run& run, int chain, double from, double to) {
 }
 
 bool RunClaims::is_of_one_tile(int chain, const Run& run) const {
-    const auto tile = [this](int c) { return chains_[static_cast<std::size_t>(c)].tile; };
+    const auto tile = [this](int c) { return chains_[at(c)].tile; };
     return tile(chain) == tile(run.a) || tile(chain) == tile(run.b);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ripstop/assembly/seams/limits.h"
+#include "ripstop/base/index.h"
 #include "ripstop/mesh/boundary.h"
 
 namespace ripstop {
@@ -12,7 +13,7 @@ namespace {
 constexpr double same_place = 1e-6;  // share of the seam's length: vertices this close coincide
 
 const PlacedChain& chain_of(const std::vector<PlacedChain>& chains, int c) {
-    return chains[static_cast<std::size_t>(c)];
+    return chains[at(c)];
 }
 
 double at_vertex(const ChainCurve& curve, double at, double tolerance) {
@@ -75,8 +76,7 @@ std::vector<double> projected(const ChainCurve& master, const ChainCurve& other,
         const double mine = master_is_a ? touch.at_b : touch.at_a;
         const auto found = std::lower_bound(breaks.begin() + 1, breaks.end() - 1, mine);
         if (found == breaks.end() - 1 || *found != mine) continue;
-        places[static_cast<std::size_t>(found - breaks.begin())] =
-            station_at(master, master_is_a ? touch.at_a : touch.at_b);
+        places[at(found - breaks.begin())] = station_at(master, master_is_a ? touch.at_a : touch.at_b);
     }
     const double from = station_at(other, breaks.front()), to = station_at(other, breaks.back());
     const double stretch = (high - low) / (to - from);

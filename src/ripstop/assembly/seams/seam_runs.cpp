@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 
 namespace ripstop {
@@ -87,14 +88,14 @@ void join_over_starts(std::vector<Run>& runs, const Joiner& join) {
 std::vector<PlacedChain> place_chains(const std::vector<Tile>& tiles) {
     std::vector<std::vector<PlacedChain>> found(tiles.size());
     parallel_for(static_cast<int>(tiles.size()), 0, [&](int t) {
-        const Tile& tile = tiles[static_cast<std::size_t>(t)];
+        const Tile& tile = tiles[at(t)];
         const auto begin = tile.boundary.begin();
         const int count = static_cast<int>(tile.boundary.size());
         int first = 0;
         for (int c = 0; c < static_cast<int>(tile.chains.size()); ++c) {
-            const Chain& chain = tile.chains[static_cast<std::size_t>(c)];
+            const Chain& chain = tile.chains[at(c)];
             if (c == 0) first = static_cast<int>(std::find(begin, tile.boundary.end(), chain.vertices.front()) - begin);
-            found[static_cast<std::size_t>(t)].push_back({t, c, first, count, make_chain_curve(tile, chain)});
+            found[at(t)].push_back({t, c, first, count, make_chain_curve(tile, chain)});
             first = (first + chain.edge_count()) % count;
         }
     });
@@ -106,8 +107,7 @@ std::vector<PlacedChain> place_chains(const std::vector<Tile>& tiles) {
 
 std::vector<Run> join_touches(const std::vector<PlacedChain>& chains, std::vector<Touch> touches, double tolerance) {
     if (touches.size() < 2) return {};
-    const Joiner join{chains[static_cast<std::size_t>(touches.front().a)].curve,
-                      chains[static_cast<std::size_t>(touches.front().b)].curve, tolerance};
+    const Joiner join{chains[at(touches.front().a)].curve, chains[at(touches.front().b)].curve, tolerance};
     std::vector<Run> runs;
     std::vector<std::size_t> open;
     for (const Touch& touch : touches) {
@@ -159,7 +159,7 @@ std::optional<Run> cut_run(const std::vector<PlacedChain>& chains, const Run& ru
         if (key(touch) >= low && key(touch) <= high) part.touches.push_back(touch);
     }
     if (part.touches.size() < 2) return {};
-    measure(part, chains[static_cast<std::size_t>(run.a)].curve, chains[static_cast<std::size_t>(run.b)].curve);
+    measure(part, chains[at(run.a)].curve, chains[at(run.b)].curve);
     return part;
 }
 

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "ripstop/assembly/seams/limits.h"
+#include "ripstop/base/index.h"
 
 namespace ripstop {
 namespace {
@@ -13,7 +14,7 @@ constexpr double shortest_edge = 0.25;  // share of the shorter of the sheet's c
 constexpr double same_vertex = 1e-9;    // share of an edge
 
 const ChainCurve& curve_of(const std::vector<PlacedChain>& chains, int c) {
-    return chains[static_cast<std::size_t>(c)].curve;
+    return chains[at(c)].curve;
 }
 
 /// A side of a seam as an ascending run of its chain.
@@ -60,9 +61,9 @@ bool ends_well(const std::vector<PlacedChain>& chains, const SewnInRun& sheet, c
 void add_along(const std::vector<PlacedChain>& chains, const Run& run, std::size_t seam, bool on_side_b,
                const RunOnSeam& place, double tolerance, std::vector<SewnInRun>& found) {
     const Side side = side_of(place, on_side_b);
-    const int own = chains[static_cast<std::size_t>(run.a)].tile;
+    const int own = chains[at(run.a)].tile;
     for (const int chain : {place.a, place.b})
-        if (chains[static_cast<std::size_t>(chain)].tile == own) return;
+        if (chains[at(chain)].tile == own) return;
     const ChainCurve &sheet = curve_of(chains, run.a), &skin = curve_of(chains, run.b);
     const double lap = skin.closed ? skin.edge_count() : 0;
     for (const double turn : {-lap, 0.0, lap}) {
@@ -146,13 +147,12 @@ std::vector<SewnInRun> find_sewn_in(const std::vector<PlacedChain>& chains, cons
                                     const std::vector<RunOnSeam>& places, double tolerance, RunClaims& claims) {
     std::vector<std::vector<std::pair<std::size_t, bool>>> seams_on(chains.size());
     for (std::size_t s = 0; s < places.size(); ++s)
-        for (const bool b : {false, true})
-            seams_on[static_cast<std::size_t>(b ? places[s].b : places[s].a)].push_back({s, b});
+        for (const bool b : {false, true}) seams_on[at(b ? places[s].b : places[s].a)].push_back({s, b});
     std::vector<SewnInRun> found;
     for (const Run& run : opposed)
         for (const bool from_b : {false, true}) {
             const Run seen = from_b ? seen_from_b(run) : run;
-            for (const auto& [seam, b] : seams_on[static_cast<std::size_t>(seen.b)])
+            for (const auto& [seam, b] : seams_on[at(seen.b)])
                 add_along(chains, seen, seam, b, places[seam], tolerance, found);
         }
     std::sort(found.begin(), found.end(), [](const SewnInRun& p, const SewnInRun& q) {

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "ripstop/assembly/seams/seam_runs.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 
 namespace ripstop {
@@ -43,7 +44,7 @@ class EdgeGrid {
   public:
     EdgeGrid(const std::vector<PlacedChain>& chains, const Reach& reach) : size_(cell_size(chains, reach)) {
         for (int c = 0; c < static_cast<int>(chains.size()); ++c) {
-            const ChainCurve& curve = chains[static_cast<std::size_t>(c)].curve;
+            const ChainCurve& curve = chains[at(c)].curve;
             for (int e = 0; e < curve.edge_count(); ++e)
                 add(curve, {c, e}, reach(curve, curve) + most_slack(curve, e, reach));
         }
@@ -89,8 +90,7 @@ class EdgeGrid {
     }
     Cell cell(const Eigen::Array3d& point) const {
         Cell result;
-        for (int k = 0; k < 3; ++k)
-            result[static_cast<std::size_t>(k)] = static_cast<long>(std::floor(point[k] / size_));
+        for (int k = 0; k < 3; ++k) result[at(k)] = static_cast<long>(std::floor(point[k] / size_));
         return result;
     }
 
@@ -235,8 +235,7 @@ Reach make_reach(const std::vector<PlacedChain>& chains, double tolerance) {
 std::vector<Touch> find_touches(const std::vector<PlacedChain>& chains, double tolerance) {
     const TouchFinder finder(chains, tolerance);
     std::vector<std::vector<Touch>> found(chains.size());
-    parallel_for(static_cast<int>(chains.size()), 0,
-                 [&](int c) { found[static_cast<std::size_t>(c)] = finder.of_chain(c); });
+    parallel_for(static_cast<int>(chains.size()), 0, [&](int c) { found[at(c)] = finder.of_chain(c); });
     std::vector<Touch> touches;
     for (const std::vector<Touch>& some : found) touches.insert(touches.end(), some.begin(), some.end());
     std::sort(touches.begin(), touches.end(), [](const Touch& p, const Touch& q) {

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/range.h"
-#include "ripstop/design/tools/strip.h"
+#include "ripstop/design/tools/panel_rows.h"
 
 namespace ripstop {
 namespace {
@@ -193,7 +194,7 @@ std::vector<NamedMesh> design_natural(const EnvelopeDesign& design) {
     for (int gore = 0; gore < design.gores; ++gore)
         for (int j = 0; j < panels; ++j)
             tiles.push_back({numbered('G', gore + 1, design.gores) + numbered('P', j + 1, panels),
-                             panel_mesh(design, grids[static_cast<std::size_t>(j)], gore),
+                             panel_mesh(design, grids[at(j)], gore),
                              {}});
     return tiles;
 }

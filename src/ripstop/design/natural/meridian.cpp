@@ -144,10 +144,6 @@ MeridianPoint MeridianEquation::slope(const MeridianPoint& at) const {
     return bulge > 0 ? lobed_slope(*this, at) : smooth_slope(*this, at);
 }
 
-double MeridianEquation::hoop_tension(const MeridianPoint& at) const {
-    return bulge > 0 ? buoyancy * at.z * at.r * std::sin(pi / tapes) / std::sin(bulge) : 0;
-}
-
 MeridianPoint MeridianEquation::step(const MeridianPoint& from, double length) const {
     return as_point(dormand_prince(*this, as_state(from), length).end);
 }

@@ -45,8 +45,6 @@ struct MeridianEquation {
     double bulge = 0;        ///< B, half-angle of the lobes [rad]; 0: smooth
 
     MeridianPoint slope(const MeridianPoint& at) const;
-    /// The hoop tension N_h = p rho of the lobes, with p = b z; 0 if smooth [N/m].
-    double hoop_tension(const MeridianPoint& at) const;
     /// One fifth-order Runge-Kutta step along the meridian (Dormand-Prince).
     MeridianPoint step(const MeridianPoint& from, double length) const;
 };

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "ripstop/base/index.h"
 #include "ripstop/design/special/special_levels.h"
 
 namespace ripstop {
@@ -47,8 +48,8 @@ class SpecialBody {
     };
     const SpecialShape& shape() const { return shape_; }
     const std::vector<Face>& faces() const { return faces_; }
-    int primitive_number(int face) const { return faces_[static_cast<std::size_t>(face)].primitive; }
-    const std::vector<int>& faces_of(int primitive) const { return faces_of_[static_cast<std::size_t>(primitive)]; }
+    int primitive_number(int face) const { return faces_[at(face)].primitive; }
+    const std::vector<int>& faces_of(int primitive) const { return faces_of_[at(primitive)]; }
 
     Level face_level(int face, const Vec3& x) const;
     Level solid_level(int primitive, const Vec3& x) const;

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
@@ -30,7 +31,7 @@ class Grid {
         for (int axis = 0; axis < 3; ++axis) {
             const double count = std::ceil((high[axis] - origin_[axis]) / step) + 2;
             nodes *= count;
-            count_[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::min(count, 1e8));
+            count_[at(axis)] = static_cast<std::int64_t>(std::min(count, 1e8));
         }
         if (!(nodes <= 20e6))
             throw InputError("the edge length is " + format_shortest(body.shape().edge_length / millimetre) +
@@ -70,9 +71,9 @@ class Marching {
     void tetrahedron(const std::array<Node, 4>& nodes) {
         std::vector<int> in;
         std::vector<int> out;
-        for (int k = 0; k < 4; ++k) (grid_.is_inside(nodes[static_cast<std::size_t>(k)]) ? in : out).push_back(k);
+        for (int k = 0; k < 4; ++k) (grid_.is_inside(nodes[at(k)]) ? in : out).push_back(k);
         if (in.empty() || out.empty()) return;
-        const auto node = [&](int k) { return nodes[static_cast<std::size_t>(k)]; };
+        const auto node = [&](int k) { return nodes[at(k)]; };
         const Vec3 outward = grid_.place(node(out[0])) - grid_.place(node(in[0]));
         if (in.size() == 2) {
             const int a = vertex(node(in[0]), node(out[0]));
@@ -114,8 +115,8 @@ class Marching {
     }
 
     void triangle(int a, int b, int c, const Vec3& outward) {
-        const Vec3& p = places_[static_cast<std::size_t>(a)];
-        const Vec3 normal = (places_[static_cast<std::size_t>(b)] - p).cross(places_[static_cast<std::size_t>(c)] - p);
+        const Vec3& p = places_[at(a)];
+        const Vec3 normal = (places_[at(b)] - p).cross(places_[at(c)] - p);
         if (normal.dot(outward) < 0) std::swap(b, c);
         triangles_.emplace_back(a, b, c);
     }
@@ -141,8 +142,7 @@ TriangleMesh march(const SpecialBody& body, double step) {
                     std::array<Node, 4> nodes;
                     nodes.fill({i, j, k});
                     for (std::size_t step_of = 1; step_of < 4; ++step_of)
-                        for (std::size_t later = step_of; later < 4; ++later)
-                            ++nodes[later][static_cast<std::size_t>(order[step_of - 1])];
+                        for (std::size_t later = step_of; later < 4; ++later) ++nodes[later][at(order[step_of - 1])];
                     marching.tetrahedron(nodes);
                 }
             }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/flatten/map/lscm.h"
 #include "ripstop/flatten/tools/finish.h"
@@ -56,7 +57,7 @@ class ForceBalance {
     Points2 step(const Points2& u) const {
         Eigen::MatrixXd right = Eigen::MatrixXd::Zero(mesh_.vertex_count(), 2);
         for (int t = 0; t < mesh_.triangle_count(); ++t) {
-            const auto& [area, N] = rest_[static_cast<std::size_t>(t)];
+            const auto& [area, N] = rest_[at(t)];
             Mat22 J = Mat22::Zero();
             for (int k = 0; k < 3; ++k) J += u.row(mesh_.triangles(t, k)).transpose() * N.col(k).transpose();
             const Vec2 turn = area * nearest_rotation(J);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ripstop/base/index.h"
 #include "ripstop/flatten/tools/finish.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/boundary.h"
@@ -38,8 +39,7 @@ class CotangentSystem {
         for (int t = 0; t < mesh_.triangle_count(); ++t)
             for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j)
-                    result.row(mesh_.triangles(t, i)) +=
-                        elements_[static_cast<std::size_t>(t)](i, j) * x.row(mesh_.triangles(t, j));
+                    result.row(mesh_.triangles(t, i)) += elements_[at(t)](i, j) * x.row(mesh_.triangles(t, j));
         return result;
     }
 
@@ -47,23 +47,22 @@ class CotangentSystem {
     void solve_inside(const Eigen::MatrixXd& right, Eigen::MatrixXd& x) const {
         if (inside_ == 0) return;
         for (Eigen::Index v = 0; v < x.rows(); ++v)
-            if (unknown_[static_cast<std::size_t>(v)] >= 0) x.row(v).setZero();
+            if (unknown_[at(v)] >= 0) x.row(v).setZero();
         const Eigen::MatrixXd known = product(x);
         Eigen::MatrixXd missing(inside_, x.cols());
         for (Eigen::Index v = 0; v < x.rows(); ++v)
-            if (const int u = unknown_[static_cast<std::size_t>(v)]; u >= 0)
-                missing.row(u) = right.row(v) - known.row(v);
+            if (const int u = unknown_[at(v)]; u >= 0) missing.row(u) = right.row(v) - known.row(v);
         const Eigen::MatrixXd found = solver_.solve_columns(missing);
         for (Eigen::Index v = 0; v < x.rows(); ++v)
-            if (const int u = unknown_[static_cast<std::size_t>(v)]; u >= 0) x.row(v) = found.row(u);
+            if (const int u = unknown_[at(v)]; u >= 0) x.row(v) = found.row(u);
     }
 
   private:
-    int unknown(int t, int corner) const { return unknown_[static_cast<std::size_t>(mesh_.triangles(t, corner))]; }
+    int unknown(int t, int corner) const { return unknown_[at(mesh_.triangles(t, corner))]; }
 
     std::vector<int> number_inside(const Tile& tile) {
         std::vector<int> unknown(static_cast<std::size_t>(tile.mesh.vertex_count()), 0);
-        for (const int v : tile.boundary) unknown[static_cast<std::size_t>(v)] = -1;
+        for (const int v : tile.boundary) unknown[at(v)] = -1;
         for (int& u : unknown)
             if (u == 0) u = inside_++;
         return unknown;
@@ -138,7 +137,7 @@ Flattening flatten_boundary_first(const Tile& tile) {
     system.solve_inside(-angle_defects(tile), scale);
     const Eigen::MatrixXd flow = system.product(scale);
     Eigen::VectorXd turning = surface_turning(tile.mesh, tile.boundary);
-    for (Eigen::Index i = 0; i < turning.size(); ++i) turning[i] += flow(tile.boundary[static_cast<std::size_t>(i)], 0);
+    for (Eigen::Index i = 0; i < turning.size(); ++i) turning[i] += flow(tile.boundary[at(i)], 0);
 
     const Points2 line = closed_line(target_lengths(tile), turning);
     Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(tile.mesh.vertex_count(), 2);

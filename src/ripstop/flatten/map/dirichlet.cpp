@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/energy/symmetric_dirichlet.h"
 #include "ripstop/flatten/map/tutte.h"
@@ -29,7 +30,7 @@ class DirichletProblem {
     double energy(const Vector& u) const {
         double sum = 0;
         for (int t = 0; t < mesh_.triangle_count() && std::isfinite(sum); ++t)
-            sum += symmetric_dirichlet_energy(rest_[static_cast<std::size_t>(t)], flat(u, t));
+            sum += symmetric_dirichlet_energy(rest_[at(t)], flat(u, t));
         return sum;
     }
 
@@ -82,13 +83,13 @@ bool DirichletProblem::newton_step(const Vector& u, Curvature curvature, double&
     gradient.setZero(u.size());
     energy = 0;
     for (int t = 0; t < mesh_.triangle_count(); ++t) {
-        const MembraneElement element = symmetric_dirichlet(rest_[static_cast<std::size_t>(t)], flat(u, t), curvature);
+        const MembraneElement element = symmetric_dirichlet(rest_[at(t)], flat(u, t), curvature);
         const auto slots = pattern_.slots(t);
         const auto corners = unknowns(mesh_, t);
         energy += element.energy;
         std::size_t entry = 0;
         for (int i = 0; i < 6; ++i) {
-            gradient[corners[static_cast<std::size_t>(i)]] += element.gradient[i];
+            gradient[corners[at(i)]] += element.gradient[i];
             for (int j = 0; j <= i; ++j) values[slots[entry++]] += element.hessian(i, j);
         }
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "ripstop/base/index.h"
 #include "ripstop/flatten/tools/finish.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/numeric/symmetric_solver.h"
@@ -36,7 +37,7 @@ std::array<int, 2> pins(const Tile& tile) {
                 lean = leans;
             }
         }
-    return {tile.boundary[static_cast<std::size_t>(best[0])], tile.boundary[static_cast<std::size_t>(best[1])]};
+    return {tile.boundary[at(best[0])], tile.boundary[at(best[1])]};
 }
 
 /// The conformal residual of a triangle: two linear functions of (ax, ay, bx, by, cx, cy) whose squares sum to A |∇v
@@ -47,7 +48,7 @@ Matrix26 conformal_residual(const TriangleMesh& mesh, int triangle) {
     const double scale = 1 / std::sqrt(2 * rest.determinant());
     Matrix26 residual;
     for (int k = 0; k < 3; ++k) {
-        const Vec2 w = scale * opposite[static_cast<std::size_t>(k)];
+        const Vec2 w = scale * opposite[at(k)];
         residual.middleCols<2>(2 * k) << w.x(), -w.y(), w.y(), w.x();
     }
     return residual;
@@ -59,8 +60,7 @@ Flattening flatten_lscm(const Tile& tile) {
     const TriangleMesh& mesh = tile.mesh;
     const std::array<int, 2> held = pins(tile);
     std::vector<int> unknown(static_cast<std::size_t>(mesh.vertex_count()));
-    for (int v = 0, next = 0; v < mesh.vertex_count(); ++v)
-        unknown[static_cast<std::size_t>(v)] = v == held[0] || v == held[1] ? -1 : next++;
+    for (int v = 0, next = 0; v < mesh.vertex_count(); ++v) unknown[at(v)] = v == held[0] || v == held[1] ? -1 : next++;
 
     Flattening flat;
     flat.positions = Points2::Zero(mesh.vertex_count(), 2);
@@ -73,9 +73,8 @@ Flattening flatten_lscm(const Tile& tile) {
         std::vector<int> members;
         for (int k = 0; k < 3; ++k)
             for (int axis = 0; axis < 2; ++axis) {
-                const int u = unknown[static_cast<std::size_t>(mesh.triangles(t, k))];
-                columns[static_cast<std::size_t>(t)][static_cast<std::size_t>(2 * k + axis)] =
-                    u < 0 ? -1 : 2 * u + axis;
+                const int u = unknown[at(mesh.triangles(t, k))];
+                columns[at(t)][at(2 * k + axis)] = u < 0 ? -1 : 2 * u + axis;
                 if (u >= 0) members.push_back(2 * u + axis);
             }
         couplings.add_element(members);
@@ -87,18 +86,18 @@ Flattening flatten_lscm(const Tile& tile) {
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         const Matrix26 residual = conformal_residual(mesh, t);
         const Eigen::Matrix<double, 6, 6> element = residual.transpose() * residual;
-        const auto& column = columns[static_cast<std::size_t>(t)];
+        const auto& column = columns[at(t)];
         Vector6 fixed = Vector6::Zero();
         for (int i = 0; i < 6; ++i)
-            if (column[static_cast<std::size_t>(i)] < 0) fixed[i] = flat.positions(mesh.triangles(t, i / 2), i % 2);
+            if (column[at(i)] < 0) fixed[i] = flat.positions(mesh.triangles(t, i / 2), i % 2);
         const Vector6 force = element * fixed;
         std::size_t entry = 0;
         const auto slots = pattern.slots(t);
         for (int i = 0; i < 6; ++i) {
-            if (column[static_cast<std::size_t>(i)] < 0) continue;
-            right[column[static_cast<std::size_t>(i)]] -= force[i];
+            if (column[at(i)] < 0) continue;
+            right[column[at(i)]] -= force[i];
             for (int j = 0; j <= i; ++j)
-                if (column[static_cast<std::size_t>(j)] >= 0) values[slots[entry++]] += element(i, j);
+                if (column[at(j)] >= 0) values[slots[entry++]] += element(i, j);
         }
     }
 
@@ -114,7 +113,7 @@ Flattening flatten_lscm(const Tile& tile) {
     x += solver.solve(right - product(pattern, values, x));  // one step of iterative refinement: lengths need the last
                                                              // digits, and it is cheap
     for (int v = 0; v < mesh.vertex_count(); ++v)
-        if (const int u = unknown[static_cast<std::size_t>(v)]; u >= 0) flat.positions.row(v) = x.segment<2>(2 * u);
+        if (const int u = unknown[at(v)]; u >= 0) flat.positions.row(v) = x.segment<2>(2 * u);
     scale_to_area(mesh, flat.positions);
     finish(tile, flat, Termination::converged, "one linear system solved");
     return flat;

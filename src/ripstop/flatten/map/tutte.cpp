@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ripstop/base/index.h"
 #include "ripstop/flatten/tools/barycentric.h"
 #include "ripstop/flatten/tools/finish.h"
 #include "ripstop/geometry/triangle.h"
@@ -38,7 +39,7 @@ double mean_value_weight(const TriangleMesh& mesh, int half_edge) {
 Eigen::VectorXd mean_value_weights(const TriangleMesh& mesh, const Adjacency& adjacency) {
     Eigen::VectorXd weights(static_cast<Eigen::Index>(adjacency.edges().size()));
     for (Eigen::Index e = 0; e < weights.size(); ++e) {
-        const int h = adjacency.edges()[static_cast<std::size_t>(e)];
+        const int h = adjacency.edges()[at(e)];
         weights[e] = mean_value_weight(mesh, h);
         if (!adjacency.is_boundary(h)) weights[e] += mean_value_weight(mesh, adjacency.twin(h));
     }

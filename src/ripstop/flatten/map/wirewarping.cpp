@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/flatten/tools/barycentric.h"
 #include "ripstop/flatten/tools/finish.h"
 #include "ripstop/mesh/boundary.h"
@@ -94,7 +95,7 @@ Flattening flatten_wirewarping(const Tile& tile, const WireWarpingOptions& optio
     const Adjacency adjacency(tile.mesh.triangles, tile.mesh.vertex_count());
     Vector weights(static_cast<Eigen::Index>(adjacency.edges().size()));
     for (Eigen::Index e = 0; e < weights.size(); ++e) {
-        const int h = adjacency.edges()[static_cast<std::size_t>(e)];
+        const int h = adjacency.edges()[at(e)];
         weights[e] = 1 / (tile.mesh.positions.row(adjacency.from(h)) - tile.mesh.positions.row(adjacency.to(h))).norm();
     }
     flat.summary.factorizations = 1;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "ripstop/base/index.h"
 #include "ripstop/energy/woven_membrane.h"
 #include "ripstop/mesh/change/flips.h"
 #include "ripstop/tile/targets.h"
@@ -50,11 +51,11 @@ class SplineGrid {
         Eigen::Matrix<double, 2, support> gradient;
     };
     Weights weights_at(const Vec2& p) const {
-        const Place x = place(p, 0), y = place(p, 1);
+        const CellPlace x = place(p, 0), y = place(p, 1);
         Weights weights;
         for (int i = 0, k = 0; i < 4; ++i)
             for (int j = 0; j < 4; ++j, ++k) {
-                weights.control[static_cast<std::size_t>(k)] = (x.cell + i) * (cells_[1] + 3) + y.cell + j;
+                weights.control[at(k)] = (x.cell + i) * (cells_[1] + 3) + y.cell + j;
                 weights.value[k] = x.value[i] * y.value[j];
                 weights.gradient(0, k) = x.slope[i] * y.value[j];
                 weights.gradient(1, k) = x.value[i] * y.slope[j];
@@ -63,11 +64,11 @@ class SplineGrid {
     }
 
   private:
-    struct Place {
+    struct CellPlace {
         int cell;
         Eigen::Vector4d value, slope;
     };
-    Place place(const Vec2& p, int d) const {
+    CellPlace place(const Vec2& p, int d) const {
         const double along = (p[d] - low_[d]) / width_[d];
         const int cell = std::clamp(static_cast<int>(along), 0, cells_[d] - 1);
         const double t = along - cell, s = 1 - t;

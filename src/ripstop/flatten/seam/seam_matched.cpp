@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
@@ -40,8 +41,8 @@ class MatchedEnvelope {
     std::vector<Flattening> flatten();
 
   private:
-    const TileStretch& stretch_of(int t) const { return stretch_.tiles[static_cast<std::size_t>(t)]; }
-    std::unique_ptr<SeamTile>& tile(int t) { return tiles_[static_cast<std::size_t>(t)]; }
+    const TileStretch& stretch_of(int t) const { return stretch_.tiles[at(t)]; }
+    std::unique_ptr<SeamTile>& tile(int t) { return tiles_[at(t)]; }
     void for_each_tile(const std::function<void(int, SeamTile&)>& task);
     void loosen();
     void begin();
@@ -82,7 +83,7 @@ void MatchedEnvelope::for_each_tile(const std::function<void(int, SeamTile&)>& t
 /// Flattens every tile with free edges. The initial stretch of an interval is the mean of what its sides prefer.
 void MatchedEnvelope::loosen() {
     parallel_for(static_cast<int>(tiles_.size()), options_.threads, [&](int t) {
-        const Tile& from = envelope_.tiles[static_cast<std::size_t>(t)];
+        const Tile& from = envelope_.tiles[at(t)];
         if (!stretch_of(t).intervals.empty())
             tile(t) = std::make_unique<SeamTile>(from, from.fabric_or(fabric_), stretch_of(t), options_.bending);
     });
@@ -107,7 +108,7 @@ void MatchedEnvelope::begin() {
         });
         Vector changed = Vector::Zero(h_.size());
         for (int t = 0; t < static_cast<int>(tiles_.size()); ++t) {
-            if (!tile(t) || !failed[static_cast<std::size_t>(t)]) continue;
+            if (!tile(t) || !failed[at(t)]) continue;
             tile(t).reset();
             for (const int i : stretch_of(t).intervals) {
                 changed[i] = 1;
@@ -115,8 +116,7 @@ void MatchedEnvelope::begin() {
             }
         }
         for (int t = 0; t < static_cast<int>(tiles_.size()); ++t)
-            asked[static_cast<std::size_t>(t)] =
-                tile(t) && (changed(stretch_of(t).intervals).array() > 0).any() ? 1 : 0;
+            asked[at(t)] = tile(t) && (changed(stretch_of(t).intervals).array() > 0).any() ? 1 : 0;
     }
 }
 
@@ -130,7 +130,7 @@ void MatchedEnvelope::find_pattern() {
 
 void MatchedEnvelope::linearize() {
     std::vector<Eigen::MatrixXd> hessians(tiles_.size());
-    for_each_tile([&](int t, SeamTile& one) { hessians[static_cast<std::size_t>(t)] = one.linearize(); });
+    for_each_tile([&](int t, SeamTile& one) { hessians[at(t)] = one.linearize(); });
     values_ = Vector::Zero(pattern_->entry_count());
     exact_ = true;
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
@@ -162,7 +162,7 @@ Vector MatchedEnvelope::gradient() {
 
 /// The largest unbalanced force across the seams of a tile.
 double MatchedEnvelope::imbalance(int t) const {
-    return imbalance_(stretch_of(t).intervals).maxCoeff() / tiles_[static_cast<std::size_t>(t)]->force_scale();
+    return imbalance_(stretch_of(t).intervals).maxCoeff() / tiles_[at(t)]->force_scale();
 }
 
 bool MatchedEnvelope::balanced(const Vector& g) {
@@ -241,7 +241,7 @@ std::string MatchedEnvelope::note(int t) const {
 }
 
 Flattening MatchedEnvelope::finish(int t) {
-    const Tile& of = envelope_.tiles[static_cast<std::size_t>(t)];
+    const Tile& of = envelope_.tiles[at(t)];
     if (!tile(t)) {
         Flattening alone = flatten_seam_exact(of, of.fabric_or(fabric_));
         alone.note = stretch_of(t).intervals.empty()
@@ -268,8 +268,7 @@ std::vector<Flattening> MatchedEnvelope::flatten() {
     begin();
     if (std::any_of(tiles_.begin(), tiles_.end(), [](const auto& one) { return one != nullptr; })) match();
     std::vector<Flattening> results(tiles_.size());
-    parallel_for(static_cast<int>(tiles_.size()), options_.threads,
-                 [&](int t) { results[static_cast<std::size_t>(t)] = finish(t); });
+    parallel_for(static_cast<int>(tiles_.size()), options_.threads, [&](int t) { results[at(t)] = finish(t); });
     return results;
 }
 

@@ -70,9 +70,9 @@ SeamNewton::SeamNewton(const SeamProblem& problem) : problem_(problem), step_(st
 SeamNewton::~SeamNewton() = default;
 
 /// The residuals of the first-order conditions, and their ratio to the tolerances.
-class SeamNewton::Balance {
+class SeamNewton::ForceBalance {
   public:
-    Balance(const SeamProblem& problem, const SeamNewtonOptions& options, const SeamSolution& at)
+    ForceBalance(const SeamProblem& problem, const SeamNewtonOptions& options, const SeamSolution& at)
         : force(problem.gradient(at.u) + problem.dense_rows(at.u) * at.mu),
           lengths(problem.edge_residual(at.u)),
           dense(problem.dense_residual(at.u)) {
@@ -91,8 +91,8 @@ class SeamNewton::Balance {
 };
 
 /// Continues with the present factorisation, at one solve per step, as long as each step gains a factor of ten.
-SeamNewton::Balance SeamNewton::settle(const SeamNewtonOptions& options, SeamSolution& at) const {
-    Balance balance(problem_, options, at);
+SeamNewton::ForceBalance SeamNewton::settle(const SeamNewtonOptions& options, SeamSolution& at) const {
+    ForceBalance balance(problem_, options, at);
     while (balance.excess > 1) {
         const SeamStep::Solution step = step_->correction(balance.force, balance.lengths, balance.dense);
         if (problem_.longest_step(at.u, step.d) < 0.99) break;
@@ -100,7 +100,7 @@ SeamNewton::Balance SeamNewton::settle(const SeamNewtonOptions& options, SeamSol
         next.u += step.d;
         next.lambda += step.lambda;
         next.mu += step.mu;
-        const Balance after(problem_, options, next);
+        const ForceBalance after(problem_, options, next);
         if (!(after.excess < balance.excess)) break;
         const bool fast = after.excess < 0.1 * balance.excess;
         at = std::move(next);
@@ -139,7 +139,7 @@ SeamSolution SeamNewton::minimize(const SeamSolution& start, const SeamNewtonOpt
         return at;
     }
     const bool goes_on = options.hold_edges && options.go_on && system.exact();
-    Balance balance = goes_on ? settle(options, at) : Balance(problem, options, at);
+    ForceBalance balance = goes_on ? settle(options, at) : ForceBalance(problem, options, at);
     while (balance.excess > 1 && at.summary.iterations < options.max_iterations) {
         ++at.summary.iterations;
         const bool near = options.hold_edges && balance.length_residual < near_rest;
@@ -158,7 +158,7 @@ SeamSolution SeamNewton::minimize(const SeamSolution& start, const SeamNewtonOpt
         at.lambda += length * (step.lambda - at.lambda);
         at.mu += length * (step.mu - at.mu);
         const bool settling = options.hold_edges && length == 1 && system.exact();
-        balance = settling ? settle(options, at) : Balance(problem, options, at);
+        balance = settling ? settle(options, at) : ForceBalance(problem, options, at);
     }
     if (balance.excess <= 1) {
         at.summary.termination = Termination::converged;

@@ -57,8 +57,8 @@ class SeamNewton {
     const SeamStep* system_at(const SeamSolution& solution);
 
   private:
-    class Balance;
-    Balance settle(const SeamNewtonOptions& options, SeamSolution& at) const;
+    class ForceBalance;
+    ForceBalance settle(const SeamNewtonOptions& options, SeamSolution& at) const;
 
     const SeamProblem& problem_;
     std::unique_ptr<SeamStep> step_;

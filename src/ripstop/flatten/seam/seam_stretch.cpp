@@ -60,7 +60,7 @@ void require_side(const Envelope& envelope, const Seam& seam, const SeamSide& si
     if (side.tile < 0 || side.tile >= static_cast<int>(envelope.tiles.size()))
         throw InputError("seam " + seam.id + ": names tile " + std::to_string(side.tile) + ", there are " +
                          std::to_string(envelope.tiles.size()));
-    const Tile& tile = envelope.tiles[static_cast<std::size_t>(side.tile)];
+    const Tile& tile = envelope.tiles[at(side.tile)];
     for (const SeamPart& part : side.parts)
         if (part.edge < 0 || part.edge >= static_cast<int>(tile.boundary.size()) || !(part.length > 0))
             throw InputError("seam " + seam.id + ": a part of edge " + std::to_string(part.edge) + " of tile " +
@@ -137,7 +137,7 @@ std::span<const Share> same_edge(const std::vector<Share>& shares, std::size_t f
 
 TileStretch make_stretch(const Tile& tile, std::span<const Share> shares, const std::vector<int>& numbers) {
     TileStretch stretch;
-    const auto number = [&](const Share& share) { return numbers[static_cast<std::size_t>(share.interval)]; };
+    const auto number = [&](const Share& share) { return numbers[at(share.interval)]; };
     for (const Share& share : shares) stretch.intervals.push_back(number(share));
     std::sort(stretch.intervals.begin(), stretch.intervals.end());
     stretch.intervals.erase(std::unique(stretch.intervals.begin(), stretch.intervals.end()), stretch.intervals.end());

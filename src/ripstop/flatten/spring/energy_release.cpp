@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/flatten/tools/finish.h"
 #include "ripstop/flatten/tools/laying.h"
 #include "ripstop/geometry/triangle.h"
@@ -43,7 +44,7 @@ class LaidSystem {
     void add_spring(int a, int b) {
         springs_.push_back({a, b, (mesh_.positions.row(a) - mesh_.positions.row(b)).norm()});
     }
-    bool is_laid(int vertex) const { return laid_[static_cast<std::size_t>(vertex)]; }
+    bool is_laid(int vertex) const { return laid_[at(vertex)]; }
     bool accurate() const;
     double forces(Points2& force) const;
     void push_open();
@@ -99,14 +100,14 @@ void LaidSystem::lay(const LayingStep& step) {
     }
     for (int k = 0; k < 3; ++k) {
         const int twin = adjacency_.twin(3 * t + k);
-        if (twin < 0 || !triangle_laid_[static_cast<std::size_t>(twin / 3)])
+        if (twin < 0 || !triangle_laid_[at(twin / 3)])
             add_spring(mesh_.triangles(t, k), mesh_.triangles(t, (k + 1) % 3));
         const int v = mesh_.triangles(t, k);
         if (!is_laid(v)) vertices_.push_back(v);
-        laid_[static_cast<std::size_t>(v)] = true;
+        laid_[at(v)] = true;
     }
     triangles_.push_back(t);
-    triangle_laid_[static_cast<std::size_t>(t)] = true;
+    triangle_laid_[at(t)] = true;
 }
 
 /// Whether E_S and E_C of the laid triangles are within the tolerance.

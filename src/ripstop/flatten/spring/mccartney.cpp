@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/energy/deformation.h"
 #include "ripstop/flatten/tools/finish.h"
 #include "ripstop/flatten/tools/grain.h"
@@ -42,7 +43,7 @@ class Trials {
     double spring_energy(int vertex) const;
     double weave_energy(int vertex) const;
     bool turns_over(int vertex, const Eigen::RowVector2d& to) const;
-    bool is_laid(int vertex) const { return laid_[static_cast<std::size_t>(vertex)]; }
+    bool is_laid(int vertex) const { return laid_[at(vertex)]; }
 
     const TriangleMesh& mesh_;
     const Fabric& fabric_;
@@ -63,8 +64,8 @@ Trials::Trials(const TriangleMesh& mesh, const Adjacency& adjacency, const Fabri
     for (const int h : adjacency.edges()) {
         const int a = adjacency.from(h), b = adjacency.to(h);
         const double drawn = (mesh.positions.row(a) - mesh.positions.row(b)).norm();
-        edges_[static_cast<std::size_t>(a)].push_back({b, drawn});
-        edges_[static_cast<std::size_t>(b)].push_back({a, drawn});
+        edges_[at(a)].push_back({b, drawn});
+        edges_[at(b)].push_back({a, drawn});
         mean_edge_ += drawn / static_cast<double>(adjacency.edges().size());
     }
     for (int v = 0; v < mesh.vertex_count(); ++v) triangles_.push_back(adjacency.outgoing(v));
@@ -75,7 +76,7 @@ Trials::Trials(const TriangleMesh& mesh, const Adjacency& adjacency, const Fabri
 /// The energy of the springs between a vertex and the neighbours that are already laid.
 double Trials::spring_energy(int vertex) const {
     double sum = 0;
-    for (const Edge& edge : edges_[static_cast<std::size_t>(vertex)]) {
+    for (const Edge& edge : edges_[at(vertex)]) {
         if (!is_laid(edge.other)) continue;
         const double excess = (positions.row(vertex) - positions.row(edge.other)).norm() - edge.drawn;
         sum += 0.5 * excess * excess / edge.drawn;
@@ -85,10 +86,10 @@ double Trials::spring_energy(int vertex) const {
 
 double Trials::weave_energy(int vertex) const {
     double sum = 0;
-    for (const int h : triangles_[static_cast<std::size_t>(vertex)]) {
+    for (const int h : triangles_[at(vertex)]) {
         const Mat22 flat = flat_edges(mesh_.triangles, positions, h / 3);
         if (!(flat.determinant() > 0)) return std::numeric_limits<double>::infinity();
-        const ThreadStrain strain = thread_strain(metrics_[static_cast<std::size_t>(h / 3)], flat);
+        const ThreadStrain strain = thread_strain(metrics_[at(h / 3)], flat);
         sum +=
             0.25 * flat.determinant() *
             (fabric_.warp_stiffness * strain.warp * strain.warp + fabric_.weft_stiffness * strain.weft * strain.weft +
@@ -98,7 +99,7 @@ double Trials::weave_energy(int vertex) const {
 }
 
 bool Trials::turns_over(int vertex, const Eigen::RowVector2d& to) const {
-    for (const int h : triangles_[static_cast<std::size_t>(vertex)]) {
+    for (const int h : triangles_[at(vertex)]) {
         const int b = mesh_.triangles(h / 3, (h % 3 + 1) % 3), c = mesh_.triangles(h / 3, (h % 3 + 2) % 3);
         if (!is_laid(b) || !is_laid(c)) continue;
         const double before = signed_area(positions.row(vertex), positions.row(b), positions.row(c));
@@ -133,14 +134,14 @@ void Trials::lay(const LayingStep& step) {
     const int v = mesh_.triangles(t, step.corner);
     if (!began_) {
         lay_first(mesh_, t, positions);
-        for (int k = 0; k < 3; ++k) laid_[static_cast<std::size_t>(mesh_.triangles(t, k))] = true;
+        for (int k = 0; k < 3; ++k) laid_[at(mesh_.triangles(t, k))] = true;
         began_ = true;
         return;
     }
     const Eigen::RowVector2d candidate = laid_on(mesh_, positions, t, step.corner).transpose();
     if (!is_laid(v)) {
         positions.row(v) = candidate;
-        laid_[static_cast<std::size_t>(v)] = true;
+        laid_[at(v)] = true;
         return;
     }
     positions.row(v) = 0.5 * (positions.row(v) + candidate);
@@ -158,12 +159,11 @@ bool Trials::settle(bool woven, const McCartneyOptions& options) {
             ++sweeps;
             moved = false;
             for (int v = 0; v < mesh_.vertex_count(); ++v) {
-                if (!open[static_cast<std::size_t>(v)]) continue;
-                open[static_cast<std::size_t>(v)] = try_moves(v, move * mean_edge_, woven);
-                if (!open[static_cast<std::size_t>(v)]) continue;
+                if (!open[at(v)]) continue;
+                open[at(v)] = try_moves(v, move * mean_edge_, woven);
+                if (!open[at(v)]) continue;
                 moved = true;
-                for (const Edge& edge : edges_[static_cast<std::size_t>(v)])
-                    open[static_cast<std::size_t>(edge.other)] = true;
+                for (const Edge& edge : edges_[at(v)]) open[at(edge.other)] = true;
             }
         }
     }

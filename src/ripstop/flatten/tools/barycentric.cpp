@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ripstop/base/index.h"
 #include "ripstop/numeric/symmetric_solver.h"
 
 namespace ripstop {
@@ -10,7 +11,7 @@ namespace ripstop {
 bool place_inside(const Adjacency& adjacency, const std::vector<int>& boundary, const Eigen::VectorXd& weights,
                   Points2& positions) {
     std::vector<int> unknown(static_cast<std::size_t>(adjacency.vertex_count()), 0);
-    for (const int v : boundary) unknown[static_cast<std::size_t>(v)] = -1;
+    for (const int v : boundary) unknown[at(v)] = -1;
     int size = 0;
     for (int& u : unknown)
         if (u == 0) u = size++;
@@ -19,8 +20,8 @@ bool place_inside(const Adjacency& adjacency, const std::vector<int>& boundary, 
     std::vector<std::array<int, 3>> inner;  // the unknowns of an edge (-1 at the boundary) and its number
     for (std::size_t e = 0; e < adjacency.edges().size(); ++e) {
         const int h = adjacency.edges()[e];
-        const int a = unknown[static_cast<std::size_t>(adjacency.from(h))];
-        const int b = unknown[static_cast<std::size_t>(adjacency.to(h))];
+        const int a = unknown[at(adjacency.from(h))];
+        const int b = unknown[at(adjacency.to(h))];
         if (a < 0 && b < 0) continue;
         if (a < 0 || b < 0)
             couplings.add_element(std::array{std::max(a, b)});
@@ -34,7 +35,7 @@ bool place_inside(const Adjacency& adjacency, const std::vector<int>& boundary, 
     for (std::size_t g = 0; g < inner.size(); ++g) {
         const auto [a, b, e] = inner[g];
         const auto slots = pattern.slots(static_cast<int>(g));
-        const int h = adjacency.edges()[static_cast<std::size_t>(e)];
+        const int h = adjacency.edges()[at(e)];
         for (const int slot : slots) values[slot] += weights[e];
         if (a >= 0 && b >= 0)
             values[slots[1]] -= 2 * weights[e];

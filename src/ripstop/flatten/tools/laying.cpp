@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/change/flips.h"
 
@@ -81,7 +82,7 @@ void lay_first(const TriangleMesh& mesh, int triangle, Points2& positions) {
 }
 
 int lay_on_missing(const TriangleMesh& mesh, int seed, std::vector<bool> placed, Points2& positions) {
-    const auto is_placed = [&](int v) { return placed[static_cast<std::size_t>(v)]; };
+    const auto is_placed = [&](int v) { return placed[at(v)]; };
     const auto missing = [&] { return static_cast<int>(std::count(placed.begin(), placed.end(), false)); };
     const int before = missing();
     // Laying needs at least one placed edge to start from.
@@ -92,7 +93,7 @@ int lay_on_missing(const TriangleMesh& mesh, int seed, std::vector<bool> placed,
     if (!started) {
         lay_first(mesh, seed, positions);
         std::fill(placed.begin(), placed.end(), false);
-        for (int k = 0; k < 3; ++k) placed[static_cast<std::size_t>(mesh.triangles(seed, k))] = true;
+        for (int k = 0; k < 3; ++k) placed[at(mesh.triangles(seed, k))] = true;
     }
     bool grows = true;
     while (grows) {
@@ -112,7 +113,7 @@ int lay_on_missing(const TriangleMesh& mesh, int seed, std::vector<bool> placed,
         for (int v = 0; v < mesh.vertex_count(); ++v) {
             if (weight[v] == 0) continue;
             positions.row(v) = sum.row(v) / weight[v];
-            placed[static_cast<std::size_t>(v)] = true;
+            placed[at(v)] = true;
             grows = true;
         }
     }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
@@ -16,8 +18,8 @@ int Crossings::node_at(const Site& site) const {
 }
 
 void Crossings::link(int n) {
-    int& head = first_in_[static_cast<std::size_t>(node(n).at.triangle)];
-    next_in_[static_cast<std::size_t>(n)] = head;
+    int& head = first_in_[at(node(n).at.triangle)];
+    next_in_[at(n)] = head;
     head = n;
 }
 
@@ -37,13 +39,13 @@ void Crossings::place(const Site& site, const SurfacePoint& at, bool tendon) {
 
 void Crossings::move(int n, const SurfacePoint& to) {
     unlink(n);
-    nodes_[static_cast<std::size_t>(n)].at = to;
+    nodes_[at(n)].at = to;
     link(n);
 }
 
 void Crossings::drop(int n) {
     unlink(n);
-    nodes_[static_cast<std::size_t>(n)].placed = false;
+    nodes_[at(n)].placed = false;
     site_.erase(key({node(n).warp, node(n).weft}));
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "ripstop/base/index.h"
 #include "ripstop/flatten/tools/grain.h"
 #include "ripstop/flatten/tools/laying.h"
 #include "ripstop/mesh/change/flips.h"
@@ -32,8 +33,8 @@ Mat22 ReadOff::frame_of(const WovenNode& node, const std::vector<Sight>& sights)
     Mat22 rays = Mat22::Zero();
     Mat22 both = Mat22::Zero();
     for (const Sight& sight : sights)
-        for (const int n : nodes_in_[static_cast<std::size_t>(sight.triangle)]) {
-            const WovenNode& other = fit_.nodes[static_cast<std::size_t>(n)];
+        for (const int n : nodes_in_[at(sight.triangle)]) {
+            const WovenNode& other = fit_.nodes[at(n)];
             const Vec2 offset(other.warp - node.warp, other.weft - node.weft);
             const Vec2 point = sight.unfolded(other.at.local);
             if (offset.lpNorm<Eigen::Infinity>() > 1 || sight.hidden_by(point) > 0) continue;
@@ -55,8 +56,7 @@ ReadOff::ReadOff(const TriangleMesh& mesh, const UnfoldedSurface& surface, const
       fit_(fit),
       nodes_in_(static_cast<std::size_t>(mesh.triangle_count())) {
     for (std::size_t n = 0; n < fit.nodes.size(); ++n)
-        if (fit.nodes[n].placed)
-            nodes_in_[static_cast<std::size_t>(fit.nodes[n].at.triangle)].push_back(static_cast<int>(n));
+        if (fit.nodes[n].placed) nodes_in_[at(fit.nodes[n].at.triangle)].push_back(static_cast<int>(n));
     const double reach = woven_reach * fit.spacing;
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(mesh.vertex_count());
     for (const WovenNode& node : fit.nodes) {
@@ -79,7 +79,7 @@ ReadOff::ReadOff(const TriangleMesh& mesh, const UnfoldedSurface& surface, const
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         if (weights[v] == 0) continue;
         positions.row(v) /= weights[v];
-        placed[static_cast<std::size_t>(v)] = true;
+        placed[at(v)] = true;
     }
 }
 

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 
 namespace ripstop {
 namespace {
@@ -101,8 +102,7 @@ NamedCurve curve_of(const json& entry, const std::string& name) {
     NamedCurve curve{entry.value("name", ""), Points3(static_cast<Eigen::Index>(points.size()), 3),
                      entry.value("attributes", Attributes{})};
     for (std::size_t i = 0; i < points.size(); ++i)
-        for (int k = 0; k < 3; ++k)
-            curve.points(static_cast<Eigen::Index>(i), k) = points[i][static_cast<std::size_t>(k)];
+        for (int k = 0; k < 3; ++k) curve.points(static_cast<Eigen::Index>(i), k) = points[i][at(k)];
     if (!(curve.points.array().abs() < largest_converted).all())
         throw InputError(name + ": a curve has a coordinate that is no finite number below 1e12");
     return curve;

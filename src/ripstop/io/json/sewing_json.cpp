@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/io/json/fabric_json.h"
 #include "ripstop/io/json/json_text.h"
 #include "ripstop/io/json/outcome_json.h"
@@ -73,7 +74,7 @@ void read_tile(const PlanReader& reader, const std::vector<Fabric>& fabrics, Sew
     FlatTile flat;
     Tile& tile = flat.tile;
     tile.name = reader.text("name");
-    tile.fabric = fabrics[static_cast<std::size_t>(reader.whole("fabric", 0, static_cast<double>(fabrics.size()) - 1))];
+    tile.fabric = fabrics[at(reader.whole("fabric", 0, static_cast<double>(fabrics.size()) - 1))];
     tile.grain = {reader.point("warp"), reader.text("warp_source")};
     flat.flattening.edges_on_curve = reader.flag("edges_on_curve");
     into.corners.emplace_back();
@@ -118,7 +119,7 @@ SeamSide side_of(const PlanReader& reader, std::size_t tiles) {
 SewnInto read_sewn_into(const PlanReader& reader, const std::vector<Seam>& before) {
     const SewnInto into{reader.whole("seam", 0, static_cast<double>(before.size()) - 1), reader.number("from_m"),
                         reader.flag("backwards")};
-    if (before[static_cast<std::size_t>(into.seam)].into) reader.refuse("lies in a seam that lies in another itself");
+    if (before[at(into.seam)].into) reader.refuse("lies in a seam that lies in another itself");
     return into;
 }
 

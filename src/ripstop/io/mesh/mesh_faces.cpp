@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "ripstop/base/index.h"
 #include "ripstop/mesh/fan.h"
 
 namespace ripstop {
@@ -50,7 +51,7 @@ class Fanner {
         if (names_one_twice(face)) return {0, fault_text(face, "comes by one of them twice")};
         if (polygon_.size() < 4) return {corner_.front()};
         const int apex = fan_corner(polygon_);
-        if (apex >= 0) return {corner_[static_cast<std::size_t>(apex)]};
+        if (apex >= 0) return {corner_[at(apex)]};
         if (has_area()) return {0, fault_text(face, "folds over itself when it is fanned into triangles")};
         return {};
     }
@@ -61,7 +62,7 @@ class Fanner {
         polygon_.clear();
         corner_.clear();
         for (std::size_t k = 0; k < static_cast<std::size_t>(face.count); ++k) {
-            const Vec3& point = file_.vertices[static_cast<std::size_t>(file_.corners[face.first + k].vertex)];
+            const Vec3& point = file_.vertices[at(file_.corners[face.first + k].vertex)];
             if (!polygon_.empty() && point == polygon_.back()) continue;
             polygon_.push_back(point);
             corner_.push_back(k);

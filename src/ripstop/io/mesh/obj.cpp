@@ -3,6 +3,7 @@
 #include <istream>
 #include <ostream>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/io/mesh/obj_file.h"
 #include "ripstop/io/text/text.h"
@@ -17,8 +18,7 @@ CadModel read_obj(std::istream& in, const std::string& name) {
         named.name = curve.name;
         named.points.resize(static_cast<Eigen::Index>(curve.vertices.size()), 3);
         for (std::size_t i = 0; i < curve.vertices.size(); ++i)
-            named.points.row(static_cast<Eigen::Index>(i)) =
-                file.mesh.vertices[static_cast<std::size_t>(curve.vertices[i])].transpose();
+            named.points.row(static_cast<Eigen::Index>(i)) = file.mesh.vertices[at(curve.vertices[i])].transpose();
         if (!curve.layer.empty()) named.attributes["layer"] = curve.layer;
     }
     model.unread = std::move(file.unread);

@@ -42,9 +42,9 @@ struct Row {
 };
 
 /// The roles of an element's properties. The first property with a role keeps it; later ones are skipped.
-class Plan {
+class ReadingPlan {
   public:
-    explicit Plan(const PlyElement& element) : roles_(element.properties.size(), skipped) {
+    explicit ReadingPlan(const PlyElement& element) : roles_(element.properties.size(), skipped) {
         const auto& properties = element.properties;
         if (element.name == "vertex") {
             give(properties, of_vertices);
@@ -87,7 +87,7 @@ class Reader {
 
     void read() {
         for (const PlyElement& element : header_.elements) {
-            const Plan plan(element);
+            const ReadingPlan plan(element);
             const bool vertices = element.name == "vertex", faces = element.name == "face";
             const bool strips = element.name == "tristrips" && plan.has(corners);
             if (vertices && !(plan.has(x) && plan.has(y) && plan.has(z)))
@@ -111,7 +111,7 @@ class Reader {
     }
 
   private:
-    void read_row(const PlyElement& element, const Plan& plan) {
+    void read_row(const PlyElement& element, const ReadingPlan& plan) {
         source_.begin_row(element);
         row_.place = source_.place();
         for (std::size_t p = 0; p < element.properties.size(); ++p) {
@@ -136,7 +136,7 @@ class Reader {
 
     double coordinate(Role role) const { return file_.coordinate(row_.values[role], row_.place); }
 
-    void add_vertex(const Plan& plan) {
+    void add_vertex(const ReadingPlan& plan) {
         file_.vertices.emplace_back(coordinate(x), coordinate(y), coordinate(z));
         if (plan.has(u) && plan.has(v)) file_.textures.emplace_back(coordinate(u), coordinate(v));
     }
@@ -153,7 +153,7 @@ class Reader {
         file_.corners.push_back({vertex, file_.textures.empty() ? -1 : vertex});
     }
 
-    void add_face(const Plan& plan) {
+    void add_face(const ReadingPlan& plan) {
         file_.faces.push_back(
             {file_.corners.size(), static_cast<int>(row_.list.size()), surface(plan), -1, row_.place});
         for (const double index : row_.list) add_corner(index);
@@ -194,7 +194,7 @@ class Reader {
         return nameless_;
     }
 
-    int surface(const Plan& plan) {
+    int surface(const ReadingPlan& plan) {
         if (!plan.has(tile)) return nameless_surface();
         const double number = row_.values[tile];
         if (!(std::abs(number) < 1e15) || number != std::floor(number))

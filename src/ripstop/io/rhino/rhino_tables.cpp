@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
@@ -55,7 +57,7 @@ std::optional<LengthUnit> read_unit(RhinoBytes record) {
     if (version < 100 || version >= 200 || number == no_unit || number < 0) return std::nullopt;
     if (number != own_unit) {
         if (number >= static_cast<int>(units.size())) return std::nullopt;
-        const KnownUnit& unit = units[static_cast<std::size_t>(number)];
+        const KnownUnit& unit = units[at(number)];
         return LengthUnit{unit.name, unit.metres};
     }
     if (version < 102) return std::nullopt;

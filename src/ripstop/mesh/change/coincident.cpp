@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
@@ -14,9 +16,8 @@ constexpr int none = -1;
 TriangleMesh renumbered(const TriangleMesh& mesh, const std::vector<int>& number, int count) {
     TriangleMesh result{Points3(count, 3), mesh.triangles};
     for (int v = mesh.vertex_count() - 1; v >= 0; --v)
-        if (const int to = number[static_cast<std::size_t>(v)]; to != none)
-            result.positions.row(to) = mesh.positions.row(v);
-    for (int& v : result.triangles.reshaped<Eigen::RowMajor>()) v = number[static_cast<std::size_t>(v)];
+        if (const int to = number[at(v)]; to != none) result.positions.row(to) = mesh.positions.row(v);
+    for (int& v : result.triangles.reshaped<Eigen::RowMajor>()) v = number[at(v)];
     return result;
 }
 
@@ -34,7 +35,7 @@ std::vector<int> first_in_place(const Points3& points) {
     std::vector<int> first(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const bool same = i > 0 && std::equal(row(order[i]), row(order[i]) + 3, row(order[i - 1]));
-        first[static_cast<std::size_t>(order[i])] = same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
+        first[at(order[i])] = same ? first[at(order[i - 1])] : order[i];
     }
     return first;
 }
@@ -52,7 +53,7 @@ TriangleMesh join_coincident(const TriangleMesh& mesh) {
 
 TriangleMesh drop_unused(const TriangleMesh& mesh) {
     std::vector<int> number(static_cast<std::size_t>(mesh.vertex_count()), none);
-    for (const int v : mesh.triangles.reshaped<Eigen::RowMajor>()) number[static_cast<std::size_t>(v)] = 0;
+    for (const int v : mesh.triangles.reshaped<Eigen::RowMajor>()) number[at(v)] = 0;
     int count = 0;
     for (int& to : number)
         if (to != none) to = count++;

@@ -76,7 +76,7 @@ void keep_triangles(MendedMesh& mended, Stays&& stays) {
     for (int t = 0; t < mended.mesh.triangle_count(); ++t) {
         if (!stays(t)) continue;
         mended.mesh.triangles.row(kept) = mended.mesh.triangles.row(t).eval();
-        mended.triangle[static_cast<std::size_t>(kept++)] = mended.triangle[static_cast<std::size_t>(t)];
+        mended.triangle[at(kept++)] = mended.triangle[at(t)];
     }
     mended.mesh.triangles.conservativeResize(kept, 3);
     mended.triangle.resize(static_cast<std::size_t>(kept));
@@ -125,7 +125,7 @@ void drop_doubled(MendedMesh& mended) {
     std::set<std::array<int, 3>> seen;
     keep_triangles(mended, [&](int t) {
         std::array<int, 3> corners;
-        for (int k = 0; k < 3; ++k) corners[static_cast<std::size_t>(k)] = mended.mesh.triangles(t, k);
+        for (int k = 0; k < 3; ++k) corners[at(k)] = mended.mesh.triangles(t, k);
         std::sort(corners.begin(), corners.end());
         const bool is_new = seen.insert(corners).second;
         if (!is_new) note(mended, mended.doubled, mended.mesh.corner(t, 0));
@@ -157,43 +157,42 @@ bool mend_needles_once(MendedMesh& mended) {
         const int d = twin >= 0 ? adjacency.opposite(twin) : c;
         if (twin >= 0 && (c == d || joins(adjacency, c, d))) continue;
         std::array<int, 4> round{a, b, c, d};
-        if (std::any_of(round.begin(), round.end(), [&](int v) { return touched[static_cast<std::size_t>(v)]; }))
-            continue;
-        for (const int v : round) touched[static_cast<std::size_t>(v)] = true;
+        if (std::any_of(round.begin(), round.end(), [&](int v) { return touched[at(v)]; })) continue;
+        for (const int v : round) touched[at(v)] = true;
         note(mended, mended.flat, mesh.positions.row(c));
         any = true;
         if (twin < 0) {
-            gone[static_cast<std::size_t>(t)] = true;
+            gone[at(t)] = true;
             continue;
         }
         const int beyond = Adjacency::triangle(twin);
         mesh.triangles.row(t) << c, a, d;
         mesh.triangles.row(beyond) << d, b, c;
-        mended.triangle[static_cast<std::size_t>(t)] = mended.triangle[static_cast<std::size_t>(beyond)];
+        mended.triangle[at(t)] = mended.triangle[at(beyond)];
     }
-    if (any) keep_triangles(mended, [&](int t) { return !gone[static_cast<std::size_t>(t)]; });
+    if (any) keep_triangles(mended, [&](int t) { return !gone[at(t)]; });
     return any;
 }
 
 void drop_unused_vertices(MendedMesh& mended) {
     std::vector<int> number(mended.vertex.size(), -1);
-    for (const int v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) number[static_cast<std::size_t>(v)] = 0;
+    for (const int v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) number[at(v)] = 0;
     int count = 0;
     for (std::size_t v = 0; v < number.size(); ++v) {
         if (number[v] < 0) continue;
         mended.mesh.positions.row(count) = mended.mesh.positions.row(static_cast<Eigen::Index>(v)).eval();
-        mended.vertex[static_cast<std::size_t>(count)] = mended.vertex[v];
+        mended.vertex[at(count)] = mended.vertex[v];
         number[v] = count++;
     }
     mended.mesh.positions.conservativeResize(count, 3);
     mended.vertex.resize(static_cast<std::size_t>(count));
-    for (int& v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) v = number[static_cast<std::size_t>(v)];
-    for (int& v : mended.becomes) v = number[static_cast<std::size_t>(v)];
+    for (int& v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) v = number[at(v)];
+    for (int& v : mended.becomes) v = number[at(v)];
 }
 
 void count_unused(MendedMesh& mended) {
     std::vector<bool> used(mended.vertex.size(), false);
-    for (const int v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) used[static_cast<std::size_t>(v)] = true;
+    for (const int v : mended.mesh.triangles.reshaped<Eigen::RowMajor>()) used[at(v)] = true;
     for (std::size_t v = 0; v < used.size(); ++v)
         if (!used[v]) note(mended, mended.unused, mended.mesh.positions.row(static_cast<Eigen::Index>(v)));
 }
@@ -215,7 +214,7 @@ std::vector<double> angle_sums(const TriangleMesh& mesh) {
     std::vector<double> angle(static_cast<std::size_t>(mesh.vertex_count()), 0);
     for (int t = 0; t < mesh.triangle_count(); ++t)
         for (int k = 0; k < 3; ++k)
-            angle[static_cast<std::size_t>(mesh.triangles(t, k))] +=
+            angle[at(mesh.triangles(t, k))] +=
                 angle_at(mesh.corner(t, k), mesh.corner(t, (k + 1) % 3), mesh.corner(t, (k + 2) % 3));
     return angle;
 }
@@ -226,9 +225,9 @@ void take_tips(MendedMesh& mended, MendedMesh&& tips) {
     if (!mended.any()) mended.place = tips.place;
     mended.welded += tips.welded;
     mended.closed += tips.closed;
-    for (int& v : tips.vertex) v = mended.vertex[static_cast<std::size_t>(v)];
-    for (int& t : tips.triangle) t = mended.triangle[static_cast<std::size_t>(t)];
-    for (int& v : mended.becomes) v = v < 0 ? v : tips.becomes[static_cast<std::size_t>(v)];
+    for (int& v : tips.vertex) v = mended.vertex[at(v)];
+    for (int& t : tips.triangle) t = mended.triangle[at(t)];
+    for (int& v : mended.becomes) v = v < 0 ? v : tips.becomes[at(v)];
     mended.vertex = std::move(tips.vertex);
     mended.triangle = std::move(tips.triangle);
     mended.mesh = std::move(tips.mesh);

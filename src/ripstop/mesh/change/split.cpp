@@ -6,6 +6,7 @@
 #include <set>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
 
@@ -109,8 +110,8 @@ bool find_boundary(MeshHalf& half) {
 using EdgeKey = std::array<int, 4>;
 
 EdgeKey key(const MeshHalf& half, int u, int v) {
-    const SplitVertex& from = half.source[static_cast<std::size_t>(u)];
-    const SplitVertex& to = half.source[static_cast<std::size_t>(v)];
+    const SplitVertex& from = half.source[at(u)];
+    const SplitVertex& to = half.source[at(v)];
     return {from.a, from.b, to.a, to.b};
 }
 

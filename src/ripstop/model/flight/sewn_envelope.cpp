@@ -10,9 +10,9 @@ Vec3 turned(const Vec3& x, int turns, double angle) {
     return {c * x.x() - s * x.y(), s * x.x() + c * x.y(), x.z()};
 }
 
-Vec3 position(const Place& place, const Points3& nodes, double angle) {
+Vec3 position(const SewnPoint& place, const Points3& nodes, double angle) {
     Vec3 sum = place.offset;
-    for (const PlacePart& part : place) sum += part.weight * turned(nodes.row(part.node), part.turns, angle);
+    for (const NodeShare& part : place.shares) sum += part.weight * turned(nodes.row(part.node), part.turns, angle);
     return sum;
 }
 

@@ -9,16 +9,19 @@
 namespace ripstop {
 
 /// One term of a place: `weight` times the position of a node, rotated by `turns` sectors about the vertical axis.
-struct PlacePart {
+struct NodeShare {
     int node = 0;
     double weight = 1;
     int turns = 0;
 };
 
 /// A point of the sewn envelope: a sum of terms whose weights sum to 1, plus a constant offset.
-struct Place : std::vector<PlacePart> {
-    using std::vector<PlacePart>::vector;
+struct SewnPoint {
+    std::vector<NodeShare> shares = {};
     Vec3 offset = Vec3::Zero();  ///< [m]
+
+    /// True if it moves as one node does, perhaps turned.
+    bool is_node() const { return shares.size() == 1; }
 };
 
 /// The axes along which a node may move: x 1, y 2, z 4.
@@ -36,7 +39,7 @@ enum class TapeKind { load, wire, tie };
 /// A straight piece of tape between two points.
 struct SewnTape {
     TapeKind kind = TapeKind::load;
-    Place a = {}, b = {};
+    SewnPoint a = {}, b = {};
     double rest = 0;       ///< length at rest [m]
     double stiffness = 0;  ///< EA [N]
     double mass = 0;       ///< [kg/m]
@@ -52,7 +55,7 @@ struct SewnEnvelope {
     Vec3 origin = Vec3::Zero();    ///< origin in the drawing's coordinates [m]
 
     std::vector<int> first_vertex;  ///< index of the first vertex of each tile in `places`
-    std::vector<Place> places;      ///< place of every vertex of every tile
+    std::vector<SewnPoint> places;  ///< place of every vertex of every tile
 
     Triangles triangles;          ///< #F x 3, indices into `places`: the tiles of one sector
     std::vector<Mat22> flat;      ///< of each triangle: its edges b - a and c - a as cut [m]
@@ -61,9 +64,9 @@ struct SewnEnvelope {
     std::vector<char> holds_gas;  ///< of each triangle: whether gas acts on its inner side only
     std::vector<Fabric> fabrics;
 
-    std::vector<std::array<Place, 3>> caps;  ///< triangles that close an opening against the gas, without stiffness
-    std::vector<std::array<Place, 3>> lids;  ///< triangles over openings that stay open: they only bound the volume
-    double cap_mass = 0;                     ///< [kg/m2]
+    std::vector<std::array<SewnPoint, 3>> caps;  ///< triangles that close an opening against the gas, without stiffness
+    std::vector<std::array<SewnPoint, 3>> lids;  ///< triangles over openings that stay open: they only bound the volume
+    double cap_mass = 0;                         ///< [kg/m2]
     std::vector<SewnTape> tapes;
     std::vector<int> held;  ///< nodes whose reaction forces carry what hangs below
     double floor = 0;       ///< height of the mouth plane [m]
@@ -74,6 +77,6 @@ struct SewnEnvelope {
 Vec3 turned(const Vec3& x, int turns, double angle);
 
 /// The position of a place for the given node positions; `angle` [rad] is that of a sector.
-Vec3 position(const Place& place, const Points3& nodes, double angle);
+Vec3 position(const SewnPoint& place, const Points3& nodes, double angle);
 
 }  // namespace ripstop

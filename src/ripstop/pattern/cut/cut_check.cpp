@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
@@ -31,7 +32,7 @@ std::string short_millimetres(double metres) {
 }
 
 std::string edge_text(const PatternPiece& piece, int edge) {
-    const std::string& type = piece.edges[static_cast<std::size_t>(edge)].seam_type;
+    const std::string& type = piece.edges[at(edge)].seam_type;
     return fmt::format("edge {}{}", edge + 1, type.empty() ? "" : " (" + type + ")");
 }
 
@@ -206,8 +207,7 @@ std::vector<std::string> judge_piece(FlatTile& tile, const PatternPiece& piece, 
             if (piece.pattern.empty()) notes.push_back(piece.name + ": " + text + left);
             continue;
         }
-        const double both = piece.edges[static_cast<std::size_t>(met.edge)].allowance +
-                            piece.edges[static_cast<std::size_t>(met.mate_edge)].allowance;
+        const double both = piece.edges[at(met.edge)].allowance + piece.edges[at(met.mate_edge)].allowance;
         findings.push_back(
             {"allowances_meet",
              text + (met.left < least_left
@@ -234,9 +234,7 @@ std::vector<CutFault> check_cut_line(const PatternPiece& piece) {
 }
 
 std::string met_text(const PatternPiece& piece, const MetAllowances& met) {
-    const auto allowed = [&piece](int edge) {
-        return short_millimetres(piece.edges[static_cast<std::size_t>(edge)].allowance);
-    };
+    const auto allowed = [&piece](int edge) { return short_millimetres(piece.edges[at(edge)].allowance); };
     const std::string edges = met.edge == met.mate_edge
                                   ? "two parts of " + edge_text(piece, met.edge)
                                   : edge_text(piece, met.edge) + " and " + edge_text(piece, met.mate_edge);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
@@ -88,7 +90,7 @@ std::vector<LayerLines> join_layers(const std::vector<const DrawnPath*>& paths, 
             }
         }
         for (JoinedLine& line : join_lines(open, tolerance)) {
-            for (int& number : line.lines) number = numbers[static_cast<std::size_t>(number)];
+            for (int& number : line.lines) number = numbers[at(number)];
             layer.lines.push_back(std::move(line));
         }
     }

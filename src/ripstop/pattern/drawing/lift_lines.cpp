@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
@@ -77,8 +79,7 @@ std::vector<Points3> lift_line(const TriangleMesh& mesh, const Points2& flat, co
             if (run.to <= reached + meeting) continue;  // both triangles of an edge have the same run
             if (run.from > reached + meeting) end_line();
             const auto lift = [&](double share) {
-                const Vec3 weights =
-                    triangles[static_cast<std::size_t>(run.triangle)].weights(from + share * (to - from));
+                const Vec3 weights = triangles[at(run.triangle)].weights(from + share * (to - from));
                 return Vec3(weights[0] * mesh.positions.row(mesh.triangles(run.triangle, 0)) +
                             weights[1] * mesh.positions.row(mesh.triangles(run.triangle, 1)) +
                             weights[2] * mesh.positions.row(mesh.triangles(run.triangle, 2)));

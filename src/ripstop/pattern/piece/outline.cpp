@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/geometry/simplify.h"
 #include "ripstop/pattern/piece/pieces.h"
@@ -39,13 +40,13 @@ std::vector<SewnParts> sewn_parts(const CutPlan& plan) {
     for (const FlatTile& tile : plan.tiles) parts.emplace_back(boundary_size(tile));
     const auto add = [&](const Seam& seam, const SeamSheet& sheet, const SeamSheet& mate) {
         const int t = sheet.side->tile;
-        const FlatTile& tile = plan.tiles[static_cast<std::size_t>(t)];
+        const FlatTile& tile = plan.tiles[at(t)];
         const double from = std::max(sheet.from, mate.from), to = std::min(sheet.to, mate.to);
         if (!tile.is_flat() || !(from < to)) return;
         const Eigen::VectorXd drawn = drawn_lengths(tile.tile);
         for (const SeamPart& part : parts_between(sheet, from, to)) {
             const auto edge = static_cast<std::size_t>(part.edge);
-            parts[static_cast<std::size_t>(t)][edge].push_back(
+            parts[at(t)][edge].push_back(
                 {&seam, &sheet.record->type, mate.side->tile, flat_edge(tile, edge) * part.length / drawn[part.edge]});
         }
     };
@@ -61,8 +62,7 @@ std::vector<SewnParts> sewn_parts(const CutPlan& plan) {
 std::map<int, std::size_t> chains_from(const Tile& tile) {
     std::map<int, std::size_t> chain_of;
     for (std::size_t c = 0; c < tile.chains.size(); ++c)
-        for (int i = 0; i < tile.chains[c].edge_count(); ++i)
-            chain_of[tile.chains[c].vertices[static_cast<std::size_t>(i)]] = c;
+        for (int i = 0; i < tile.chains[c].edge_count(); ++i) chain_of[tile.chains[c].vertices[at(i)]] = c;
     return chain_of;
 }
 
@@ -93,11 +93,11 @@ std::vector<std::size_t> starts(const Tile& tile, const std::vector<SewnAs>& sew
     const std::size_t count = tile.boundary.size();
     std::vector<bool> corner(static_cast<std::size_t>(tile.mesh.vertex_count()), false);
     if (tile.chains.size() > 1)
-        for (const Chain& chain : tile.chains) corner[static_cast<std::size_t>(chain.vertices.front())] = true;
+        for (const Chain& chain : tile.chains) corner[at(chain.vertices.front())] = true;
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < count; ++i) {
         const auto here = static_cast<Eigen::Index>(i), before = static_cast<Eigen::Index>((i + count - 1) % count);
-        if (corner[static_cast<std::size_t>(tile.boundary[i])] || !(sewn[i] == sewn[(i + count - 1) % count]) ||
+        if (corner[at(tile.boundary[i])] || !(sewn[i] == sewn[(i + count - 1) % count]) ||
             std::abs(allowances[here] - allowances[before]) > same_allowance)
             found.push_back(i);
     }

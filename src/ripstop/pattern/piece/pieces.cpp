@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/pattern/piece/annotation.h"
@@ -158,7 +159,7 @@ std::vector<PatternPiece> make_pieces(const CutPlan& plan, const PieceOptions& o
         piece.quantity = quantity[i].same;
         piece.quantity_mirrored = quantity[i].mirrored;
         if (const int first = plan.tiles[i].equal_to; first >= 0) {
-            piece.pattern = plan.tiles[static_cast<std::size_t>(first)].tile.name;
+            piece.pattern = plan.tiles[at(first)].tile.name;
             piece.mirrored = plan.tiles[i].mirrored;
         }
         piece.sew_line = outlines[i].sew_line;

@@ -59,7 +59,7 @@ SeamEnds::SeamEnds(const CutPlan& plan) : runs_(plan.tiles.size()) {
 }
 
 std::optional<std::vector<SeamMatch>> SeamEnds::match(std::size_t tile, std::size_t pattern, bool mirrored) const {
-    const std::vector<Run>&runs = runs_[tile], &others = runs_[pattern];
+    const std::vector<SeamRun>&runs = runs_[tile], &others = runs_[pattern];
     if (runs.size() != others.size()) return std::nullopt;
     for (const double half_turn : {1.0, -1.0}) {
         const Vec2 signs(half_turn, mirrored ? -half_turn : half_turn);
@@ -67,8 +67,8 @@ std::optional<std::vector<SeamMatch>> SeamEnds::match(std::size_t tile, std::siz
             return (here - there.cwiseProduct(signs)).norm() <= same_end;
         };
         std::vector<SeamMatch> matches;
-        for (const Run& run : runs) {
-            const auto found = std::find_if(others.begin(), others.end(), [&](const Run& other) {
+        for (const SeamRun& run : runs) {
+            const auto found = std::find_if(others.begin(), others.end(), [&](const SeamRun& other) {
                 return (meet(run.start, other.start) && meet(run.end, other.end)) ||
                        (meet(run.start, other.end) && meet(run.end, other.start));
             });

@@ -25,11 +25,11 @@ class SeamEnds {
     std::optional<std::vector<SeamMatch>> match(std::size_t tile, std::size_t pattern, bool mirrored) const;
 
   private:
-    struct Run {
+    struct SeamRun {
         int seam = 0;
         Vec2 start = Vec2::Zero(), end = Vec2::Zero();  ///< relative to the piece's centre
     };
-    std::vector<std::vector<Run>> runs_;  ///< for each tile
+    std::vector<std::vector<SeamRun>> runs_;  ///< for each tile
 };
 
 /// The direction of a seam's marks, chosen so that it agrees on all pieces that one pattern cuts.

@@ -124,7 +124,7 @@ class PieceFinder {
         if (fitting.size() > most) names += ", …";
         throw InputError(
             "the outline at " + place_text(ring.lower) + " is that of " + names +
-            " and does not say of which; keep the name that cut/ has in it, or call the file as the piece");
+            " and does not say of which; keep the name from cut/ in the drawing, or name the file after the piece");
     }
 
     const PatternDrawing& drawing_;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "ripstop/base/index.h"
 #include "ripstop/geometry/polygon.h"
 #include "ripstop/pattern/piece/drawn_lines.h"
 #include "ripstop/pattern/piece/pieces.h"
@@ -99,10 +100,10 @@ Flattening copied_flattening(const FlatTile& first, const Tile& tile, const Like
     if (flat.seam_tension.size() == 0) return flat;
     std::vector<Eigen::Index> place(static_cast<std::size_t>(first.tile.mesh.vertex_count()));
     for (std::size_t i = 0; i < first.tile.boundary.size(); ++i)
-        place[static_cast<std::size_t>(first.tile.boundary[i])] = static_cast<Eigen::Index>(i);
+        place[at(first.tile.boundary[i])] = static_cast<Eigen::Index>(i);
     const auto there = [&](std::size_t i) {
         const int vertex = tile.boundary[i % tile.boundary.size()];
-        return place[static_cast<std::size_t>(likeness.vertex[static_cast<std::size_t>(vertex)])];
+        return place[at(likeness.vertex[at(vertex)])];
     };
     // // The boundary of a mirror image runs the other way, so its edges start where these end.
     for (std::size_t i = 0; i < tile.boundary.size(); ++i)

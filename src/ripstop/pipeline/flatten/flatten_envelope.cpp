@@ -4,14 +4,15 @@
 #include <utility>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 #include "ripstop/base/progress.h"
 #include "ripstop/flatten/method.h"
-#include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/judge.h"
 #include "ripstop/measure/judge_seams.h"
 #include "ripstop/measure/judge_zigzags.h"
-#include "ripstop/measure/seam_walk.h"
+#include "ripstop/measure/measure_accuracy.h"
+#include "ripstop/measure/walk_seams.h"
 #include "ripstop/pipeline/flatten/equal_pieces.h"
 
 namespace ripstop {
@@ -60,20 +61,19 @@ CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options
     const std::vector<Likeness> likeness = find_equal_tiles(envelope.tiles);
     const bool copies = method && !at_once;
     std::vector<int> solved, copied;
-    for (int i = 0; i < count; ++i)
-        (copies && !likeness[static_cast<std::size_t>(i)].vertex.empty() ? copied : solved).push_back(i);
+    for (int i = 0; i < count; ++i) (copies && !likeness[at(i)].vertex.empty() ? copied : solved).push_back(i);
     const auto flatten_and_judge = [&](int i, const Likeness* copy) {
-        const Tile& tile = envelope.tiles[static_cast<std::size_t>(i)];
+        const Tile& tile = envelope.tiles[at(i)];
         const Fabric& fabric = plan.fabric_of(tile);
-        FlatTile& result = plan.tiles[static_cast<std::size_t>(i)];
+        FlatTile& result = plan.tiles[at(i)];
         const auto start = Clock::now();
         if (copy) {
-            const FlatTile& first = plan.tiles[static_cast<std::size_t>(copy->to)];
+            const FlatTile& first = plan.tiles[at(copy->to)];
             result.bounds = moved_bounds(first.bounds, *copy);
             result.flattening = copied_flattening(first, tile, *copy);
         } else {
             result.bounds = measure_bounds(tile);
-            result.flattening = at_once  ? std::move(flats[static_cast<std::size_t>(i)])
+            result.flattening = at_once  ? std::move(flats[at(i)])
                                 : method ? method->flatten(tile, fabric)
                                          : given_flattening(tile);
         }
@@ -84,12 +84,11 @@ CutPlan flatten_envelope(const Envelope& envelope, const FlattenOptions& options
         result.verdict = judge(tile, result.bounds, result.flattening, result.accuracy, plan.tolerances_of(tile));
         counter.done(tile.name);
     };
-    const auto nth = [](const std::vector<int>& list, int k) { return list[static_cast<std::size_t>(k)]; };
+    const auto nth = [](const std::vector<int>& list, int k) { return list[at(k)]; };
     parallel_for(static_cast<int>(solved.size()), options.threads,
                  [&](int k) { flatten_and_judge(nth(solved, k), nullptr); });
-    parallel_for(static_cast<int>(copied.size()), options.threads, [&](int k) {
-        flatten_and_judge(nth(copied, k), &likeness[static_cast<std::size_t>(nth(copied, k))]);
-    });
+    parallel_for(static_cast<int>(copied.size()), options.threads,
+                 [&](int k) { flatten_and_judge(nth(copied, k), &likeness[at(nth(copied, k))]); });
     plan.seams = envelope.seams;
     list_equal_pieces(plan, likeness);
     plan.walks = walk_seams(plan.tiles, plan.seams, plan.tolerances);

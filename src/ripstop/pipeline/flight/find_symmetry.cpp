@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include "ripstop/base/index.h"
 #include "ripstop/measure/equal_tiles.h"
 
 namespace ripstop {
@@ -37,8 +38,7 @@ bool is_cut_alike(const FlatTile& one, const FlatTile& other, const std::vector<
     for (Eigen::Index t = 0; t < triangles.rows(); ++t)
         for (int k = 0; k < 3; ++k) {
             const int a = triangles(t, k), b = triangles(t, (k + 1) % 3);
-            const double there =
-                (u.row(vertex[static_cast<std::size_t>(a)]) - u.row(vertex[static_cast<std::size_t>(b)])).squaredNorm();
+            const double there = (u.row(vertex[at(a)]) - u.row(vertex[at(b)])).squaredNorm();
             if (!(std::abs((w.row(a) - w.row(b)).squaredNorm() - there) <= same_cloth)) return false;
         }
     return true;
@@ -48,8 +48,8 @@ bool is_cut_alike(const FlatTile& one, const FlatTile& other, const std::vector<
 bool is_sewn_alike(const CutPlan& plan, const Symmetry& symmetry) {
     std::map<std::tuple<int, int, int, bool>, int> count;
     for (const Seam& seam : plan.seams) {
-        TurnedTile a = symmetry.tiles[static_cast<std::size_t>(seam.a.tile)];
-        TurnedTile b = symmetry.tiles[static_cast<std::size_t>(seam.b.tile)];
+        TurnedTile a = symmetry.tiles[at(seam.a.tile)];
+        TurnedTile b = symmetry.tiles[at(seam.b.tile)];
         int turns = (b.turns - a.turns + symmetry.sectors) % symmetry.sectors;
         const int back = (symmetry.sectors - turns) % symmetry.sectors;
         if (std::tie(b.of, back) < std::tie(a.of, turns)) {
@@ -82,11 +82,10 @@ Symmetry with_sectors(const CutPlan& plan, const std::vector<Likeness>& likeness
         const int turns = (static_cast<int>(std::lround(turn / angle)) % sectors + sectors) % sectors;
         const Eigen::Isometry3d motion =
             Eigen::Translation3d(axis) * Eigen::AngleAxisd(turns * angle, Vec3::UnitZ()) * Eigen::Translation3d(-axis);
-        const auto& first = plan.tiles[static_cast<std::size_t>(like.to)];
+        const auto& first = plan.tiles[at(like.to)];
         const Points3 &x = first.tile.mesh.positions, &there = plan.tiles[i].tile.mesh.positions;
         for (Eigen::Index v = 0; v < there.rows(); ++v)
-            if ((motion * Vec3(x.row(like.vertex[static_cast<std::size_t>(v)])) - Vec3(there.row(v))).norm() >
-                same_symmetric_place)
+            if ((motion * Vec3(x.row(like.vertex[at(v)])) - Vec3(there.row(v))).norm() > same_symmetric_place)
                 return whole(plan);
         if (!is_cut_alike(first, plan.tiles[i], like.vertex)) return whole(plan);
         symmetry.tiles[i] = {like.to, turns, like.vertex};

@@ -14,7 +14,8 @@ namespace {
 Eigen::SparseMatrix<double> shares(const SewnEnvelope& sewn) {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t v = 0; v < sewn.places.size(); ++v)
-        for (const PlacePart& part : sewn.places[v]) entries.emplace_back(static_cast<int>(v), part.node, part.weight);
+        for (const NodeShare& part : sewn.places[v].shares)
+            entries.emplace_back(static_cast<int>(v), part.node, part.weight);
     Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(sewn.places.size()), sewn.nodes.rows());
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 
 void tape_meridians(CutPlan& plan) {
@@ -12,7 +14,7 @@ void tape_meridians(CutPlan& plan) {
     const Vec3 middle = box.center();
     for (Seam& seam : plan.seams) {
         if (seam.into) continue;
-        const Tile& tile = plan.tiles[static_cast<std::size_t>(seam.a.tile)].tile;
+        const Tile& tile = plan.tiles[at(seam.a.tile)].tile;
         double along = 0, round = 0;
         for (const SeamPart& part : seam.a.parts) {
             const auto i = static_cast<std::size_t>(part.edge), n = tile.boundary.size();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
@@ -11,9 +13,7 @@ bool seam_fails(const SeamWalk& walk) {
 }
 
 bool is_in_question(const CutPlan& plan) {
-    const auto is_remeshed = [&](int tile) {
-        return plan.tiles[static_cast<std::size_t>(tile)].tile.remeshed.has_value();
-    };
+    const auto is_remeshed = [&](int tile) { return plan.tiles[at(tile)].tile.remeshed.has_value(); };
     for (const FlatTile& tile : plan.tiles)
         if (tile.tile.remeshed && !tile.verdict.manufacturable()) return true;
     for (std::size_t s = 0; s < plan.walks.size(); ++s)

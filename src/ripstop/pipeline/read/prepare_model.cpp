@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/mesh/change/mend.h"
@@ -26,7 +27,7 @@ Rows rows_of(const Rows& rows, const std::vector<int>& kept) {
 bool drawn_alike(const NamedMesh& surface, const MendedMesh& mended) {
     for (std::size_t v = 0; surface.drawn && v < mended.becomes.size(); ++v) {
         if (mended.becomes[v] < 0) continue;
-        const int kept = mended.vertex[static_cast<std::size_t>(mended.becomes[v])];
+        const int kept = mended.vertex[at(mended.becomes[v])];
         if (surface.drawn->row(static_cast<Eigen::Index>(v)) != surface.drawn->row(kept)) return false;
     }
     return true;
@@ -87,8 +88,8 @@ std::string sentence(const CadModel& model, const std::vector<MendedMesh>& mende
 std::vector<std::string> mend_surfaces(CadModel& model, double tip_width, int threads) {
     std::vector<MendedMesh> mended(model.surfaces.size());
     parallel_for(static_cast<int>(mended.size()), threads, [&](int s) {
-        const NamedMesh& surface = model.surfaces[static_cast<std::size_t>(s)];
-        if (surface.fault.empty()) mended[static_cast<std::size_t>(s)] = mended_of(surface, tip_width);
+        const NamedMesh& surface = model.surfaces[at(s)];
+        if (surface.fault.empty()) mended[at(s)] = mended_of(surface, tip_width);
     });
     std::vector<std::string> sentences;
     for (const MendedKind& kind : kinds)

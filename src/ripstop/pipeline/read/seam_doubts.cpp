@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/measure/judge_seams.h"
 #include "ripstop/tile/find_zigzags.h"
@@ -14,7 +15,7 @@ bool is_certain(const Seam& seam, double tolerance) {
 }
 
 Vec3 middle_of(const SeamSide& side, const Tile& tile) {
-    return tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>(side.parts[side.parts.size() / 2].edge)]);
+    return tile.mesh.positions.row(tile.boundary[at(side.parts[side.parts.size() / 2].edge)]);
 }
 
 void add_uncertain(EnvelopeCheck& check, Envelope envelope, const RemeshOptions& remesh) {
@@ -23,8 +24,8 @@ void add_uncertain(EnvelopeCheck& check, Envelope envelope, const RemeshOptions&
     remesh_envelope(envelope, remesh);
     for (const Seam& seam : envelope.seams) {
         if (certain(seam)) continue;
-        const Tile& a = envelope.tiles[static_cast<std::size_t>(seam.a.tile)];
-        const Tile& b = envelope.tiles[static_cast<std::size_t>(seam.b.tile)];
+        const Tile& a = envelope.tiles[at(seam.a.tile)];
+        const Tile& b = envelope.tiles[at(seam.b.tile)];
         check.issues.push_back({"uncertain",
                                 uncertain_text(seam, a.name, b.name, remesh.length_tolerance * seam.length),
                                 {a.name, b.name},

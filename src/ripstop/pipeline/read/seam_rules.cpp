@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "ripstop/base/index.h"
 #include "ripstop/io/json/project_seams.h"
 #include "ripstop/io/text/text.h"
 #include "ripstop/tile/allowance.h"
@@ -44,14 +45,14 @@ class Edges {
     }
 
   private:
-    const Tile& tile(int t) const { return envelope_.tiles[static_cast<std::size_t>(t)]; }
+    const Tile& tile(int t) const { return envelope_.tiles[at(t)]; }
 
     void add(int t, int from, int to, Way& sum) const {
         const Points3& x = tile(t).mesh.positions;
         const Vec3 edge = x.row(to) - x.row(from), &warp = tile(t).grain.direction;
         const double length = std::max(edge.norm(), 1e-300);
         sum.along += edge.dot(warp) * edge.dot(warp) / length;
-        const double across = edge.dot(normals_[static_cast<std::size_t>(t)].cross(warp));
+        const double across = edge.dot(normals_[at(t)].cross(warp));
         sum.across += across * across / length;
     }
 
@@ -60,7 +61,7 @@ class Edges {
 };
 
 const std::string& name_of(const Envelope& envelope, const SeamSide& side) {
-    return envelope.tiles[static_cast<std::size_t>(side.tile)].name;
+    return envelope.tiles[at(side.tile)].name;
 }
 
 bool fits(const SeamRule& rule, const Seam& seam, const Envelope& envelope, const Edges& edges) {
@@ -69,7 +70,7 @@ bool fits(const SeamRule& rule, const Seam& seam, const Envelope& envelope, cons
 }
 
 bool fits(const SeamRule& rule, int t, const Chain& chain, const Envelope& envelope, const Edges& edges) {
-    return rule.fits_free(envelope.tiles[static_cast<std::size_t>(t)].name) &&
+    return rule.fits_free(envelope.tiles[at(t)].name) &&
            (rule.direction == EdgeDirection::any || edges.way(t, chain).fits(rule.direction));
 }
 
@@ -117,9 +118,7 @@ void give_seam_types(Envelope& envelope, const Project& project) {
     for (Seam& seam : envelope.seams) {
         const SeamRule* rule =
             deciding_rule(project, [&](const SeamRule& one) { return fits(one, seam, envelope, edges); });
-        seam.type = rule        ? rule->type
-                    : seam.into ? envelope.seams[static_cast<std::size_t>(seam.into->seam)].type
-                                : felled;
+        seam.type = rule ? rule->type : seam.into ? envelope.seams[at(seam.into->seam)].type : felled;
         if (!rule || !rule->mate_allowance) continue;
         // if both sides match both names, b is the mate
         const bool a_is_mate = !rule->is_in_order(name_of(envelope, seam.a), name_of(envelope, seam.b));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "ripstop/base/index.h"
 #include "ripstop/mesh/boundary.h"
 #include "ripstop/tile/make_tile.h"
 
@@ -59,9 +60,8 @@ std::vector<int> chains_of_edges(const Tile& whole) {
     std::vector<int> leaving(static_cast<std::size_t>(whole.mesh.vertex_count()), 0), chains;
     for (std::size_t c = 0; c < whole.chains.size(); ++c)
         for (int i = 0; i < whole.chains[c].edge_count(); ++i)
-            leaving[static_cast<std::size_t>(whole.chains[c].vertices[static_cast<std::size_t>(i)])] =
-                static_cast<int>(c);
-    for (const int v : whole.boundary) chains.push_back(leaving[static_cast<std::size_t>(v)]);
+            leaving[at(whole.chains[c].vertices[at(i)])] = static_cast<int>(c);
+    for (const int v : whole.boundary) chains.push_back(leaving[at(v)]);
     return chains;
 }
 
@@ -92,7 +92,7 @@ Tile make_half_tile(const Tile& whole, const MeshHalf& half, const std::string& 
     const std::vector<int> chain_of = chains_of_edges(whole);
     for (const Chain& chain : tile.chains) {
         const auto edge = boundary.edge_of(half, chain.vertices[0], chain.vertices[1]);
-        const std::size_t c = edge ? static_cast<std::size_t>(chain_of[static_cast<std::size_t>(*edge)]) : 0;
+        const std::size_t c = edge ? static_cast<std::size_t>(chain_of[at(*edge)]) : 0;
         const bool given = edge && c < whole.compensation.chains.size();
         tile.compensation.chains.push_back(given ? whole.compensation.chains[c] : 0);
     }

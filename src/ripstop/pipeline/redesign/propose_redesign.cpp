@@ -7,11 +7,12 @@
 #include <tuple>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
-#include "ripstop/measure/accuracy.h"
 #include "ripstop/measure/equal_tiles.h"
 #include "ripstop/measure/judge.h"
 #include "ripstop/measure/judge_zigzags.h"
+#include "ripstop/measure/measure_accuracy.h"
 #include "ripstop/mesh/change/split.h"
 #include "ripstop/model/plan/better_verdict.h"
 #include "ripstop/pipeline/redesign/half_tile.h"
@@ -184,10 +185,9 @@ bool add_proposals(CutPlan& plan, const Method& method, int threads, const Propo
     if (static_cast<long>(failing.size()) > limits.kinds || triangles > limits.triangles) return false;
     StepCounter counter(static_cast<int>(failing.size()), progress);
     parallel_for(static_cast<int>(failing.size()), threads, [&](int k) {
-        FlatTile& tile = plan.tiles[failing[static_cast<std::size_t>(k)]];
+        FlatTile& tile = plan.tiles[failing[at(k)]];
         tile.proposal = propose_split(tile, method, plan.fabric_of(tile.tile), plan.tolerances_of(tile.tile));
-        for (const std::size_t other : alike[static_cast<std::size_t>(k)])
-            plan.tiles[other].proposal = taken_over(tile, plan.tiles[other]);
+        for (const std::size_t other : alike[at(k)]) plan.tiles[other].proposal = taken_over(tile, plan.tiles[other]);
         counter.done("seams to draw in " + tile.tile.name);
     });
     return true;
@@ -198,14 +198,13 @@ std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& met
     std::vector<std::optional<MergeProposal>> found(plan.seams.size());
     std::vector<char> holds_further(plan.seams.size(), false);
     for (std::size_t s = 0; s < plan.seams.size(); ++s)
-        if (const auto& into = plan.seams[s].into)
-            holds_further[s] = holds_further[static_cast<std::size_t>(into->seam)] = true;
+        if (const auto& into = plan.seams[s].into) holds_further[s] = holds_further[at(into->seam)] = true;
     StepCounter counter(static_cast<int>(plan.seams.size()), progress);
     const auto try_seam = [&](int i) {
-        const Seam& seam = plan.seams[static_cast<std::size_t>(i)];
-        if (holds_further[static_cast<std::size_t>(i)]) return;  // an additional sheet would lose its seam
-        const FlatTile& a = plan.tiles[static_cast<std::size_t>(seam.a.tile)];
-        const FlatTile& b = plan.tiles[static_cast<std::size_t>(seam.b.tile)];
+        const Seam& seam = plan.seams[at(i)];
+        if (holds_further[at(i)]) return;  // an additional sheet would lose its seam
+        const FlatTile& a = plan.tiles[at(seam.a.tile)];
+        const FlatTile& b = plan.tiles[at(seam.b.tile)];
         try {
             const std::optional<Tile> welded = weld_tiles(a.tile, b.tile, seam);
             if (!welded) return;
@@ -214,14 +213,14 @@ std::vector<MergeProposal> propose_merges(const CutPlan& plan, const Method& met
             const Trial trial = try_tile(*welded, method, fabric, plan.tolerances_of(*welded), &flat);
             const double width = flat.positions.col(1).maxCoeff() - flat.positions.col(1).minCoeff();
             if (trial.verdict.manufacturable() && width <= fabric.roll_width)
-                found[static_cast<std::size_t>(i)] = {seam.a.tile, seam.b.tile, i, trial};
+                found[at(i)] = {seam.a.tile, seam.b.tile, i, trial};
         } catch (const InputError&) {
             return;  // together they do not form a tile
         }
     };
     parallel_for(static_cast<int>(plan.seams.size()), threads, [&](int i) {
         try_seam(i);
-        counter.done("tiles as one over " + plan.seams[static_cast<std::size_t>(i)].id);
+        counter.done("tiles as one over " + plan.seams[at(i)].id);
     });
     std::vector<MergeProposal> merges;
     for (std::optional<MergeProposal>& merge : found)

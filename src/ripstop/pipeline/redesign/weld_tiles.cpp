@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/mesh/boundary.h"
 #include "ripstop/tile/make_tile.h"
@@ -19,7 +20,7 @@ std::vector<int> vertices_of(const Tile& tile, const SeamSide& side) {
     std::vector<int> vertices;
     for (const SeamPart& part : side.parts) {
         if (std::abs(part.length / drawn[part.edge] - 1) > 1e-6) return {};
-        vertices.push_back(tile.boundary[static_cast<std::size_t>(part.edge)]);
+        vertices.push_back(tile.boundary[at(part.edge)]);
     }
     if (vertices.empty()) return {};
     const auto last = static_cast<std::size_t>(side.parts.back().edge) + 1;
@@ -35,7 +36,7 @@ std::vector<int> partners(const Tile& a, const Tile& b, const Seam& seam) {
     for (std::size_t i = 0; i < along.size(); ++i) {
         const int u = along[i], v = against[against.size() - 1 - i];
         if ((a.mesh.positions.row(u) - b.mesh.positions.row(v)).norm() > same_vertex) return {};
-        partner[static_cast<std::size_t>(v)] = u;
+        partner[at(v)] = u;
     }
     return partner;
 }
@@ -72,14 +73,13 @@ std::optional<Tile> weld_tiles(const Tile& a, const Tile& b, const Seam& seam) {
         if (v < 0) v = count++;
     TriangleMesh mesh;
     mesh.positions.resize(count, 3);
-    for (int v = 0; v < b.mesh.vertex_count(); ++v)
-        mesh.positions.row(number_b[static_cast<std::size_t>(v)]) = b.mesh.positions.row(v);
+    for (int v = 0; v < b.mesh.vertex_count(); ++v) mesh.positions.row(number_b[at(v)]) = b.mesh.positions.row(v);
     mesh.positions.topRows(a.mesh.vertex_count()) = a.mesh.positions;
     mesh.triangles.resize(a.mesh.triangle_count() + b.mesh.triangle_count(), 3);
     mesh.triangles.topRows(a.mesh.triangle_count()) = a.mesh.triangles;
     for (int t = 0; t < b.mesh.triangle_count(); ++t)
         for (int k = 0; k < 3; ++k)
-            mesh.triangles(a.mesh.triangle_count() + t, k) = number_b[static_cast<std::size_t>(b.mesh.triangles(t, k))];
+            mesh.triangles(a.mesh.triangle_count() + t, k) = number_b[at(b.mesh.triangles(t, k))];
     TileOptions options;
     options.warp = a.grain.direction + sign * b.grain.direction;
     options.warp_source = "mean of both tiles";

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
@@ -16,9 +18,7 @@ std::vector<int> matching_nodes(const NewBoundary& first, const NewBoundary& bou
     const int count = static_cast<int>(boundary.nodes.size());
     if (static_cast<int>(first.nodes.size()) != count) return {};
     const auto near = [&](int k, int i) {
-        return (moved(first.nodes[static_cast<std::size_t>(k)].position, likeness) -
-                boundary.nodes[static_cast<std::size_t>(i)].position)
-                   .norm() < equal_vertex;
+        return (moved(first.nodes[at(k)].position, likeness) - boundary.nodes[at(i)].position).norm() < equal_vertex;
     };
     const int step = likeness.mirrored ? count - 1 : 1;
     for (int start = 0; start < count; ++start) {
@@ -32,7 +32,7 @@ std::vector<int> matching_nodes(const NewBoundary& first, const NewBoundary& bou
 
 bool corners_match(const NewBoundary& first, const NewBoundary& boundary, const std::vector<int>& number) {
     std::vector<int> there, here = boundary.chain_starts;
-    for (const int start : first.chain_starts) there.push_back(number[static_cast<std::size_t>(start)]);
+    for (const int start : first.chain_starts) there.push_back(number[at(start)]);
     std::sort(there.begin(), there.end());
     std::sort(here.begin(), here.end());
     return there == here;
@@ -54,8 +54,7 @@ std::optional<Tile> copied_mesh(const Tile& tile, const NewBoundary& boundary, c
         mesh.positions.row(static_cast<Eigen::Index>(i)) = boundary.nodes[i].position;
     for (int t = 0; t < mesh.triangle_count(); ++t)
         for (int k = 0; k < 3; ++k)
-            mesh.triangles(t, likeness.mirrored ? 2 - k : k) =
-                number[static_cast<std::size_t>(made.mesh.triangles(t, k))];
+            mesh.triangles(t, likeness.mirrored ? 2 - k : k) = number[at(made.mesh.triangles(t, k))];
     return tile_on_mesh(tile, boundary, std::move(mesh), {});
 }
 

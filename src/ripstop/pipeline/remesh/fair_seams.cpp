@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "ripstop/assembly/seams/find_seams.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/flatten/map/dirichlet.h"
 #include "ripstop/geometry/polygon.h"
@@ -125,7 +126,7 @@ Tile moved_tile(const Tile& tile, const Laid& laid, const Places& moves) {
     Points3 positions(outline, 3);
     std::vector<bool> moved;
     for (Eigen::Index i = 0; i < outline; ++i) {
-        const int v = tile.boundary[static_cast<std::size_t>(i)];
+        const int v = tile.boundary[at(i)];
         const Vec3 here = tile.mesh.positions.row(v);
         const std::optional<Vec3> to = moves.find(here);
         moved.push_back(to.has_value());
@@ -139,7 +140,7 @@ Tile moved_tile(const Tile& tile, const Laid& laid, const Places& moves) {
     const auto is_near_new_edge = [&](const Vec2& point) {
         for (Eigen::Index i = 0; i < outline; ++i) {
             const Eigen::Index next = (i + 1) % outline;
-            if (!moved[static_cast<std::size_t>(i)] && !moved[static_cast<std::size_t>(next)]) continue;
+            if (!moved[at(i)] && !moved[at(next)]) continue;
             const Vec2 from = polygon.row(i), edge = Vec2(polygon.row(next)) - from;
             const double share = std::clamp((point - from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
             if ((point - from - share * edge).norm() < too_near * edge.norm()) return true;
@@ -187,9 +188,9 @@ class Fairing {
         if (zigzags_.empty()) return {"--fair-seams: no edge zigzags, all tiles stay as they are"};
         drop_one_sided();
         for (const Zigzag& zigzag : zigzags_) {
-            Laid& laid = laid_[static_cast<std::size_t>(zigzag.tile)];
+            Laid& laid = laid_[at(zigzag.tile)];
             if (laid.flat.rows() == 0) laid = lay(tile(zigzag.tile));
-            if (laid.flat.rows() == 0) failure_[static_cast<std::size_t>(zigzag.tile)] = "it was not laid flat";
+            if (laid.flat.rows() == 0) failure_[at(zigzag.tile)] = "it was not laid flat";
         }
         while (!try_all()) {
         }
@@ -197,14 +198,14 @@ class Fairing {
     }
 
   private:
-    const Tile& tile(int t) const { return envelope_.tiles[static_cast<std::size_t>(t)]; }
+    const Tile& tile(int t) const { return envelope_.tiles[at(t)]; }
 
     /// Moves the zigzags of tiles that have not failed. Returns false if another tile failed.
     bool try_all() {
         Places moves(tolerance_);
         std::vector<bool> touched(envelope_.tiles.size(), false);
         for (const Zigzag& zigzag : zigzags_)
-            if (failure_[static_cast<std::size_t>(zigzag.tile)].empty()) add_moves(zigzag, moves);
+            if (failure_[at(zigzag.tile)].empty()) add_moves(zigzag, moves);
         for (std::size_t t = 0; t < envelope_.tiles.size(); ++t)
             touched[t] =
                 std::any_of(envelope_.tiles[t].boundary.begin(), envelope_.tiles[t].boundary.end(),
@@ -245,14 +246,14 @@ class Fairing {
                 return lies_on_boundary(static_cast<int>(mate - envelope_.tiles.begin()),
                                         tile(zigzag.tile).mesh.positions.row(v));
             });
-            if (!shared) failure_[static_cast<std::size_t>(zigzag.tile)] = zigzag.mate + " has other vertices along it";
+            if (!shared) failure_[at(zigzag.tile)] = zigzag.mate + " has other vertices along it";
             return !shared;
         });
     }
 
     /// Keeps a failed tile, and the zigzags of its neighbours that run along it.
     void give_up(int t, const std::string& why) {
-        failure_[static_cast<std::size_t>(t)] = why;
+        failure_[at(t)] = why;
         std::erase_if(zigzags_, [&](const Zigzag& zigzag) {
             return zigzag.tile == t || std::any_of(zigzag.vertices.begin(), zigzag.vertices.end(), [&](int v) {
                        return lies_on_boundary(t, tile(zigzag.tile).mesh.positions.row(v));
@@ -262,7 +263,7 @@ class Fairing {
 
     void add_moves(const Zigzag& zigzag, Places& moves) const {
         const Tile& mine = tile(zigzag.tile);
-        const Laid& laid = laid_[static_cast<std::size_t>(zigzag.tile)];
+        const Laid& laid = laid_[at(zigzag.tile)];
         const Points2 chain = laid.flat(zigzag.vertices, Eigen::all), fair = fair_points(chain, zigzag.closed);
         const std::size_t skip = zigzag.closed ? 0 : 1;
         for (std::size_t i = skip; i + skip < zigzag.vertices.size(); ++i) {

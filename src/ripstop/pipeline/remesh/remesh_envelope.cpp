@@ -9,6 +9,7 @@
 
 #include "ripstop/assembly/seams/find_seams.h"
 #include "ripstop/base/error.h"
+#include "ripstop/base/index.h"
 #include "ripstop/base/parallel.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/measure/equal_tiles.h"
@@ -29,7 +30,7 @@ constexpr int most_rounds = 4;
 constexpr int most_meshings = 3;  // of a tile whose neighbours fail; then it keeps its mesh as they do
 
 /// The plan for a tile, and the result.
-struct Job {
+struct TileJob {
     double edge_length = 0;  ///< 0: unchanged
     std::optional<MeshFault> fault;
     double turn_max = 0;
@@ -53,13 +54,13 @@ bool unrolls_as_drawn(const Tile& tile, const MeshState& state, const MeshFault&
            FacetRow::find(tile, Adjacency(tile.mesh.triangles, tile.mesh.vertex_count()), {}).has_value();
 }
 
-std::vector<Job> find_jobs(const std::vector<Tile>& tiles, const RemeshOptions& options) {
-    std::vector<Job> jobs(tiles.size());
+std::vector<TileJob> find_jobs(const std::vector<Tile>& tiles, const RemeshOptions& options) {
+    std::vector<TileJob> jobs(tiles.size());
     const double fewest = fewest_of(tiles.size());
     parallel_for(static_cast<int>(tiles.size()), options.threads, [&](int t) {
-        const Tile& tile = tiles[static_cast<std::size_t>(t)];
+        const Tile& tile = tiles[at(t)];
         const MeshState state = measure_mesh(tile);
-        Job& job = jobs[static_cast<std::size_t>(t)];
+        TileJob& job = jobs[at(t)];
         job.turn_max = state.turn_max;
         job.area = state.area;
         job.perimeter = edge_lengths(tile.mesh.positions, closed(tile.boundary)).sum();
@@ -79,11 +80,11 @@ std::vector<Job> find_jobs(const std::vector<Tile>& tiles, const RemeshOptions& 
 }
 
 /// Gives equal tiles that need remeshing one edge length: that of the first of them.
-void treat_alike(const std::vector<Tile>& tiles, const std::vector<Likeness>& likeness, std::vector<Job>& jobs) {
+void treat_alike(const std::vector<Tile>& tiles, const std::vector<Likeness>& likeness, std::vector<TileJob>& jobs) {
     for (std::size_t t = 0; t < jobs.size(); ++t) {
         if (likeness[t].to < 0) continue;
-        const Job& first = jobs[static_cast<std::size_t>(likeness[t].to)];
-        const TriangleMesh &one = tiles[static_cast<std::size_t>(likeness[t].to)].mesh, &other = tiles[t].mesh;
+        const TileJob& first = jobs[at(likeness[t].to)];
+        const TriangleMesh &one = tiles[at(likeness[t].to)].mesh, &other = tiles[t].mesh;
         const bool same_mesh =
             one.vertex_count() == other.vertex_count() && one.triangle_count() == other.triangle_count();
         if (!same_mesh && (first.edge_length == 0 || jobs[t].edge_length == 0)) continue;
@@ -102,7 +103,7 @@ bool leaves_any_open(const std::vector<Seam>& seams, const RemeshOptions& option
 /// Remeshes a tile that would be unchanged, such as a flat one, together with its neighbours if their seam is a
 /// polyline too coarse to tell whether it or the curve through it is meant: both sides take the curve.
 void take_coarse_neighbours(const std::vector<Tile>& tiles, const FoundSeams& found, const RemeshOptions& options,
-                            std::vector<Job>& jobs) {
+                            std::vector<TileJob>& jobs) {
     if (options.mode != RemeshMode::automatic) return;
     const std::vector<bool> coarse = find_coarse_seams(tiles, found, options.length_tolerance);
     for (bool changed = true; changed;) {
@@ -149,21 +150,21 @@ bool same_boundary(const NewBoundary& a, const NewBoundary& b) {
 }
 
 /// Makes the missing meshes. A tile whose mesh fails is unchanged.
-void make_meshes(const std::vector<Tile>& tiles, const std::vector<Likeness>& likeness, std::vector<Job>& jobs,
+void make_meshes(const std::vector<Tile>& tiles, const std::vector<Likeness>& likeness, std::vector<TileJob>& jobs,
                  int threads) {
     std::vector<int> firsts, copies;
     for (std::size_t t = 0; t < jobs.size(); ++t) {
         if (jobs[t].edge_length == 0 || jobs[t].made) continue;
         const Likeness& like = likeness[t];
-        const bool copy = like.to >= 0 && jobs[static_cast<std::size_t>(like.to)].edge_length > 0;
+        const bool copy = like.to >= 0 && jobs[at(like.to)].edge_length > 0;
         (copy ? copies : firsts).push_back(static_cast<int>(t));
     }
     const auto make = [&](int t) {
-        Job& job = jobs[static_cast<std::size_t>(t)];
-        const Tile& tile = tiles[static_cast<std::size_t>(t)];
+        TileJob& job = jobs[at(t)];
+        const Tile& tile = tiles[at(t)];
         try {
-            const Likeness& like = likeness[static_cast<std::size_t>(t)];
-            const Job* first = like.to < 0 ? nullptr : &jobs[static_cast<std::size_t>(like.to)];
+            const Likeness& like = likeness[at(t)];
+            const TileJob* first = like.to < 0 ? nullptr : &jobs[at(like.to)];
             if (first && first->made) job.made = copied_mesh(tile, job.boundary, *first->made, first->boundary, like);
             if (job.made) job.distance_max = first->distance_max;
             if (job.made) return;
@@ -175,8 +176,7 @@ void make_meshes(const std::vector<Tile>& tiles, const std::vector<Likeness>& li
         }
     };
     for (const std::vector<int>* list : {&firsts, &copies})
-        parallel_for(static_cast<int>(list->size()), threads,
-                     [&](int k) { make((*list)[static_cast<std::size_t>(k)]); });
+        parallel_for(static_cast<int>(list->size()), threads, [&](int k) { make((*list)[at(k)]); });
 }
 
 /// The chains of all sheets of a seam, by tile: outlines do not tell which of several sheets on an edge is the skin.
@@ -218,15 +218,15 @@ std::set<int> tiles_with_other_seams(const std::vector<Tile>& tiles, const std::
     return concerned;
 }
 
-void give_up(Job& job) {
+void give_up(TileJob& job) {
     job.edge_length = 0;
     job.made.reset();
 }
 
 /// Returns true if a tile failed, so the boundaries of its neighbours must change.
-bool give_up_failed(std::vector<Job>& jobs) {
+bool give_up_failed(std::vector<TileJob>& jobs) {
     bool any = false;
-    for (Job& job : jobs) {
+    for (TileJob& job : jobs) {
         if (job.edge_length == 0 || job.failure.empty()) continue;
         give_up(job);
         any = true;
@@ -234,12 +234,13 @@ bool give_up_failed(std::vector<Job>& jobs) {
     return any;
 }
 
-bool any_left(const std::vector<Job>& jobs) {
-    return std::any_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.edge_length > 0; });
+bool any_left(const std::vector<TileJob>& jobs) {
+    return std::any_of(jobs.begin(), jobs.end(), [](const TileJob& job) { return job.edge_length > 0; });
 }
 
 /// The tiles of `lost` that are to be remeshed; if there are none, the neighbours of the lost ones; failing that, all.
-std::set<int> concerned_jobs(const std::vector<Job>& jobs, const std::vector<Seam>& seams, const std::set<int>& lost) {
+std::set<int> concerned_jobs(const std::vector<TileJob>& jobs, const std::vector<Seam>& seams,
+                             const std::set<int>& lost) {
     std::set<int> jobs_lost, beside, all;
     for (std::size_t t = 0; t < jobs.size(); ++t) {
         if (jobs[t].edge_length == 0) continue;
@@ -254,11 +255,11 @@ std::set<int> concerned_jobs(const std::vector<Job>& jobs, const std::vector<Sea
 
 /// Divides the boundaries and checks that the seams between them are unchanged, with fewer tiles each time until they
 /// are. Seams follow from the boundaries alone, so nothing needs to be meshed.
-NewBoundaries settle_boundaries(const std::vector<Tile>& tiles, const FoundSeams& found, std::vector<Job>& jobs,
+NewBoundaries settle_boundaries(const std::vector<Tile>& tiles, const FoundSeams& found, std::vector<TileJob>& jobs,
                                 const RemeshOptions& options) {
     for (int round = 0;; ++round) {
         std::vector<double> edge_lengths;
-        for (const Job& job : jobs) edge_lengths.push_back(job.edge_length);
+        for (const TileJob& job : jobs) edge_lengths.push_back(job.edge_length);
         NewBoundaries plan =
             divide_boundaries(tiles, found, edge_lengths, options.length_tolerance, options.seam_tolerance);
         if (!any_left(jobs)) return plan;
@@ -268,14 +269,14 @@ NewBoundaries settle_boundaries(const std::vector<Tile>& tiles, const FoundSeams
         const std::set<int> lost = tiles_with_other_seams(outlines, plan.seams, options.seam_tolerance);
         if (lost.empty()) return plan;
         const std::set<int> concerned = concerned_jobs(jobs, found.seams, round < most_rounds ? lost : std::set<int>());
-        for (const int t : concerned) jobs[static_cast<std::size_t>(t)].failure = "the seams would not be found again";
+        for (const int t : concerned) jobs[at(t)].failure = "the seams would not be found again";
         give_up_failed(jobs);
     }
 }
 
 /// Divides and meshes; repeats without the tiles whose mesh failed.
-void remesh(Envelope& envelope, const FoundSeams& found, const std::vector<Likeness>& likeness, std::vector<Job>& jobs,
-            const RemeshOptions& options) {
+void remesh(Envelope& envelope, const FoundSeams& found, const std::vector<Likeness>& likeness,
+            std::vector<TileJob>& jobs, const RemeshOptions& options) {
     for (int round = 0; any_left(jobs); ++round) {
         NewBoundaries plan = settle_boundaries(envelope.tiles, found, jobs, options);
         for (std::size_t t = 0; t < jobs.size(); ++t) {
@@ -305,7 +306,7 @@ std::string deviation_text(double gain, double distance) {
 }
 
 /// One sentence for each kind of fault and outcome.
-std::vector<std::string> remarks_of(const std::vector<Tile>& tiles, const std::vector<Job>& jobs) {
+std::vector<std::string> remarks_of(const std::vector<Tile>& tiles, const std::vector<TileJob>& jobs) {
     struct Group {
         std::vector<std::string> names;
         double shortest = 0, longest = 0;
@@ -314,7 +315,7 @@ std::vector<std::string> remarks_of(const std::vector<Tile>& tiles, const std::v
     };
     std::map<std::tuple<std::string, int>, Group> groups;
     for (std::size_t t = 0; t < jobs.size(); ++t) {
-        const Job& job = jobs[t];
+        const TileJob& job = jobs[t];
         if (!job.made && job.failure.empty()) continue;
         Group& group = groups[{job.failure, job.fault ? job.fault->kind : -1}];
         group.shortest = group.names.empty() ? job.edge_length : std::min(group.shortest, job.edge_length);
@@ -346,11 +347,11 @@ std::vector<std::string> remarks_of(const std::vector<Tile>& tiles, const std::v
 std::vector<std::string> remesh_envelope(Envelope& envelope, const RemeshOptions& options) {
     if (options.mode == RemeshMode::never) return {};
     require_length(envelope.tiles, options);
-    std::vector<Job> jobs = find_jobs(envelope.tiles, options);
+    std::vector<TileJob> jobs = find_jobs(envelope.tiles, options);
     if (!any_left(jobs) && (options.mode != RemeshMode::automatic || !leaves_any_open(envelope.seams, options)))
         return remarks_of(envelope.tiles, jobs);
     if (!can_remesh()) {
-        for (Job& job : jobs)
+        for (TileJob& job : jobs)
             if (job.edge_length > 0) job.failure = "this program was built without CGAL";
         return remarks_of(envelope.tiles, jobs);
     }

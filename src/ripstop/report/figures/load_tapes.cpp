@@ -4,12 +4,14 @@
 #include <limits>
 #include <numbers>
 
+#include "ripstop/base/index.h"
+
 namespace ripstop {
 namespace {
 
 /// The mean of the ends of a seam's edges, as drawn.
 Vec3 middle(const CutPlan& plan, const Seam& seam) {
-    const Tile& tile = plan.tiles[static_cast<std::size_t>(seam.a.tile)].tile;
+    const Tile& tile = plan.tiles[at(seam.a.tile)].tile;
     Vec3 sum = Vec3::Zero();
     for (const SeamPart& part : seam.a.parts)
         for (const std::size_t k : {0u, 1u})

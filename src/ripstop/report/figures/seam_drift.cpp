@@ -5,9 +5,9 @@
 namespace ripstop {
 
 double drift_at(const SeamWalk& walk, double s) {
-    Notch before;
+    MatchMark before;
     for (std::size_t i = 0; i <= walk.notches.size(); ++i) {
-        const Notch after = i < walk.notches.size() ? walk.notches[i] : Notch{walk.length, walk.mismatch()};
+        const MatchMark after = i < walk.notches.size() ? walk.notches[i] : MatchMark{walk.length, walk.mismatch()};
         if (s <= after.at || i == walk.notches.size()) {
             const double step = after.at - before.at;
             return step > 0 ? before.drift + (s - before.at) / step * (after.drift - before.drift) : after.drift;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ripstop/base/index.h"
 #include "ripstop/report/figures/json_figures.h"
 #include "ripstop/report/words/inflated_says.h"
 
@@ -84,7 +85,7 @@ Json tapes_json(const CutPlan& plan) {
     for (const InflatedTape& tape : plan.inflated->tapes) {
         Json json = {{"kind", tape.kind == TapeKind::load ? "load" : tape.kind == TapeKind::wire ? "wire" : "tie"}};
         if (tape.kind == TapeKind::load)
-            json["seam"] = plan.seams[static_cast<std::size_t>(tape.source)].id;
+            json["seam"] = plan.seams[at(tape.source)].id;
         else
             json["number"] = tape.source + 1;
         json["force_min_n"] = figure(tape.force_min);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/mesh/boundary.h"
 #include "ripstop/report/figures/figures.h"
@@ -70,15 +71,13 @@ void add_tension(Json& chains, const FlatTile& tile) {
     if (tile.flattening.seam_tension.size() == 0) return;
     std::vector<Eigen::Index> place(static_cast<std::size_t>(tile.tile.mesh.vertex_count()));
     for (std::size_t i = 0; i < tile.tile.boundary.size(); ++i)
-        place[static_cast<std::size_t>(tile.tile.boundary[i])] = static_cast<Eigen::Index>(i);
+        place[at(tile.tile.boundary[i])] = static_cast<Eigen::Index>(i);
     for (std::size_t c = 0; c < tile.tile.chains.size(); ++c) {
         const Chain& chain = tile.tile.chains[c];
         const Eigen::VectorXd lengths = edge_lengths(tile.tile.mesh.positions, chain.vertices);
         Eigen::VectorXd tension(chain.edge_count());
         for (int i = 0; i < chain.edge_count(); ++i)
-            tension[i] =
-                tile.flattening
-                    .seam_tension[place[static_cast<std::size_t>(chain.vertices[static_cast<std::size_t>(i)])]];
+            tension[i] = tile.flattening.seam_tension[place[at(chain.vertices[at(i)])]];
         chains[c]["tension_n"] = {{"min", figure(tension.minCoeff())},
                                   {"mean", figure(tension.dot(lengths) / lengths.sum())},
                                   {"max", figure(tension.maxCoeff())}};
@@ -89,7 +88,7 @@ void add_tension(Json& chains, const FlatTile& tile) {
 void add_seams(Json& chains, const std::vector<std::vector<int>>& sewn, const CutPlan& plan) {
     for (std::size_t c = 0; c < std::min(chains.size(), sewn.size()); ++c) {
         Json ids = Json::array();
-        for (const int seam : sewn[c]) ids.push_back(plan.seams[static_cast<std::size_t>(seam)].id);
+        for (const int seam : sewn[c]) ids.push_back(plan.seams[at(seam)].id);
         if (!ids.empty()) chains[c]["seam"] = ids.front();
         if (ids.size() > 1) chains[c]["seams"] = ids;
     }
@@ -142,9 +141,9 @@ Json verdict_json(const Verdict& verdict) {
 }
 
 Json seam_json(const Seam& seam, const SeamWalk& walk, const CutPlan& plan) {
-    const auto tile = [&](const SeamSide& side) { return plan.tiles[static_cast<std::size_t>(side.tile)].tile.name; };
+    const auto tile = [&](const SeamSide& side) { return plan.tiles[at(side.tile)].tile.name; };
     Json notches = Json::array();
-    for (const Notch& notch : walk.notches)
+    for (const MatchMark& notch : walk.notches)
         notches.push_back({{"at_mm", in_millimetres(notch.at)}, {"drift_mm", in_millimetres(notch.drift)}});
     return {{"id", seam.id},
             {"tile_a", tile(seam.a)},
@@ -176,7 +175,7 @@ void add_further_sheets(Json& seams, const CutPlan& plan) {
         const auto skin = static_cast<std::size_t>(plan.seams[i].into->seam);
         seams[i]["sewn_into"] = plan.seams[skin].id;
         seams[i]["sewn_into_from_mm"] = in_millimetres(plan.seams[i].into->from);
-        seams[skin]["further_tiles"].push_back(plan.tiles[static_cast<std::size_t>(plan.seams[i].a.tile)].tile.name);
+        seams[skin]["further_tiles"].push_back(plan.tiles[at(plan.seams[i].a.tile)].tile.name);
     }
 }
 
@@ -216,9 +215,9 @@ Json proposal_json(const SplitProposal& proposal) {
 Json merges_json(const CutPlan& plan) {
     Json merges = Json::array();
     for (const MergeProposal& merge : plan.merges) {
-        Json json = {{"tile_a", plan.tiles[static_cast<std::size_t>(merge.tile_a)].tile.name},
-                     {"tile_b", plan.tiles[static_cast<std::size_t>(merge.tile_b)].tile.name},
-                     {"seam", plan.seams[static_cast<std::size_t>(merge.seam)].id}};
+        Json json = {{"tile_a", plan.tiles[at(merge.tile_a)].tile.name},
+                     {"tile_b", plan.tiles[at(merge.tile_b)].tile.name},
+                     {"seam", plan.seams[at(merge.seam)].id}};
         json.update(trial_json(merge.merged));
         merges.push_back(json);
     }
@@ -317,8 +316,7 @@ Json tile_json(const FlatTile& tile, const std::string& stem, const Json& chains
 
 void add_quantity(Json& json, const CutPlan& plan, std::size_t i, const Quantity& cut) {
     const FlatTile& tile = plan.tiles[i];
-    if (tile.equal_to >= 0)
-        json[tile.mirrored ? "mirror_of" : "equal_to"] = plan.tiles[static_cast<std::size_t>(tile.equal_to)].tile.name;
+    if (tile.equal_to >= 0) json[tile.mirrored ? "mirror_of" : "equal_to"] = plan.tiles[at(tile.equal_to)].tile.name;
     json["quantity"] = cut.same;
     json["quantity_mirrored"] = cut.mirrored;
 }
@@ -345,9 +343,7 @@ std::string report_json(const CutPlan& plan, bool reproducible) {
     for (std::size_t i = 0; i < plan.walks.size(); ++i) {
         seams.push_back(seam_json(plan.seams[i], plan.walks[i], plan));
         if (std::isfinite(cut_lengths[i])) seams.back()["tape_cut_mm"] = in_millimetres(cut_lengths[i]);
-        if (tapes[i] >= 0)
-            seams.back()["tape_force_max_n"] =
-                figure(plan.inflated->tapes[static_cast<std::size_t>(tapes[i])].force_max);
+        if (tapes[i] >= 0) seams.back()["tape_force_max_n"] = figure(plan.inflated->tapes[at(tapes[i])].force_max);
     }
     add_further_sheets(seams, plan);
     Json report = {

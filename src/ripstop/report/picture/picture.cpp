@@ -8,6 +8,7 @@
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/report/figures/cloth_map.h"
 #include "ripstop/report/figures/colour_scale.h"
 #include "ripstop/report/figures/figures.h"
@@ -212,7 +213,7 @@ std::string foot(const View& view, double cloth_limit, double length_limit) {
 }  // namespace
 
 std::string tile_picture(const FlatTile& tile, const Tolerances& tolerances, const PictureOptions& options) {
-    const bool drawable = is_drawable(tile);
+    const bool drawable = tile.is_flat();
     const View view = drawable ? fitted(tile.flattening.positions) : View{{}, 90};
     const std::string size = format_fixed(figure_width, 0) + "\" height=\"" + svg_number(view.page_height());
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" viewBox=\"0 0 " +

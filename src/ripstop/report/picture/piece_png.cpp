@@ -107,14 +107,14 @@ double drawn_height(const Vec2& size, double width, double tallest) {
 std::string drift_chart(const SeamWalk& walk, const std::string& second, const Vec2& at, double width) {
     constexpr double half = 44;
     double top = std::max(walk.limit, walk.drift_max);
-    for (const Notch& notch : walk.notches) top = std::max(top, std::abs(notch.drift));
+    for (const MatchMark& notch : walk.notches) top = std::max(top, std::abs(notch.drift));
     top = std::isfinite(top) && top > 0 ? 1.15 * top : 1;
     const auto place = [&](double s, double drift) {
         return Vec2(at.x() + s / walk.length * width, at.y() + half - drift / top * half);
     };
     std::vector<Vec2> points{place(0, 0)};
     std::string dots;
-    for (const Notch& notch : walk.notches) {
+    for (const MatchMark& notch : walk.notches) {
         points.push_back(place(notch.at, notch.drift));
         dots += "<circle cx=\"" + svg_number(points.back().x()) + "\" cy=\"" + svg_number(points.back().y()) +
                 "\" r=\"2.5\" fill=\"" + page_ink + "\"/>\n";

@@ -13,6 +13,7 @@
 #include "ripstop/report/figures/seam_drift.h"
 #include "ripstop/report/tables/seam_tables.h"
 #include "ripstop/report/view/drawing.h"
+#include "ripstop/tile/targets.h"
 
 namespace ripstop {
 namespace {
@@ -66,7 +67,7 @@ SheetLayout lay_out(const std::vector<Extent>& extents) {
 }
 
 Extent extent_of(const FlatTile& tile) {
-    if (!is_drawable(tile)) return {};
+    if (!tile.is_flat()) return {};
     const Points2 outline = tile.flattening.positions(tile.tile.boundary, Eigen::all);
     return {outline.colwise().minCoeff(), outline.colwise().maxCoeff()};
 }
@@ -123,7 +124,7 @@ void draw_side(const CutPlan& plan, std::size_t seam, bool is_b, const SheetLayo
     const SeamWalk& walk = plan.walks[seam];
     const auto t = static_cast<std::size_t>(run.tile);
     const FlatTile& tile = plan.tiles[t];
-    if (!is_drawable(tile)) return;
+    if (!tile.is_flat()) return;
     const Eigen::VectorXd drawn = drawn_lengths(tile.tile);
     const std::vector<int>& loop = tile.tile.boundary;
     const auto corner = [&](int edge) {
@@ -154,7 +155,7 @@ std::string outlines(const CutPlan& plan, const SheetLayout& layout, Strokes& st
     std::string path, names;
     for (std::size_t t = 0; t < plan.tiles.size(); ++t) {
         const FlatTile& tile = plan.tiles[t];
-        if (!is_drawable(tile)) continue;
+        if (!tile.is_flat()) continue;
         const char* step = "M";
         for (const int v : tile.tile.boundary) {
             path += step + svg_pair(layout.at(t, tile.flattening.positions.row(v)));

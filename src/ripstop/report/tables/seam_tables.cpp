@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/report/figures/figures.h"
 #include "ripstop/report/tables/csv.h"
@@ -17,7 +18,7 @@ constexpr std::array seam_columns{
     "gap_mm",    "certain",     "ok",           "type",         "allowance_a_mm",  "allowance_b_mm", "sewn_into"};
 
 const std::string& tile_name(const CutPlan& plan, const SeamSide& side) {
-    return plan.tiles[static_cast<std::size_t>(side.tile)].tile.name;
+    return plan.tiles[at(side.tile)].tile.name;
 }
 
 /// The seam with the largest absolute `value`; NaN counts as largest.
@@ -56,7 +57,7 @@ std::string uncertain(const CutPlan& plan) {
     const std::size_t worst = worst_seam(plan, [](const SeamWalk& walk) { return walk.uncertainty; });
     return std::to_string(count) + (count == 1 ? " of them is" : " of them are") +
            " not certain: the meshes leave up to " + shown(plan.walks[worst].uncertainty / millimetre, 2) + " mm of " +
-           plan.seams[worst].id + " open, more than it may err; mesh its edges more finely\n";
+           plan.seams[worst].id + " open, more than the tolerance; mesh its edges more finely\n";
 }
 
 }  // namespace
@@ -88,7 +89,7 @@ std::string seams_csv(const CutPlan& plan) {
                             seam.type.name,
                             mm(seam.allowance(seam.a)),
                             mm(seam.allowance(seam.b)),
-                            seam.into ? plan.seams[static_cast<std::size_t>(seam.into->seam)].id : ""});
+                            seam.into ? plan.seams[at(seam.into->seam)].id : ""});
     }
     return text;
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/report/figures/figures.h"
@@ -170,9 +171,7 @@ std::string tiles_csv(const CutPlan& plan) {
     const std::vector<Quantity> cut = quantities(plan);
     for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
         const FlatTile& tile = plan.tiles[i];
-        add_csv_line(text, csv_row(tile,
-                                   tile.equal_to < 0 ? std::string()
-                                                     : plan.tiles[static_cast<std::size_t>(tile.equal_to)].tile.name,
+        add_csv_line(text, csv_row(tile, tile.equal_to < 0 ? std::string() : plan.tiles[at(tile.equal_to)].tile.name,
                                    cut[i], plan.fabric_of(tile.tile).name));
     }
     return text;

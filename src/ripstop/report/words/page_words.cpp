@@ -142,7 +142,7 @@ std::vector<std::string> notes_on(const CutPlan& plan) {
         std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return !walk.is_certain(); }));
     if (uncertain > 0)
         notes.push_back(counted(uncertain, "seam") + (uncertain == 1 ? " is" : " are") +
-                        " not certain: the meshes leave more of the length open than the seam may err.");
+                        " not certain: the meshes leave more of the length open than the tolerance allows.");
     notes.insert(notes.end(), plan.remarks.begin(), plan.remarks.end());
     return notes;
 }

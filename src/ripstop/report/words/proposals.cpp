@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "ripstop/base/index.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/model/plan/better_verdict.h"
 #include "ripstop/report/figures/figures.h"
@@ -88,7 +89,7 @@ std::string proposals_text(const CutPlan& plan, int max_rows) {
         splits += sentence(plan.tiles[kinds[i].tile], kinds[i].count);
     for (std::size_t i = 0; i < std::min(limit, plan.merges.size()); ++i) {
         const MergeProposal& merge = plan.merges[i];
-        const auto name = [&](int tile) { return plan.tiles[static_cast<std::size_t>(tile)].tile.name; };
+        const auto name = [&](int tile) { return plan.tiles[at(tile)].tile.name; };
         merges += name(merge.tile_a) + " and " + name(merge.tile_b) + " could be one tile: area " +
                   shown(merge.merged.accuracy.area_error / percent, 3, true) + " %, largest strain " +
                   shown(worst_strain(merge.merged.accuracy) / percent, 2, true) + " %\n";
