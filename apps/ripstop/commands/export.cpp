@@ -9,6 +9,7 @@
 #include "options/piece_options.h"
 #include "ripstop/base/error.h"
 #include "ripstop/base/text/glob.h"
+#include "ripstop/pattern/piece/count_patterns.h"
 #include "ripstop/plan_folder/cut_files.h"
 #include "ripstop/plan_folder/whole_directory.h"
 
