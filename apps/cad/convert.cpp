@@ -148,16 +148,16 @@ void add_remark(ConvertedModel& model, const EdgeSizes& sizes, const std::vector
 void add_bound(ConvertedModel& model, const Bounded& bounded) {
     const std::string finer = "ask for finer ones with --chord or --edge";
     if (bounded.border > 1)
-        model.remarks.push_back("the faces have so many edges that these have pieces " +
+        model.remarks.push_back("the faces have so many edges that the edges are divided " +
                                 format_fixed(bounded.border, 1) +
-                                " times as long as their bend asks for (a turn of 2.8 degrees); " + finer);
+                                " times as coarsely as their bend requires (a turn of 2.8 degrees); " + finer);
     if (bounded.faces == 0) return;
     const std::string faces = bounded.faces == 1 ? "1 face has" : std::to_string(bounded.faces) + " faces have";
     model.remarks.push_back(
         faces + " triangles up to " + format_fixed(bounded.longer, 1) +
-        " times as long within as their bend asks for (a turn of 2.8 degrees), which would be more than " +
-        format_fixed(most_of_face, 0) + " of a face or " + format_fixed(most_of_all, 0) + " of all; " +
-        (bounded.border > 1 ? "" : "their edges are as fine as ever; ") + finer);
+        " times as long inside as their bend requires (a turn of 2.8 degrees), because that would take more than " +
+        format_fixed(most_of_face, 0) + " triangles in a face or " + format_fixed(most_of_all, 0) + " in all; " +
+        (bounded.border > 1 ? "" : "their edges are not affected; ") + finer);
 }
 
 /// Converts lengths from the user's millimetres to the kernel's; `scale` of the latter are one of the former. The

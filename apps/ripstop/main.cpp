@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     app.footer(
         "Examples:\n"
         "  ripstop design natural -o envelope.obj       an envelope to try things on\n"
-        "  ripstop check envelope.obj                   what was understood of a model, and what is wrong with it\n"
+        "  ripstop check envelope.obj                   what was read from a model, and what is wrong with it\n"
         "  ripstop flatten envelope.obj -o cut-plan     the patterns and the report\n"
         "  ripstop export cut-plan --dialect gerber     the same patterns for another cutter\n"
         "`ripstop COMMAND --help` tells the options of each.\n\n"

@@ -427,8 +427,7 @@ TEST(StrayTile, IsANoteForItMayBeMeant) {
     EXPECT_TRUE(result.sound());
     EXPECT_THAT(meant(result), ::testing::ElementsAre("apart vent"));
     EXPECT_THAT(result.notes, ::testing::Contains(HasSubstr("tile vent at (")));
-    EXPECT_THAT(result.notes,
-                ::testing::Contains(HasSubstr(" m is sewn to nothing; where that is not meant, bring it")));
+    EXPECT_THAT(result.notes, ::testing::Contains(HasSubstr(" m is sewn to nothing; if that is not meant, bring it")));
 }
 
 TEST(StrayTile, ThatCameAwayFromItsPlaceLeavesAHoleWhichIsAnIssue) {

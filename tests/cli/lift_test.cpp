@@ -111,7 +111,7 @@ TEST_F(LiftCommand, TellsThePiecesOfAnotherPlanApart) {
     draw_on("other/cut/tiles/G04P02.svg", "drawn.svg");
     const ProgramRun run = workshop.ripstop("lift plan drawn.svg -o art.obj");
     EXPECT_EQ(run.code, 3);
-    EXPECT_THAT(run.err, HasSubstr("none of the plan's pieces is in it, only G04P02"));
+    EXPECT_THAT(run.err, HasSubstr("it holds none of the plan's pieces, only G04P02"));
 }
 
 TEST_F(LiftCommand, SaysWhichCutLinesAreNoPieces) {
@@ -122,7 +122,8 @@ TEST_F(LiftCommand, SaysWhichCutLinesAreNoPieces) {
     workshop.write("drawn.svg", text);
     const ProgramRun run = workshop.ripstop("lift plan drawn.svg -o art.obj");
     EXPECT_EQ(run.code, 0);
-    EXPECT_THAT(run.err, HasSubstr("1 cut line is no piece's of the plan, and what is drawn there is left out: mine"));
+    EXPECT_THAT(run.err,
+                HasSubstr("1 cut line matches no piece of the plan, and the lines drawn there are left out: mine"));
 }
 
 TEST_F(LiftCommand, ExportOfSomePiecesCountsThese) {

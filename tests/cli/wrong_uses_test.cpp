@@ -136,7 +136,7 @@ constexpr Slip inputs[] = {
     {"nest plan -o plan", 3, "plan: is of a cut plan"},
     {"diff plan old", 3, "old/cut/pieces.json: "},
     {"lift plan text.dxf -o l.obj", 3, "text.dxf:1: "},
-    {"lift plan plan/cut/envelope.dxf -o l.obj", 3, "nothing is drawn on its pieces but what they bring themselves"},
+    {"lift plan plan/cut/envelope.dxf -o l.obj", 3, "its pieces have only their own lines, such as the sew line"},
     {"lift plan plan/cut/envelope.dxf -o envelope.obj", 3, "envelope.obj: exists; give another name"},
 };
 INSTANTIATE_TEST_SUITE_P(OfInputs, WrongUse, ::testing::ValuesIn(inputs));

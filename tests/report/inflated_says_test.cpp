@@ -47,7 +47,7 @@ TEST_F(InflatedSays, TellsApartWhatGasCannotHoldAndWhatIsWrongWithThePatterns) {
     EXPECT_THAT(says(), Contains("The patterns are wrong: their errors move it by 45 mm."));
     inflated.causes = Causes{0.001, 0.080, 0.002};
     EXPECT_THAT(says(),
-                Contains("Stretch of the cloth and the run of its tapes make it 80 mm off: cut with --compensate."));
+                Contains("Stretch of the cloth and the paths of its tapes move it by 80 mm: cut with --compensate."));
 }
 
 TEST_F(InflatedSays, DrawsTheLineAtTheLimitItself) {
@@ -67,7 +67,7 @@ TEST_F(InflatedSays, DoesNotAdviseToCorrectWhatWasCorrected) {
     EXPECT_THAT(says(), Contains(HasSubstr("brought it from 90 mm to 12 mm")));
     inflated.off.moved_rms = 0.060;
     EXPECT_THAT(says(), Contains(HasSubstr("This shape cannot be held by gas pressure"))) << "not even corrected";
-    EXPECT_THAT(says(), Contains(HasSubstr("What the patterns do to it is not known")));
+    EXPECT_THAT(says(), Contains(HasSubstr("The effect of the patterns is not known")));
 }
 
 TEST_F(InflatedSays, SaysNothingOfCausesThatWereNotLookedFor) {
@@ -77,15 +77,17 @@ TEST_F(InflatedSays, SaysNothingOfCausesThatWereNotLookedFor) {
 }
 
 TEST_F(InflatedSays, NamesWhatIsTooWeakElseWhatComesNearest) {
-    EXPECT_THAT(says(), Contains("Strong enough; the least margin: wires, factor 7.10 where 2.25 is asked (wire 1)."));
+    EXPECT_THAT(says(),
+                Contains("Strong enough; the least margin: wires, factor 7.10 where 2.25 is required (wire 1)."));
     inflated.safety[1].factor = 4.9;
-    EXPECT_THAT(says(), Contains("Too weak: load tapes, factor 4.90 where 5 is asked (seam S1)."));
+    EXPECT_THAT(says(), Contains("Too weak: load tapes, factor 4.90 where 5 is required (seam S1)."));
     EXPECT_THAT(says(), Not(Contains(HasSubstr("Strong enough"))));
 }
 
 TEST_F(InflatedSays, TellsTheLiftInKilograms) {
-    EXPECT_THAT(says(),
-                Contains("At 100 C inside and 15 C outside, 0 m up, it carries 1000 kg beside itself (9807 N)."));
+    EXPECT_THAT(
+        says(),
+        Contains("At 100 C inside and 15 C outside, 0 m up, it lifts 1000 kg besides its own weight (9807 N)."));
     inflated.lift = -98.0665;
     EXPECT_THAT(says(),
                 ElementsAre(HasSubstr("It does not stand: at 100 C inside and 15 C outside, 0 m up, the gas does not "
@@ -109,7 +111,7 @@ TEST_F(InflatedSays, SaysOnlyThatItFailedWhereItDid) {
 
 TEST_F(InflatedSays, WarnsOfTheStandInForCloth) {
     plan.fabric.name = "isotropic";
-    EXPECT_THAT(says()[0], HasSubstr("No cloth was named"));
+    EXPECT_THAT(says()[0], HasSubstr("No fabric was given"));
 }
 
 TEST_F(InflatedSays, TellsEachCompensationOnItsOwn) {

@@ -46,7 +46,7 @@ ExitCode run(const CheckArguments& given) {
 void add_check(CLI::App& app) {
     auto given = std::make_shared<CheckArguments>();
     CLI::App* command = app.add_subcommand(
-        "check", "Say what was understood of an envelope and what is wrong with it; solves and writes nothing");
+        "check", "Report what was read from an envelope and what is wrong with it; solves and writes nothing");
     add_input_options(*command, given->input);
     add_accept_option(*command, given->input);
     add_remesh_option(*command, given->input);

@@ -209,8 +209,8 @@ std::string fish(const CommandText& program) {
 
 void add_completion(CLI::App& app) {
     auto shell = std::make_shared<std::string>();
-    CLI::App* command =
-        app.add_subcommand("completion", "Print what makes a shell complete commands, options and their words");
+    CLI::App* command = app.add_subcommand(
+        "completion", "Print a script that makes a shell complete commands, options and their words");
     command->add_option("SHELL", *shell, "bash, zsh or fish")
         ->required()
         ->type_name("WORD")

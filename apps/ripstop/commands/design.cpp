@@ -80,7 +80,7 @@ void add_division_and_mesh(CLI::App& natural, DesignArguments& given) {
             ->group("Division");
     natural
         .add_option("--panel-height", given.panel_height,
-                    "Instead of --panels: as many as keep each lower than this, as 1450mm")
+                    "Instead of --panels: the greatest height of a panel, as 1450mm")
         ->excludes(panels)
         ->type_name("LENGTH")
         ->group("Division");

@@ -179,7 +179,7 @@ void add_flatten(CLI::App& app) {
         ->type_name("DIR")
         ->required();
     command->add_flag("--force", given->force, "Replace the folder where it is not empty");
-    command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core; the result is the same")
+    command->add_option("-j,--jobs", given->jobs, "Threads; 0: one per core; the result is the same")
         ->capture_default_str()
         ->type_name("N")
         ->check(within(0, 1024));
@@ -188,7 +188,7 @@ void add_flatten(CLI::App& app) {
     command->add_flag("--reproducible", given->reproducible, "Leave the seconds out of report.json");
     command->add_flag(
         "--pictures", given->pictures,
-        "Also what report.html shows as PNG pictures, for e-mail and CI: the envelope in every colour "
+        "Also write PNG pictures of what report.html shows, for e-mail and CI: the envelope in every colour "
         "map, the piece of each pattern (tiles cut alike share one), the 24 worst of the seams that fail");
     command
         ->add_option("--propose", given->propose,

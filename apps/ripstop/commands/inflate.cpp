@@ -69,8 +69,8 @@ void add_inflate(CLI::App& app) {
     add_flight_options(*command, given->flight);
     command->add_flag("--whole", given->whole, "Compute the whole envelope, also where its sectors are equal");
     command->add_flag("--sensitivity", given->sensitivity,
-                      "Also with stiffer and softer cloth, longer and shorter tapes, hotter and colder air");
-    command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core; the result is the same")
+                      "Also inflate with stiffer and softer cloth, longer and shorter tapes, hotter and colder air");
+    command->add_option("-j,--jobs", given->jobs, "Threads; 0: one per core; the result is the same")
         ->capture_default_str()
         ->type_name("N")
         ->check(within(0, 1024));

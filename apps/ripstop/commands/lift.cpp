@@ -56,13 +56,13 @@ void tell_strangers(const LiftArguments& given, const LiftedLines& lifted) {
     const std::string text = fmt::format("{}{}", fmt::join(first, ", "), all.size() > most ? ", …" : "");
     if (lifted.pieces == 0)
         throw InputError(
-            fmt::format("{}: none of the plan's pieces is in it{}: expected their closed cut lines, of their "
-                        "shape and size, neither turned nor mirrored, beside what was drawn on them; draw on "
-                        "a file of this plan's cut/",
+            fmt::format("{}: it holds none of the plan's pieces{}; expected their closed cut lines in true shape and "
+                        "size, neither rotated nor mirrored, with lines drawn on them; draw on a file of this plan's "
+                        "cut/",
                         given.drawing.string(), all.empty() ? "" : ", only " + text));
     if (!all.empty())
-        tell(fmt::format("Warning: {} cut line{} no piece's of the plan, and what is drawn there is left out: {}\n",
-                         all.size(), all.size() == 1 ? " is" : "s are", text));
+        tell(fmt::format("Warning: {} cut line{} no piece of the plan, and the lines drawn there are left out: {}\n",
+                         all.size(), all.size() == 1 ? " matches" : "s match", text));
 }
 
 void keep_wanted(const LiftArguments& given, LiftedLines& lifted, const std::vector<std::string>& left_out) {
@@ -76,8 +76,7 @@ void keep_wanted(const LiftArguments& given, LiftedLines& lifted, const std::vec
                                      given.drawing.string(), fmt::join(left_out, "; ")));
     if (layers.empty())
         throw InputError(
-            fmt::format("{}: nothing is drawn on its pieces but what they bring themselves; draw lines on "
-                        "them first",
+            fmt::format("{}: its pieces have only their own lines, such as the sew line; draw lines on them first",
                         given.drawing.string()));
     throw InputError(fmt::format("{}: no line on a layer called {}; there are lines on {}", given.drawing.string(),
                                  fmt::join(given.layers, ", "), fmt::join(layers, ", ")));

@@ -47,7 +47,7 @@ NestOptions options_of(const NestArguments& given) {
 void require_no_plan(const std::filesystem::path& folder) {
     for (const char* file : {"report.json", "pieces.json"})
         if (std::filesystem::exists(folder / file))
-            throw InputError(fmt::format("{}: is of a cut plan, it holds {}; give the marker a folder of its own",
+            throw InputError(fmt::format("{}: belongs to a cut plan, it holds {}; give the marker a folder of its own",
                                          folder.string(), file));
 }
 
@@ -85,10 +85,9 @@ void add_nest(CLI::App& app) {
         ->type_name("LENGTH");
     command->add_option("--gap", given->gap, "Between pieces")->capture_default_str()->type_name("LENGTH");
     command
-        ->add_option(
-            "--roll-length", given->roll_lengths,
-            "How long a roll is without a join, as 100m; several with commas: one after the other, the last again "
-            "and again (default: no join)")
+        ->add_option("--roll-length", given->roll_lengths,
+                     "Length of a roll without a join, as 100m; several with commas are used in order, the last again "
+                     "and again (default: no join)")
         ->type_name("LENGTH")
         ->delimiter(',');
     command->add_option("--grain-tolerance", given->grain_tolerance, "By how much a piece may be turned off the warp")
@@ -103,7 +102,7 @@ void add_nest(CLI::App& app) {
         ->type_name("N")
         ->check(within(0, 100000));
     add_format_option(*command, given->formats);
-    command->add_option("-j,--jobs", given->jobs, "Threads; 0 is one a core; the result is the same")
+    command->add_option("-j,--jobs", given->jobs, "Threads; 0: one per core; the result is the same")
         ->capture_default_str()
         ->type_name("N")
         ->check(within(0, 1024));

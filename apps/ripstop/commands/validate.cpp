@@ -44,7 +44,7 @@ ExitCode run(const ValidateArguments& given) {
 void add_validate(CLI::App& app) {
     auto given = std::make_shared<ValidateArguments>();
     CLI::App* command =
-        app.add_subcommand("validate", "Say whether a pattern file, anyone's, is sound: unit, contours, layers, sizes");
+        app.add_subcommand("validate", "Check a pattern file of any program: unit, contours, layers, sizes");
     command->add_option("FILE", given->file, "The file, .dxf or .svg")->type_name("FILE")->required();
     command->add_option("--unit", given->unit, "Unit of the file's numbers, where it does not say")
         ->type_name("UNIT")

@@ -20,7 +20,8 @@ void add_flight_options(CLI::App& command, FlightArguments& given) {
         ->type_name("M")
         ->check(within(0.0, 11000.0))
         ->group(group);
-    command.add_option("--pressure", given.pressure, "Beside that of the hot air, everywhere, pascals; 0")
+    command
+        .add_option("--pressure", given.pressure, "Pressure in addition to that of the hot air, everywhere, pascals; 0")
         ->type_name("PA")
         ->check(within(-1e5, 1e5))
         ->group(group);
@@ -40,11 +41,11 @@ void add_flight_options(CLI::App& command, FlightArguments& given) {
         ->type_name("N")
         ->check(within(1.0, 1e9))
         ->group(group);
-    command.add_option("--tape-strength", given.tape_strength, "At which they break, newtons; 10000")
+    command.add_option("--tape-strength", given.tape_strength, "Breaking force of the load tapes, newtons; 10000")
         ->type_name("N")
         ->check(within(1.0, 1e9))
         ->group(group);
-    command.add_option("--foreshorten", given.foreshortening, "Load tapes are shorter than their seams by this, %; 0")
+    command.add_option("--foreshorten", given.foreshortening, "How much shorter load tapes are than their seams, %; 0")
         ->type_name("PCT")
         ->check(within(0.0, 20.0))
         ->group(group);

@@ -37,22 +37,20 @@ CLI::Option* add_format_option(CLI::App& command, std::vector<std::string>& form
 
 void add_format_options(CLI::App& command, FormatArguments& given, const char* dialect) {
     given.format = add_format_option(command, given.formats)->group("Cut files");
-    const CLI::Option* paper =
-        command
-            .add_option(
-                "--paper", given.files.paper,
-                "Of the PDF: roll (a page a piece), how wide the roll is (914mm), or sheets: a4 … a0, letter, tabloid")
-            ->capture_default_str()
-            ->type_name("PAPER")
-            ->check(known([](const std::string& name) { paper_named(name); },
-                          {"roll", "a4", "a3", "a2", "a1", "a0", "letter", "tabloid"}))
-            ->group("Cut files");
+    const CLI::Option* paper = command
+                                   .add_option("--paper", given.files.paper,
+                                               "Paper of the PDF: roll (one page per piece), the width of a roll "
+                                               "(914mm), or sheets: a4 … a0, letter, tabloid")
+                                   ->capture_default_str()
+                                   ->type_name("PAPER")
+                                   ->check(known([](const std::string& name) { paper_named(name); },
+                                                 {"roll", "a4", "a3", "a2", "a1", "a0", "letter", "tabloid"}))
+                                   ->group("Cut files");
     const CLI::Option* frame =
         command
-            .add_option(
-                "--frame", given.frame,
-                "Of the HPGL: length of a frame, as 600mm, for plotters that count to 32,767 (else HP-GL/2: all in "
-                "one)")
+            .add_option("--frame", given.frame,
+                        "Frame length of the HPGL, as 600mm, for plotters that count to 32,767 (else HP-GL/2: all in "
+                        "one)")
             ->type_name("LENGTH")
             ->group("Cut files");
     const DxfFlags dxf = add_dxf_options(command, given.files, dialect);

@@ -119,7 +119,7 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         ->check(known_unit());
     command
         .add_flag("--size-is-meant", given.size_is_meant,
-                  "The size is right though no balloon has it: the unit is not doubted (also in the project)")
+                  "The size is right although unusual for a balloon: do not doubt the unit (also in the project)")
         ->group("Input");
     command
         .add_option("--project", given.project,
@@ -128,9 +128,10 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         ->group("Input")
         ->type_name("FILE.json");
     command
-        .add_option("--fabric", given.fabric,
-                    "Of the tiles that have none of their own: isotropic, nylon, nylon-silicone, polyester or a JSON "
-                    "file (else the project's, else isotropic)")
+        .add_option(
+            "--fabric", given.fabric,
+            "Fabric of the tiles without one of their own: isotropic, nylon, nylon-silicone, polyester or a JSON "
+            "file (else the project's, else isotropic)")
         ->group("Input")
         ->type_name("FILE.json")
         ->check(known([](const std::string&) {}, fabric_presets()));  // checked once the project is known
@@ -177,7 +178,7 @@ void add_accept_option(CLI::App& command, InputArguments& given) {
     const std::vector<std::string> codes(acceptable_issues.begin(), acceptable_issues.end());
     command
         .add_option("--accept", given.accept,
-                    "What is meant though it looks wrong, and is a note then: missing_tile (openings with corners); "
+                    "Accept a fault that is intended, which then becomes a note: missing_tile (openings with corners); "
                     "several codes with commas (also in the project)")
         ->group("Input")
         ->type_name("CODES")

@@ -37,7 +37,7 @@ void add_piece_options(CLI::App& command, PieceArguments& given) {
         ->group("Pieces");
     command
         .add_option("--notch-spacing", given.notch_spacing,
-                    "Between match marks on a straight seam, a third of it on curves (default 750mm)")
+                    "Distance between match marks on a straight seam, a third of it on curves (default 750mm)")
         ->type_name("LENGTH")
         ->group("Pieces");
     command
@@ -47,12 +47,12 @@ void add_piece_options(CLI::App& command, PieceArguments& given) {
         ->group("Pieces");
     command
         .add_option("--simplify", given.simplify,
-                    "How far the sew line may run beside the mesh's edge, to need fewer points (default 0.05mm)")
+                    "Simplify the sew line to points within this distance of the mesh's edge (default 0.05mm)")
         ->type_name("LENGTH")
         ->group("Pieces");
     command
         .add_flag("--allowance-fit", given.allowance_fit,
-                  "Where two allowances do not fit between their edges, take what does; else such a piece is not "
+                  "Narrow two allowances that do not fit between their edges; else such a piece is not "
                   "manufacturable")
         ->group("Pieces");
 }

@@ -115,7 +115,7 @@ class Planner {
         begin(PlanStage::propose);
         if (job_.propose == ProposeScope::automatic && !add_proposals(cut, method, job_.threads, {}, watch_.progress))
             tell(Kind::information,
-                 "Too many tiles fail to propose seams for them unasked; --propose all tries every one");
+                 "So many tiles fail that no seams are proposed for them; --propose all tries every one");
         if (job_.propose == ProposeScope::all) add_proposals(cut, method, job_.threads, {all, all}, watch_.progress);
         if (!job_.propose_merges) return;
         begin(PlanStage::propose_merges);

@@ -221,7 +221,7 @@ EnvelopeIssue unsewn_issue(std::size_t tiles, bool sewn_as_given) {
     issue.fact = "no two of the " + std::to_string(tiles) + " tiles have an edge in common" +
                  (sewn_as_given ? " once the faults are mended" : ": there are no seams");
     issue.message = issue.fact +
-                    "; where they are to be sewn, give them where they hang in space, not laid out flat, or a larger "
+                    "; if they are to be sewn, give them at their places in space, not laid out flat, or give a larger "
                     "--seam-tolerance";
     return issue;
 }
@@ -240,7 +240,7 @@ EnvelopeIssue apart_issue(const std::vector<Tile>& tiles, const std::vector<std:
     else
         issue.fact = count + " tiles (" + names + ") are in " + std::to_string(parts.size()) +
                      " parts that are sewn to nothing else";
-    issue.message = issue.fact + "; where that is not meant, bring " +
+    issue.message = issue.fact + "; if that is not meant, bring " +
                     (members.size() == 1 ? "it to its place" : "them to their place");
     return issue;
 }

@@ -173,7 +173,7 @@ class Checker {
         for (std::size_t g = 0; g < drawing_.groups.size(); ++g) {
             const DrawingGroup& group = drawing_.groups[g];
             if (group.insertions == 0) {
-                add("block", fmt::format("block {} is never inserted; readers that take every block for a piece and "
+                add("block", fmt::format("block {} is never inserted; readers that take every block as a piece and "
                                          "those that take what is inserted see different patterns",
                                          group.name));
                 continue;

@@ -241,8 +241,8 @@ class OverlapFinder {
         const DrawingContour& cut = contours_[static_cast<std::size_t>(holder)].facts;
         tell("opening", lost->at,
              fmt::format("{}: the contour on layer {} faces itself across {} mm at {}, and nothing on layer {} is cut "
-                         "between: {} mm of it lie round an opening that is lost where two allowances run together; "
-                         "draw what is cut there",
+                         "between: {} mm of it bound an opening that is lost where two allowances run together; "
+                         "draw its cut line",
                          cut.piece, contours_[sew].facts.layer, format_fixed(lost->width / millimetre, 1),
                          place_text(lost->at), cut.layer, format_fixed(lost->length / millimetre, 0)));
     }

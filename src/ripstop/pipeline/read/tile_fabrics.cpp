@@ -115,7 +115,7 @@ std::vector<std::string> give_fabrics(Envelope& envelope, const std::optional<Pr
         remarks.push_back("tile " + tiles.front() +
                           (tiles.size() > 1 ? " and " + std::to_string(tiles.size() - 1) + " more" : "") +
                           " should be of the fabric " + shown(name) + ", which is not known: taken as " +
-                          standard.name + "; say what it is under \"materials\" in a project file");
+                          standard.name + "; define it under \"materials\" in a project file");
     return remarks;
 }
 

@@ -190,7 +190,7 @@ std::string foot(const CutPlan& plan, const SheetLayout& layout, double y) {
            svg_number(sheet_width - seam_margin) + "\"/>\n" +
            colour_bar({36, y + 42}, "sewn edges: how far apart the two sides are, for each metre of seam",
                       plan.tolerances.length / millimetre, "mm") +
-           svg_text({560, y + 34}, "figures: this edge less its mate, mm; red and thick: beyond the tolerance",
+           svg_text({560, y + 34}, "figures: this edge minus its mate, mm; red and thick: beyond the tolerance",
                     {13, "start", "#1f2933"}) +
            svg_text({560, y + 54}, "grey: sewn to nothing", {13, "start", "#52606d"}) +
            scale_bar({1000, y + 71}, layout.scale, 150);

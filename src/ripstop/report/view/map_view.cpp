@@ -172,7 +172,7 @@ std::string band_note(const PageMap& map, double limit) {
 std::string reason(const PageMap& map) {
     if (map.id == "deviation") return "allowed: 0.3 % of the height";
     if (map.id == "tapes" || (map.is_in_flight && map.is_unsigned))
-        return "allowed: the strength counted on, less the safety that is asked";
+        return "allowed: the strength counted on, divided by the factor required";
     return map.id == "area" || map.is_of_edges() ? "the tolerance" : "the limit of the fabric";
 }
 

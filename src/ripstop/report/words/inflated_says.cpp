@@ -22,13 +22,13 @@ void say_rest(const Inflated& inflated, Sentences& says) {
         says.push_back("The inflation did not come to rest (" + inflated.summary.text() +
                        "): do not trust what follows.");
     else if (inflated.force_residual > 1e-3)
-        says.push_back("It rests but for wrinkles that come and go: " + inflated.summary.reason + ".");
+        says.push_back("It is at rest except for wrinkles that come and go: " + inflated.summary.reason + ".");
     if (inflated.summary.termination == Termination::converged && !inflated.is_stable)
-        says.push_back("The shape found is not stable: a push takes it to another.");
+        says.push_back("The shape is not stable: a small push moves it to another one.");
     constexpr double unbalanced = 0.01;
     if (std::abs(inflated.imbalance) > unbalanced)
-        says.push_back("Lift, weight and what holds it down differ by " + shown(inflated.imbalance / percent, 1) +
-                       " %: finer triangles would make the figures surer.");
+        says.push_back("Lift, weight and holding forces differ by " + shown(inflated.imbalance / percent, 1) +
+                       " %: finer triangles would make the figures more certain.");
 }
 
 /// `isotropic` is meant for comparing methods, and is the default of `flatten`.
@@ -36,9 +36,8 @@ void say_cloth(const CutPlan& plan, Sentences& says) {
     const std::vector<Fabric> fabrics = plan.fabrics();
     if (std::any_of(fabrics.begin(), fabrics.end(), [](const Fabric& fabric) { return fabric.name == "isotropic"; }))
         says.push_back(
-            "No cloth was named: this is \"isotropic\", a stand-in many times softer than any. Flatten with --fabric, "
-            "such as "
-            "nylon, before you believe what follows.");
+            "No fabric was given: this is \"isotropic\", a placeholder many times softer than real cloth. Flatten with "
+            "--fabric, such as nylon, before you rely on these figures.");
 }
 
 void say_deviation(const Inflated& inflated, Sentences& says) {
@@ -73,14 +72,14 @@ void say_causes(const CutPlan& plan, Sentences& says) {
         if (is_corrected(plan) && inflated.off.moved_rms <= limit)
             ;  // the pieces were not meant to match the drawing
         else if (!std::isfinite(causes.patterns))
-            says.push_back("What the patterns do to it is not known: what they were corrected to is not at hand.");
+            says.push_back("The effect of the patterns is not known: the shape they were corrected for is not stored.");
         else
             says.push_back(std::string("The patterns are ") + (causes.patterns > limit ? "wrong" : "right") +
                            ": their errors move it by " + in_mm(causes.patterns) + ".");
         if (!is_corrected(plan))
             says.push_back(causes.stretch > limit
-                               ? "Stretch of the cloth and the run of its tapes make it " + in_mm(causes.stretch) +
-                                     " off: cut with --compensate."
+                               ? "Stretch of the cloth and the paths of its tapes move it by " + in_mm(causes.stretch) +
+                                     ": cut with --compensate."
                                : "The stretch of cloth and tapes moves it by " + in_mm(causes.stretch) + ".");
     }
     const auto best =
@@ -92,15 +91,15 @@ void say_causes(const CutPlan& plan, Sentences& says) {
 
 void say_lift(const Inflated& inflated, Sentences& says) {
     const Air& air = inflated.load.air;
-    says.push_back(fmt::format("At {} C inside and {} C outside, {} m up, it carries {} kg beside itself ({} N).",
-                               shown(air.inside, 0), shown(air.outside, 0), shown(air.altitude, 0),
-                               shown(inflated.lift / gravity, 0), shown(inflated.lift, 0)));
+    says.push_back(fmt::format(
+        "At {} C inside and {} C outside, {} m up, it lifts {} kg besides its own weight ({} N).", shown(air.inside, 0),
+        shown(air.outside, 0), shown(air.altitude, 0), shown(inflated.lift / gravity, 0), shown(inflated.lift, 0)));
 }
 
 void say_weakness(const Inflated& inflated, Sentences& says) {
     for (const SafetyFactor& each : inflated.safety)
         if (!each.ok())
-            says.push_back(fmt::format("Too weak: {}, factor {} where {:g} is asked ({}).", each.part,
+            says.push_back(fmt::format("Too weak: {}, factor {} where {:g} is required ({}).", each.part,
                                        shown(each.factor, 2), each.required, each.where));
 }
 
@@ -109,8 +108,8 @@ void say_strength(const Inflated& inflated, Sentences& says) {
     const SafetyFactor& least = *std::min_element(
         inflated.safety.begin(), inflated.safety.end(),
         [](const SafetyFactor& a, const SafetyFactor& b) { return a.factor / a.required < b.factor / b.required; });
-    says.push_back(fmt::format("Strong enough; the least margin: {}, factor {} where {:g} is asked ({}).", least.part,
-                               shown(least.factor, 2), least.required, least.where));
+    says.push_back(fmt::format("Strong enough; the least margin: {}, factor {} where {:g} is required ({}).",
+                               least.part, shown(least.factor, 2), least.required, least.where));
 }
 
 /// States shrinkage in each direction and take-up separately, with the number of tiles that have them.
