@@ -13,7 +13,7 @@ namespace ripstop {
 class PackedArrays {
   public:
     /// The position of an array in `bytes`.
-    struct Place {
+    struct Section {
         std::size_t start = 0, length = 0;  ///< [bytes]
     };
 
@@ -24,14 +24,14 @@ class PackedArrays {
     int add_steps(const std::vector<std::uint16_t>& values, std::size_t columns);
     int add_steps(const std::vector<std::uint32_t>& values, std::size_t columns);
 
-    const std::vector<Place>& places() const { return places_; }
+    const std::vector<Section>& places() const { return places_; }
     const std::string& bytes() const { return bytes_; }
 
   private:
     int add_bytes(std::string bytes);
 
     std::map<std::string, int> known_;
-    std::vector<Place> places_;
+    std::vector<Section> places_;
     std::string bytes_;
 };
 

@@ -234,7 +234,7 @@ std::string page_shapes(const CutPlan& plan, const std::vector<PatternPiece>& pi
                  {"seams", seams_json(plan)},
                  {"pieces", pieces_json(plan, pieces, arrays)}};
     json["arrays"] = Json::array();
-    for (const PackedArrays::Place& place : arrays.places()) json["arrays"].push_back({place.start, place.length});
+    for (const PackedArrays::Section& place : arrays.places()) json["arrays"].push_back({place.start, place.length});
     std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::string bytes = "RSP1";

@@ -164,7 +164,7 @@ std::string joined(const std::vector<std::string>& parts) {
 }
 
 std::string band_note(const PageMap& map, double limit) {
-    return map.place == PageMap::Place::both ? fmt::format("band along the seams: ±{:.4g} % of length", limit / percent)
+    return map.shown == PageMap::Shown::both ? fmt::format("band along the seams: ±{:.4g} % of length", limit / percent)
                                              : "";
 }
 

@@ -24,7 +24,7 @@ bool has_load_tapes(const CutPlan& plan) {
 }  // namespace
 
 const std::vector<PageMap>& page_maps() {
-    using enum PageMap::Place;
+    using enum PageMap::Shown;
     static const std::vector<PageMap> maps{
         {"warp", "Strain along the warp", cloth, "cloth shrinks", "cloth stretches"},
         {"weft", "Strain along the weft", cloth, "cloth shrinks", "cloth stretches"},

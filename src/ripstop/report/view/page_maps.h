@@ -13,16 +13,16 @@ namespace ripstop {
 /// A colour map of the page and of the PNG pictures: a quantity of the cloth's triangles, of the boundary edges, or
 /// both.
 struct PageMap {
-    enum class Place { cloth, edges, both };
+    enum class Shown { cloth, edges, both };
     std::string_view id;    ///< warp, weft, shear, area, edges, mismatch, tension, and those in flight
     std::string_view name;  ///< title
-    Place place = Place::cloth;
+    Shown shown = Shown::cloth;
     std::string_view negative = {}, positive = {};  ///< meaning of either sign
     bool is_unsigned = false;
     bool is_in_flight = false;  ///< of the inflated envelope
 
-    bool is_of_cloth() const { return place != Place::edges; }
-    bool is_of_edges() const { return place != Place::cloth; }
+    bool is_of_cloth() const { return shown != Shown::edges; }
+    bool is_of_edges() const { return shown != Shown::cloth; }
     bool is_of_states() const { return id == "state"; }  ///< taut, wrinkled, slack instead of numbers
 };
 
