@@ -1,4 +1,4 @@
-// Puts the parts of the page together and tells each what concerns it.
+// Connects the parts of the page.
 import './style.css';
 import { makePicture } from './envelope/picture.js';
 import { poseTools } from './envelope/pose.js';

@@ -1,4 +1,4 @@
-// The camera of the picture by WebGL: it is turned by the pointer and flies to what is chosen.
+// The camera of the WebGL picture: the pointer turns it, and it flies to the chosen item.
 import { PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { homeDirection } from './shape.js';
@@ -16,8 +16,8 @@ function makeControls(shape, camera, canvas, onChange) {
     return controls;
 }
 
-// Turns to look at a place from a direction; at once where motion is not wanted. Gives the step to be taken before each picture,
-// null once it is there.
+// Turns to look at a place from a direction; immediately if motion is not wanted. Returns the step to run before each
+// picture, null when it has arrived.
 function flight(camera, controls, target, direction, distance, isInstant) {
     const end = new Vector3(...target);
     const endOffset = new Vector3(...direction).normalize().multiplyScalar(distance);
@@ -35,7 +35,7 @@ function flight(camera, controls, target, direction, distance, isInstant) {
     };
 }
 
-// `frames` as makeFrames gives them: told when to draw, and what to do before each picture.
+// `frames`: from makeFrames; is told when to draw, and what to run before each picture.
 export function makeSteering(shape, camera, canvas, frames) {
     const controls = makeControls(shape, camera, canvas, frames.request);
     const flyTo = (...where) => {
@@ -78,7 +78,7 @@ export function makeSteering(shape, camera, canvas, frames) {
     };
 }
 
-// The ray through a place of the canvas, and where on the canvas a point is seen.
+// The ray through a place of the canvas, and the place of a point on the canvas.
 export function makeSight(camera, canvas) {
     const ray = new Raycaster(),
         projected = new Vector3();

@@ -1,4 +1,4 @@
-// The cloth and the band along its edges by WebGL, in the colours of a map.
+// The cloth and the band along its edges with WebGL, in the colours of a map.
 import { clothArrays, clothMesh, paletteTexture, rimArrays, setShades, turnFacings } from './cloth_mesh.js';
 import { coarseMesh } from './coarse_mesh.js';
 import { shadesOf } from './shape.js';
@@ -13,12 +13,12 @@ export function makeCloth(shape, group) {
     const meshes = [cloth, rim, ...(coarse ? [coarse] : [])];
     group.add(...meshes);
     return {
-        // Fewer triangles while it moves, where there are many.
+        // Uses fewer triangles during motion if there are many.
         showCoarse(isCoarse) {
             cloth.visible = !(isCoarse && coarse);
             if (coarse) coarse.visible = isCoarse;
         },
-        // Once the tiles have moved.
+        // Call after the tiles have moved.
         place() {
             arrays.place();
             coarseShape?.place();

@@ -1,4 +1,4 @@
-// The cloth as a mesh of WebGL: a colour and a normal a triangle, from a palette that is a texture.
+// The cloth as a WebGL mesh: one colour and one normal per triangle, with the palette as a texture.
 import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, GLSL3, Mesh, RawShaderMaterial } from 'three';
 import { places } from '../view/palette.js';
 import { withOwnCorners } from './shared_corners.js';
@@ -14,7 +14,7 @@ void main() {
     vec4 view = modelViewMatrix * vec4(position, 1.0);
     vec3 normal = mat3(modelViewMatrix) * facing;
     vec3 cloth = texelFetch(palette, ivec2(int(shade + 0.5), 0), 0).rgb;
-    // A little light from the viewer, so that shape can be seen and colours can still be read.
+    // A little light from the viewer: it shows the shape and leaves the colours readable.
     vColour = cloth * (0.76 + 0.24 * abs(dot(normal, normalize(view.xyz))));
     gl_Position = projectionMatrix * view;
 }`;
@@ -33,8 +33,8 @@ export function paletteTexture(table) {
     return texture;
 }
 
-// The outward normals of triangles, in steps of 1/127, at their last corners. Without an array a triangle: it is done anew
-// while the slider moves.
+// The outward normals of triangles, in steps of 1/127, at their last corners. Allocates no array per triangle, because
+// it runs again whenever the slider moves.
 export function turnFacings({ attributes, index: { array: index } }) {
     const p = attributes.position.array,
         facing = attributes.facing.array;
@@ -59,7 +59,7 @@ export function turnFacings({ attributes, index: { array: index } }) {
     attributes.position.needsUpdate = attributes.facing.needsUpdate = true;
 }
 
-// Colour and normal of a triangle stand at its last corner.
+// The colour and the normal of a triangle are stored at its last corner.
 export function clothMesh({ positions, index }, uniforms, offset) {
     const geometry = new BufferGeometry();
     const count = positions.length / 3;

@@ -1,7 +1,7 @@
-// The cloth in fewer triangles, for while it moves: the corners within a cell of space are one, at their mean.
+// The cloth with fewer triangles, for use while it moves: the corners within one grid cell are merged at their mean.
 const mostTriangles = 120000;
 
-// Numbers of the cells of a grid that places lie in, from 0, and how many cells.
+// The cell index of each place, counted from 0, and the number of cells.
 function clustered(positions, size) {
     const numbers = new Map(),
         cells = new Uint32Array(positions.length / 3);
@@ -28,11 +28,11 @@ function meansOf(positions, { cells, count }) {
     return means.map((sum, i) => sum / members[Math.floor(i / 3)]);
 }
 
-// Three corners a triangle, as the shape has them, and `of`: which of the shape's triangles each is; `place`, to be called
-// once the shape's places have changed, moves the corners with them. Null where the shape is small enough as it is.
+// Three corners per triangle, as in the shape, and `of`: the shape's triangle of each. `place` moves the corners; call
+// it after the shape's places have changed. Null if the shape is small enough.
 export function coarseMesh({ positions, ids, radius }) {
     if (ids.length <= mostTriangles) return null;
-    // Of triangles of one size on a sphere about as many are left as fill it at this size; a lobed shape has more.
+    // On a sphere with triangles of one size, about as many remain as fill it at this size; a lobed shape keeps more.
     const clusters = clustered(positions, radius * Math.sqrt((16 * Math.PI) / mostTriangles));
     const { cells } = clusters;
     const of = [];

@@ -1,7 +1,7 @@
-// When the picture is drawn by WebGL: once something has changed and not otherwise; coarse while it moves, at four times the
-// pixels once it rests. Where even that is slow, as without a graphics card, coarser.
+// Decides when WebGL draws: only after a change; coarsely during motion, with four times the pixels at rest. If even
+// that is slow, as without a graphics card, more coarsely.
 
-// `onCoarse(isCoarse)` is told before each picture; `step.now`, if set, is called before each picture that moves.
+// `onCoarse(isCoarse)` is called before each picture; `step.now`, if set, before each picture during motion.
 export function makeFrames(renderer, scene, camera, onCoarse) {
     const step = { now: null };
     let waiting = false,
@@ -29,7 +29,7 @@ export function makeFrames(renderer, scene, camera, onCoarse) {
         if (!waiting) requestAnimationFrame(draw);
         waiting = true;
     };
-    // For what changes while nothing moves: to coarse pixels and back would take longer.
+    // For changes without motion: switching to coarse pixels and back would take longer.
     const refresh = () => {
         if (isMoving) return request();
         requestAnimationFrame(() => !waiting && !isMoving && render(2));

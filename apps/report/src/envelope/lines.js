@@ -1,4 +1,4 @@
-// Lines in space, as pairs of points one after the other.
+// Lines in space, as consecutive pairs of points.
 import { sidePoints } from '../view/data.js';
 
 function pairs(points, isClosed) {
@@ -14,7 +14,7 @@ export const outlineOf = (tile) =>
         true,
     );
 
-// Of the boundary what no other tile draws: of the two sides of a seam the first.
+// The part of the boundary that no other tile draws: the first of the two sides of a seam.
 export function edgesDrawnOnce(tile) {
     const isElsewhere = new Uint8Array(tile.loop.length);
     for (const side of tile.sides)

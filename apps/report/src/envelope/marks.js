@@ -1,4 +1,4 @@
-// What is drawn over the cloth by WebGL: what fails, seams that would help, what is chosen.
+// Marks drawn over the cloth with WebGL: faults, proposed seams, the chosen item.
 import { outlineOf, proposalLine, seamLine } from './lines.js';
 import { WideLines } from './wide_lines.js';
 
@@ -15,13 +15,13 @@ export function makeMarks(shape, group) {
     let showChosen = () => {},
         showFailing = () => {};
     return {
-        // Once the tiles have moved.
+        // Call after the tiles have moved.
         place() {
             showChosen();
             showFailing();
         },
         choose(tiles, seam) {
-            // Seams are short: they are seen through the cloth too.
+            // A chosen seam is short, so it is drawn through the cloth too.
             casing.material.depthTest = chosen.material.depthTest = !seam;
             showChosen = () => {
                 const line = seam ? seamLine(model, seam) : tiles.flatMap(outlineOf);

@@ -1,5 +1,5 @@
-// Which triangle a ray meets first. Triangles are taken in blocks of 64 as they come, each with its box: meshes list neighbours
-// near one another, so few blocks are looked into.
+// Finds the first triangle that a ray meets. Triangles are grouped in blocks of 64 in their given order, each with a
+// bounding box: meshes list neighbours close together, so few blocks are searched.
 const blockSize = 64;
 
 export function makePicking(positions) {
@@ -28,7 +28,7 @@ export function makePicking(positions) {
         return from <= to;
     };
 
-    // Moeller and Trumbore: the distance along the ray, or Infinity.
+    // Moeller and Trumbore: returns the distance along the ray, or Infinity.
     const meetsTriangle = (t, o, d) => {
         const i = 9 * t;
         const ax = positions[i],
@@ -59,7 +59,7 @@ export function makePicking(positions) {
         return distance > 0 ? distance : Infinity;
     };
 
-    // `origin`, `direction`: three numbers each. Gives { triangle, distance } or null.
+    // `origin`, `direction`: three numbers each. Returns { triangle, distance } or null.
     return function pick(origin, direction) {
         const inverse = direction.map((value) => 1 / (value || 1e-30));
         let nearest = Infinity,

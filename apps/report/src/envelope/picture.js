@@ -1,11 +1,11 @@
-// The picture of the envelope follows the state: what is chosen, the colours, the pose.
+// Keeps the picture of the envelope up to date with the state: the chosen item, the colours, the pose.
 import { legendView } from '../view/legend.js';
 import { lookOf } from '../view/maps.js';
 import { poseWords } from './pose.js';
 import { isSeenFromHome, placeOfChosen } from './shape.js';
 import { makeEnvelopeView } from './view.js';
 
-// Once a picture, however often the slider says that it was moved.
+// At most once per picture, however often the slider fires.
 function makeRepose(shape, view, state, place) {
     let isPosing = false;
     return () => {
@@ -20,7 +20,7 @@ function makeRepose(shape, view, state, place) {
     };
 }
 
-// `places` as makePlaces gives them; `chosen()` gives [tiles, seam].
+// `places`: from makePlaces; `chosen()` returns [tiles, seam].
 export function makePicture(shape, state, places, chosen) {
     const view = makeEnvelopeView(shape, places.holder);
     if (view.isPlain) places.hint.prepend('This browser has no WebGL: the envelope is drawn more plainly. ');
@@ -31,7 +31,7 @@ export function makePicture(shape, state, places, chosen) {
         places.legend.replaceChildren(legendView(look));
     };
     const lookAtChosen = () => view.lookAt(placeOfChosen(shape.model, ...chosen()));
-    // What is chosen at first is on this side, unless it is alone of its kind and behind.
+    // The first chosen item is visible, unless it is the only one of its kind and at the back.
     const [[first]] = chosen();
     let showFirst = () => {
         if (first && !isSeenFromHome(first)) lookAtChosen();

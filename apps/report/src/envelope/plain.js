@@ -1,10 +1,10 @@
-// The envelope without WebGL, with the same functions as by WebGL (scene.js).
+// The envelope without WebGL, with the same functions as the WebGL scene (scene.js).
 import { outlineOf, proposalLine, seamLine } from './lines.js';
 import { paintCloth, stroke, visible } from './plain_picture.js';
 import { makeProjection } from './projection.js';
 import { pointedAt, shadesOf } from './shape.js';
 
-// What is drawn over the cloth, as lines in space; `place` renews them once the tiles have moved.
+// Lines in space drawn over the cloth; `place` updates them after the tiles have moved.
 function makeMarks(shape) {
     const { model } = shape;
     let showChosen = () => [],
@@ -37,7 +37,7 @@ function drawLines(context, shape, marks, image, project, ratio) {
     draw(facing.flatMap(outlineOf), 'rgb(31 41 51 / 0.4)', 1);
     draw(seenOf(marks.failing), '#a50f2d', 2.5);
     draw(seenOf(marks.proposed), '#111', 3, [8, 5]);
-    // Seams are short: they are seen through the cloth too.
+    // A chosen seam is short, so it is drawn through the cloth too.
     const line = marks.isSeam ? marks.chosen : seenOf(marks.chosen);
     draw(line, '#fff', 8);
     draw(line, '#00734f', 4.5);

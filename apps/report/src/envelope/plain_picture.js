@@ -1,7 +1,7 @@
-// The picture without WebGL: each pixel in the colour of the nearest triangle there, and lines over it.
+// The picture without WebGL: each pixel has the colour of the nearest triangle there, with lines on top.
 import { fillTriangle, makeImage } from '../view/raster.js';
 
-// Triangles of three corners each, in the colours of their places; `ahead`: drawn as if nearer by so much.
+// Triangles with three corners each, coloured by their palette indices; `ahead`: depth offset towards the viewer.
 function fill(image, { project, colours, ratio }, positions, triangleShades, ahead) {
     const x = [0, 0, 0],
         y = [0, 0, 0];
@@ -17,7 +17,7 @@ function fill(image, { project, colours, ratio }, positions, triangleShades, ahe
     }
 }
 
-// Paints cloth and band and gives what `visible` needs. `table`: the palette's bytes.
+// Paints cloth and band, and returns the data that `visible` needs. `table`: the palette's bytes.
 export function paintCloth(context, shape, shades, table, project, ratio) {
     const image = makeImage(context, -Infinity);
     image.pixels.fill(0xffffffff);
@@ -28,7 +28,8 @@ export function paintCloth(context, shape, shades, table, project, ratio) {
     return image;
 }
 
-// Is a place hidden by cloth before it? Depths are those of triangles' middles, so lines may lie behind by some of their size.
+// Whether cloth in front hides a place. Depths are those of triangles' middles, so lines may lie behind by some of
+// their size.
 function isHidden([x, y, towards], image, ratio, play) {
     const column = Math.floor(x * ratio),
         row = Math.floor(y * ratio);
@@ -53,7 +54,7 @@ export function stroke(context, project, points, colour, width, dash = []) {
     for (let i = 0; i < points.length; i += 6) {
         const goesOn = i > 0 && [0, 1, 2].every((k) => points[i + k] === points[i + k - 3]);
         if (!goesOn) {
-            // Many short paths are drawn much faster than one of many parts.
+            // Many short paths are much faster to draw than one with many parts.
             context.stroke();
             context.beginPath();
             context.moveTo(...project(points.slice(i, i + 3)));

@@ -1,7 +1,7 @@
 // The slider from drawn to inflated.
 import { html } from '../view/dom.js';
 
-// The slider, and by how much what differs is enlarged. Nothing where nothing was inflated.
+// The slider, and the factor that enlarges differences. Null if nothing was inflated.
 export function poseTools(shape, state) {
     if (!shape.hasFlight) return null;
     const words = () => poseWords(state.now) || 'as drawn';
@@ -38,7 +38,7 @@ export function poseTools(shape, state) {
     );
 }
 
-// What is shown, where it is not simply the drawing.
+// The caption of the pose, unless it is the drawing itself.
 export function poseWords({ pose, times }) {
     if (pose === 0) return '';
     const way =

@@ -1,11 +1,11 @@
-// Seen from afar, without perspective: where on the canvas a point is, and the ray through a place of it.
+// A parallel projection: maps points to the canvas, and places of the canvas to rays.
 export function makeProjection(shape, canvas) {
     let azimuth = 0.5,
         height = 0.25,
         magnified = 1;
     const focus = shape.centre;
 
-    // What every point is projected by: asked of the page once a picture, for asking takes longer than drawing.
+    // The data of the projection: asked of the page once per picture, because asking takes longer than drawing.
     let look = null;
     const takeLook = () => {
         const { clientWidth: width, clientHeight: high } = canvas;
@@ -21,7 +21,7 @@ export function makeProjection(shape, canvas) {
     };
     return {
         takeLook,
-        // x and y on the canvas, and how near it is.
+        // x and y on the canvas, and the depth.
         project(point) {
             const x = point[0] - focus[0],
                 y = point[1] - focus[1],
@@ -35,7 +35,7 @@ export function makeProjection(shape, canvas) {
                 towards * look.cosHeight + y * look.sinHeight,
             ];
         },
-        // Where it meets the plane of the screen, from far before it.
+        // The ray's origin in the plane of the screen, far in front.
         rayThrough(x, y) {
             takeLook();
             const { sin, cos, sinHeight, cosHeight } = look;

@@ -1,4 +1,4 @@
-// The envelope in 3D, by WebGL: drawn when something changes and not otherwise.
+// The envelope in 3D with WebGL, drawn only when something changes.
 import { Group, Scene, WebGLRenderer } from 'three';
 import { makeCamera, makeSight, makeSteering } from './camera.js';
 import { makeCloth } from './cloth.js';
@@ -7,7 +7,7 @@ import { makeMarks } from './marks.js';
 import { pointedAt } from './shape.js';
 import { thinLines } from './wide_lines.js';
 
-// Throws where the browser has no WebGL 2.
+// Throws if the browser has no WebGL 2.
 export function makeEnvelopeScene(shape, canvas) {
     const renderer = new WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: true });
     renderer.setClearColor(0xffffff);
@@ -28,7 +28,7 @@ export function makeEnvelopeScene(shape, canvas) {
         turn,
         zoom,
         drawNow: frames.drawNow,
-        // After `shape.pose`.
+        // Call after `shape.pose`.
         repose() {
             cloth.place();
             thin.place();

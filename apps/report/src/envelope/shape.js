@@ -1,13 +1,13 @@
-// The tiles in space as one shape: what both views draw and pick from.
+// The tiles in space as one shape, which both views draw and pick from.
 import { sidePoints } from '../view/data.js';
 import { clothPlaces, rimPlaces } from '../view/maps.js';
 import { seamLine } from './lines.js';
 import { makePicking } from './picking.js';
 
-// From where the whole is seen at first.
+// The first view direction.
 export const homeDirection = [0.55, 0.28, 1];
 
-// From the input's axes to those of the screen: y up, seen from the front.
+// Converts the input's axes to those of the screen: y up, seen from the front.
 const turnOf = ({ isYUp }) => (isYUp ? (p) => p : ([x, y, z]) => [x, z, -y]);
 
 function tileFrame(tile) {
@@ -30,7 +30,7 @@ function tileFrame(tile) {
     return { middle, normal: normal.map((value) => value / size), radius };
 }
 
-// Of each boundary edge the direction into the cloth, in the plane of its triangle.
+// For each boundary edge, the direction into the cloth, in the plane of its triangle.
 function inwardOf(tile) {
     const { loop, space, triangles } = tile;
     const place = new Map(Array.from(loop, (vertex, i) => [vertex, i]));
@@ -51,7 +51,7 @@ function inwardOf(tile) {
     return inward;
 }
 
-// A band along the inside of every boundary edge, for what is said of edges: two triangles each.
+// A band along the inside of every boundary edge, for maps of edges: two triangles per edge.
 function placeRim(tiles, { positions, ids }) {
     let at = 0;
     for (const tile of tiles) {
@@ -76,7 +76,7 @@ function placeRim(tiles, { positions, ids }) {
     }
 }
 
-// All that follows from where the tiles' vertices are.
+// Everything that depends on the positions of the tiles' vertices.
 function placeTiles(shape) {
     const { positions } = shape;
     let at = 0;
@@ -92,7 +92,7 @@ function placeTiles(shape) {
 export const isSeenFromHome = ({ frame: { normal } }) =>
     normal.reduce((sum, value, k) => sum + value * homeDirection[k], 0) > 0;
 
-// Where a tile or a seam lies, which way it faces and how large it is.
+// The place of a tile or a seam, the direction it faces, and its size.
 export function placeOfChosen(model, tiles, seam) {
     if (!seam) return tiles[0].frame;
     const line = seamLine(model, seam);
@@ -148,7 +148,7 @@ export function makeEnvelopeShape(model) {
         radius: farthest(tiles, centre) || 1,
         turn,
         hasFlight: tiles.some((tile) => tile.flight),
-        // Moves the tiles to `share` of the way from where they are drawn to where they are in flight, or beyond.
+        // Moves the tiles to `share` of the way from their drawn places to those in flight; above 1, beyond.
         pose(share) {
             for (const { space, drawn, flight } of tiles)
                 for (let i = 0; flight && i < space.length; ++i) space[i] = drawn[i] + share * (flight[i] - drawn[i]);
@@ -163,7 +163,7 @@ export function makeEnvelopeShape(model) {
     return shape;
 }
 
-// The place in the palette of each of the shape's triangles, and of the band's.
+// The palette index of each of the shape's triangles, and of the band's.
 export function shadesOf(shape, look) {
     const { model } = shape;
     const cloth = new Uint16Array(shape.ids.length);
@@ -176,7 +176,7 @@ export function shadesOf(shape, look) {
     return { cloth, rim };
 }
 
-// What is under the pointer: a tile's triangle, and the seam within `reach` pixels. `project` takes a point to the screen.
+// The tile's triangle under the pointer, and the seam within `reach` pixels. `project` maps a point to the screen.
 export function pointedAt(shape, ray, pointer, project, reach = 7) {
     const hit = shape.pick(ray.origin, ray.direction);
     if (!hit) return null;

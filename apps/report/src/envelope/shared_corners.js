@@ -1,8 +1,8 @@
-// Triangles that share vertices and have a colour each: WebGL takes the colour of a triangle's last corner, so every triangle
-// needs a last corner of its own. About one vertex a triangle instead of three.
+// Triangles that share vertices and have a colour each. WebGL takes the colour of a triangle's last corner, so every
+// triangle needs a last corner of its own: about one vertex per triangle instead of three.
 
-// `corners`: the vertices of the triangles, three each. Gives the same triangles with their last corner theirs alone, and which
-// vertex each of the new ones copies: { index, copies }.
+// `corners`: the vertices of the triangles, three each. Returns the same triangles, each with a last corner of its own,
+// and the source vertex of each new one: { index, copies }.
 export function withOwnCorners(corners, vertexCount) {
     const index = new Uint32Array(corners.length);
     const isTaken = new Uint8Array(vertexCount);

@@ -1,4 +1,4 @@
-// The pointer and the keys in the picture of the envelope: a click finds what is there, a drag is the view's own.
+// Pointer and keys in the picture of the envelope: a click picks an item; dragging is left to the view.
 import { hoverWords } from '../view/tip.js';
 import { zoomByWheel } from '../view/wheel.js';
 

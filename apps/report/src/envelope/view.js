@@ -1,4 +1,4 @@
-// The picture of the envelope: by WebGL where there is some, else pixel by pixel.
+// The picture of the envelope: with WebGL if available, else pixel by pixel.
 import { html } from '../view/dom.js';
 import { makeEnvelopePlain } from './plain.js';
 import { makeEnvelopeScene } from './scene.js';
@@ -6,7 +6,7 @@ import { makeEnvelopeScene } from './scene.js';
 const label =
     'The envelope in space. Arrow keys go from tile to tile, with shift they turn it, plus and minus zoom, Home shows all, Escape chooses nothing.';
 
-// A canvas that was asked for WebGL cannot give the other: each has its own.
+// A canvas that was asked for WebGL cannot give a 2D context, so each has its own canvas.
 export function makeEnvelopeView(shape, holder) {
     const make = (maker) => {
         const canvas = html('canvas', { class: 'envelope', tabindex: '0', role: 'application', 'aria-label': label });

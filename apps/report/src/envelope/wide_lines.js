@@ -1,4 +1,4 @@
-// Lines of the picture by WebGL: wide ones that stand out, and the thin ones between the tiles.
+// Lines of the WebGL picture: wide ones for emphasis, and the thin ones between the tiles.
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
@@ -29,7 +29,7 @@ export class WideLines {
     }
 }
 
-// `place` moves them once the tiles have moved.
+// `place` moves them after the tiles have moved.
 export function thinLines(model) {
     const points = () => new Float32Array(model.tiles.flatMap(edgesDrawnOnce));
     const geometry = new BufferGeometry();

@@ -1,8 +1,8 @@
-// How far the two sides of a seam are apart on the way along it.
+// A chart of the distance between the two sides along a seam.
 import { html, svg } from '../view/dom.js';
 import { figure, millimetres } from '../view/format.js';
 
-// As a line from notch to notch, over a band of what is allowed.
+// A line from notch to notch over a band that shows the limit.
 export function driftChart(seam) {
     const { said } = seam;
     const points = [{ at_mm: 0, drift_mm: 0 }, ...said.notches, { at_mm: said.length_mm, drift_mm: said.mismatch_mm }];

@@ -1,4 +1,4 @@
-// Figures with their names, and a heading with a verdict.
+// A list of named figures, and a heading with a verdict.
 import { html } from '../view/dom.js';
 
 export const pair = (name, ...value) => html('div', {}, html('dt', {}, name), html('dd', {}, value));

@@ -1,4 +1,4 @@
-// The panel: what is chosen, in full.
+// The panel with all details of the chosen tile or seam.
 import { html } from '../view/dom.js';
 import { figure, plainPercent, signedMillimetres, squareMetres } from '../view/format.js';
 import { hoverWords } from '../view/tip.js';
@@ -40,7 +40,7 @@ function panelContent(model, chosen, context) {
     return seamPanel(model, model.seams[chosen.index], context);
 }
 
-// One sentence for those who hear and do not see.
+// One sentence for screen readers.
 export function spoken(model, chosen) {
     if (!chosen) return 'Nothing chosen';
     if (chosen.kind === 'tile') {
@@ -51,7 +51,7 @@ export function spoken(model, chosen) {
     return `Seam ${id} between ${said.tile_a} and ${said.tile_b}, ${seamWord(said)}, mismatch ${signedMillimetres(said.mismatch_mm)}`;
 }
 
-// Was the last thing that was done, done with a key?
+// Whether the last input came from the keyboard.
 function watchKeys() {
     const watch = { isByKey: false };
     for (const type of ['keydown', 'pointerdown'])
@@ -59,7 +59,7 @@ function watchKeys() {
     return watch;
 }
 
-// `context()`: look, onTile, onSeam. `show` shows what is chosen, `reveal` brings it where it is seen.
+// `context()`: look, onTile, onSeam. `show` shows the chosen item, `reveal` scrolls to it.
 export function makePanel(model, state, tip, context) {
     const watch = watchKeys();
     const element = html('section', { class: 'panel', 'aria-label': 'The piece', tabindex: '0' });
@@ -74,7 +74,7 @@ export function makePanel(model, state, tip, context) {
             const content = panelContent(model, chosen, { ...context(), hover });
             element.replaceChildren(...[content].flat(Infinity).filter(Boolean));
         },
-        // It may be off the screen: on a telephone, or from the tables.
+        // It may be off the screen: on a telephone, or when chosen in the tables.
         reveal() {
             const { top, bottom } = element.getBoundingClientRect();
             if (!watch.isByKey && (top > 0.8 * window.innerHeight || bottom < 0.3 * window.innerHeight))

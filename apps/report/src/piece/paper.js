@@ -1,4 +1,5 @@
-// On paper: every row of the tables and of the roll, and of each pattern one piece: those that fail, if any do.
+// For printing: every row of the tables and of the roll, and one piece of each pattern, only of those that fail if any
+// do.
 import { html } from '../view/dom.js';
 import { count } from '../view/format.js';
 import { pieceView } from './piece_view.js';
@@ -33,14 +34,14 @@ function printedPieces(model, context) {
     ].filter(Boolean);
 }
 
-// `whole`: what has a showWhole(isWhole).
+// `whole`: objects with showWhole(isWhole).
 export function printWhole(model, view, whole, printed, context) {
     const picture = html('img', { class: 'envelope-printed', alt: 'The envelope' });
     window.addEventListener('beforeprint', () => {
         for (const part of whole) part.showWhole(true);
         for (const details of document.querySelectorAll('details')) details.open = true;
         printed.replaceChildren(...printedPieces(model, context));
-        // A picture of the canvas: browsers print canvases amiss, or over what is above them.
+        // Prints an image of the canvas, because browsers print canvases wrongly or over the content above them.
         view.drawNow();
         view.canvas.after(picture);
         picture.src = view.canvas.toDataURL();

@@ -9,7 +9,7 @@ import { fillTriangle, makeImage } from '../view/raster.js';
 
 const pixels = { seen: 900, zoomed: 2000 }; // of the picture of the triangles, along its longer side
 
-// Where things lie: x as on the cloth, y downwards, millimetres.
+// Coordinates of the drawing: x as on the cloth, y downwards, millimetres.
 function frameOf(tile) {
     const box = [Infinity, Infinity, -Infinity, -Infinity];
     const points = [...(tile.piece?.cut ?? []), ...(tile.flat ?? []).map((value) => value * 1000)];
@@ -43,7 +43,7 @@ function clothPixels(tile, look, frame, longer) {
     return { width: canvas.width / scale, height: canvas.height / scale, href: canvas.toDataURL() };
 }
 
-// The triangles in their colours; `refine`: as finely as one may look at them.
+// The coloured triangles; `refine`: in the finest useful resolution.
 function clothPicture(...what) {
     const frame = what.at(-1);
     const picture = svg('image', { x: frame.x, y: frame.y, preserveAspectRatio: 'none' });
@@ -107,7 +107,7 @@ function grainArrow(grain) {
     );
 }
 
-// As high as they are cut, but not so that they hide the piece.
+// In their true height, but limited so that they do not hide the piece.
 function labels(piece, frame) {
     const highest = 0.045 * Math.max(frame.width, frame.height);
     return piece.labels.map(({ text, at_mm: [x, y], height_mm: height, turn_deg: turn }) =>
@@ -134,7 +134,7 @@ const proposedSeam = (tile) =>
         svg('title', {}, 'A seam that would help here'),
     );
 
-// A ring where something is wrong.
+// A ring at each finding.
 function rings(tile, frame) {
     const radius = 0.018 * Math.max(frame.width, frame.height);
     return tile.rings.map(([vertex, finding]) =>
@@ -151,7 +151,7 @@ function seamPaths(model, tile, chosenSeam, onSeam, radius) {
         const points = sidePoints(tile, side, tile.flat, 2);
         const d = pathOf(inMillimetres(points), false);
         const isChosen = side.seam === chosenSeam;
-        // The seam starts where its first side does; the second runs the other way.
+        // The seam starts where its first side starts; the second side runs the other way.
         const start = isChosen && points.at(side.name === 'a' ? 0 : -1).map((value) => value * 1000);
         return [
             isChosen && svg('path', { class: 'seam-casing', d }),
@@ -174,7 +174,7 @@ export const mateName = (model, side) => (mateOf(side) ? model.tiles[mateOf(side
 
 const framesOf = (tiles) => tiles.filter((tile) => tile.flat).map(frameOf);
 
-// What is shown at first: the piece in the middle, with room for the largest of those it is compared with.
+// The initial view: the piece in the middle, with space for the largest piece it is compared with.
 function homeOf(frame, tiles) {
     const frames = framesOf(tiles);
     const [width, height] = ['width', 'height'].map((side) => Math.max(...frames.map((other) => other[side])));
@@ -187,10 +187,10 @@ function homeOf(frame, tiles) {
     ];
 }
 
-// Are pieces better shown one below the other than side by side?
+// Whether two pieces fit better one below the other than side by side.
 export const matesAreWide = (tiles) => framesOf(tiles).every(({ width, height }) => width > 2 * height);
 
-// Which triangle of the flat tile holds a place [mm, y up].
+// The triangle of the flat tile that contains a place [mm, y up].
 export function triangleAt(tile, x, y) {
     const { flat, triangles } = tile;
     const [px, py] = [x / 1000, y / 1000];
@@ -203,7 +203,7 @@ export function triangleAt(tile, x, y) {
     return -1;
 }
 
-// `hover(triangle, event)`: -1 where there is no cloth.
+// `hover(triangle, event)`: -1 outside the cloth.
 export function pieceView(model, tile, { look, chosenSeam, onSeam, hover, atScaleOf }) {
     if (!tile.flat) return html('p', { class: 'nothing' }, 'This tile could not be laid flat, so there is no piece.');
     const frame = frameOf(tile);

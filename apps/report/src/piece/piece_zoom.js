@@ -1,10 +1,11 @@
-// A drawing of a piece looked at more closely.
+// Zoom for the drawing of a piece.
 import { html } from '../view/dom.js';
 import { zoomByWheel } from '../view/wheel.js';
 
 const zoomStep = 1.25;
 
-// The wheel, two fingers, + and - zoom, dragging and the arrows move it, Home or a double click shows all again.
+// The wheel, two fingers, + and - zoom; dragging and the arrow keys move; Home or a double click shows everything
+// again.
 function addZoom(drawing, home, onFirstZoom) {
     let box = [...home],
         isZoomed = false;
@@ -56,7 +57,7 @@ function addZoom(drawing, home, onFirstZoom) {
     return keys;
 }
 
-// The drawing with buttons to zoom it; `onFirstZoom`: what is to be done before one looks more closely.
+// The drawing with zoom buttons; `onFirstZoom` is called before the first zoom.
 export function withButtons(drawing, home, name, onFirstZoom) {
     const keys = addZoom(drawing, home, onFirstZoom);
     const button = (words, label, key) =>

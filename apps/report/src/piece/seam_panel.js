@@ -1,4 +1,4 @@
-// A seam that is chosen: its verdict, its figures, how far its sides are apart, and both pieces.
+// The chosen seam: its verdict, its figures, the distance between its sides, and both pieces.
 import { html } from '../view/dom.js';
 import { figure, millimetres, percent, short, signedMillimetres } from '../view/format.js';
 import { driftChart } from './drift_chart.js';

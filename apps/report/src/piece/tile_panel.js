@@ -1,4 +1,4 @@
-// A tile that is chosen: its verdict, its piece, its figures and what it is sewn to.
+// The chosen tile: its verdict, its piece, its figures and its seams.
 import { html } from '../view/dom.js';
 import {
     count,
@@ -43,7 +43,7 @@ function edgeList(model, tile, onSeam) {
     );
 }
 
-// A tile that is cut like another is divided like it.
+// A tile that is cut like another one has the same proposal.
 function proposalWords(model, tile, onTile) {
     const { proposal, equal_to: equal, mirror_of: mirror } = tile.said;
     const like = proposal ? null : model.tiles.find(({ name, said }) => said.proposal && name === (equal ?? mirror));
@@ -69,7 +69,7 @@ function proposalWords(model, tile, onTile) {
     );
 }
 
-// What the input's own triangles measure, if the tile was remeshed.
+// The measures of the input's own triangles, if the tile was remeshed.
 function drawnMesh(said) {
     const { area_before_m2, flat_area_change_pct, perimeter_before_mm, distance_max_mm } = said.remeshed;
     return pair(
@@ -84,7 +84,7 @@ function drawnMesh(said) {
     );
 }
 
-// From the least to the most, where there is anything to tell.
+// From the minimum to the maximum, if they differ.
 function rangeWords(least, most) {
     if (Math.max(Math.abs(least), Math.abs(most)) < 0.005) return 'below 0.01\u00a0%';
     return `${percent(least)} to ${percent(most)}`;

@@ -1,4 +1,4 @@
-// What it was judged by and made of.
+// The basis of the report: what the envelope was judged by and made of.
 import { html } from '../view/dom.js';
 import { count, figure, short } from '../view/format.js';
 

@@ -1,10 +1,11 @@
-// The envelope in flight: what it comes to, in words and in tables.
+// The envelope in flight: the results in words and in tables.
 import { html } from '../view/dom.js';
 import { figure, millimetres, percent, plainPercent, short, signedMillimetres } from '../view/format.js';
 
 export const says = (model) => model.report.inflated?.says ?? [];
 
-// Figures to the right, under heads that name their unit; the first column and the last `words` ones to the left.
+// Figures are aligned right under headings with their unit; the first column and the last `words` columns are aligned
+// left.
 function table(caption, heads, rows, words = 0) {
     const align = (i) => (i > 0 && i < heads.length - words ? 'number' : null);
     const cell = (value, i) =>

@@ -1,4 +1,5 @@
-// The list beside the picture: tiles or seams, all or those that fail, found by name. One stop of the tab key; arrows walk it.
+// The list beside the picture: tiles or seams, all or only those that fail, with a search. One stop of the tab key; the
+// arrow keys walk it.
 import { html } from '../view/dom.js';
 import { count } from '../view/format.js';
 import { makeListed } from './listed.js';
@@ -20,7 +21,7 @@ const nothingCalled = ({ onlyFailing, wanted }) =>
         wanted && ` is called “${wanted}”`,
     );
 
-// The box of options; `mark` shows which of them is chosen.
+// The list box; `mark` shows the chosen option.
 function makeBox(listed) {
     const box = html('ul', { role: 'listbox', tabindex: '0', 'aria-label': 'Tiles', class: 'list' });
     const fill = () => {
@@ -49,7 +50,7 @@ function makeBox(listed) {
     return { box, fill, mark };
 }
 
-// Where else what is searched for is found: links that show it there.
+// Links to matches of the search in other lists.
 function elsewhereLinks(listed, fill) {
     const { more, others } = listed.elsewhere();
     const link = (words, kind) => {
@@ -66,7 +67,7 @@ function elsewhereLinks(listed, fill) {
     ].filter(Boolean);
 }
 
-// What stands above the box: the search by name, tiles or seams, only those that fail.
+// The controls above the box: search by name, tiles or seams, only those that fail.
 function makeTools(listed, fill, onSearch) {
     const search = html('input', {
         type: 'search',
@@ -109,7 +110,7 @@ function makeTools(listed, fill, onSearch) {
     return { elements, tell, show };
 }
 
-// Goes from one to the next of those that are shown.
+// Goes to the next of the shown entries.
 function makeStep(listed, state) {
     return (by) => {
         const { chosen } = state.now;

@@ -1,4 +1,4 @@
-// What the list shows of the tiles or the seams: all or those that fail, by a part of their names.
+// The entries of the list: tiles or seams, all or only those that fail, filtered by a part of their names.
 import { sewnTiles } from '../view/format.js';
 
 export function makeListed(model, { onTile, onSeam }) {
@@ -30,7 +30,7 @@ export function makeListed(model, { onTile, onSeam }) {
             if (!failing[next]) listed.onlyFailing = false;
         },
         other: () => (listed.kind === 'tile' ? 'seam' : 'tile'),
-        // How many that do not fail are called so, and, where none is, how many of the other kind.
+        // The number of matches that do not fail and, if there is none, of matches of the other kind.
         elsewhere() {
             const { wanted, onlyFailing, shown } = listed;
             const more = wanted && onlyFailing ? called(listed.kind).filter((item) => item.ok).length : 0;

@@ -1,4 +1,4 @@
-// The roll: where every piece lies on the cloth, row below row, as `ripstop nest` has laid them.
+// The roll: the place of every piece on the cloth, row below row, as laid by `ripstop nest`.
 import { html, svg } from '../view/dom.js';
 import { count, figure } from '../view/format.js';
 import { notLaid } from './verdict.js';
@@ -13,7 +13,7 @@ function pathOf(points) {
     return `${path}Z`;
 }
 
-// A placement with the piece's tile, what it takes of the roll's length, and where its name is written.
+// A placement with the piece's tile, its extent along the roll, and the place of its name.
 function laid(placement, tile) {
     const side = placement.mirrored === placement.face_down ? 1 : -1;
     const turn = (placement.turn_deg * Math.PI) / 180;
@@ -36,7 +36,7 @@ function laid(placement, tile) {
 
 const patternOf = ({ name, said }) => said.equal_to ?? said.mirror_of ?? name;
 
-// A piece is a button: one stop of the tab key a row, the arrows go from piece to piece.
+// Each piece is a button. Each row is one stop of the tab key; the arrow keys go from piece to piece.
 function pieceButton({ tile, placement, transform }, isStop, onTile) {
     const copy = `${tile.name}, copy ${placement.copy + 1}${placement.mirrored ? ', mirror image' : ''}`;
     return svg(
@@ -70,7 +70,7 @@ function walkRow(event) {
     event.preventDefault();
 }
 
-// The lengths of cloth that lie in a row, and where one ends and the next begins.
+// The lengths of cloth in a row, and where one ends and the next begins.
 function clothOf(marker, start) {
     const width = marker.roll_width_mm;
     const parts = marker.roll_parts.filter(
@@ -208,7 +208,7 @@ function refusedView(roll) {
     ];
 }
 
-// Nothing where nothing was laid.
+// Returns null if nothing was laid.
 export function rollView(model, state, onTile) {
     if (!model.roll) return null;
     const light = () => {

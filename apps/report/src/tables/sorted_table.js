@@ -1,4 +1,4 @@
-// A table that is sorted by any column and shows its first rows until more are asked for.
+// A table that can be sorted by any column and shows its first rows until the user asks for more.
 import { html } from '../view/dom.js';
 import { count, figure } from '../view/format.js';
 
@@ -6,7 +6,7 @@ const firstRows = 100;
 
 const collator = new Intl.Collator('en', { numeric: true });
 
-// By size where figures have signs: the worst is what one looks for.
+// Signed figures are sorted by magnitude, because the user looks for the worst.
 function ordered(items, { value }, descending) {
     const key = (item) => value(item);
     const sorted = items.toSorted((one, other) => {
@@ -35,14 +35,14 @@ const rowOf = (item, columns, onItem) =>
         columns.map((column) => cell(item, column, onItem)),
     );
 
-// Which rows are wanted, and in which order.
+// The rows to show, in order.
 function makeRows(items, columns) {
     const texts = columns.filter((column) => !column.show);
     const rows = {
         sorting: null,
         descending: false,
         wanted: '',
-        // From the largest down where there are figures; by the same column again the other way.
+        // Figures start with the largest; a second click on the same column reverses the order.
         sortBy(column) {
             rows.descending = rows.sorting === column ? !rows.descending : Boolean(column.show);
             rows.sorting = column;
@@ -74,7 +74,7 @@ function tableElement(id, title, heads, heading, body, more) {
     );
 }
 
-// `columns`: { name, value(item), show(value) where it is a figure, isName, isVerdict }; `one`: what an item is called.
+// `columns`: { name, value(item), show(value) for figures, isName, isVerdict }; `one`: the noun for an item.
 export function sortedTable({ id, title, one, items, columns, onItem }) {
     const rows = makeRows(items, columns);
     const body = html('tbody'),

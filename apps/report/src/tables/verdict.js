@@ -1,5 +1,5 @@
-// The verdict: can it be made, what is wrong, what to redesign. Its words are in report.json, envelope.says, in one place for all that
-// say them; names of tiles and seams in them are links here.
+// The verdict: whether the envelope can be made, its faults, and what to redesign. The words come from envelope.says in
+// report.json, which all outputs share; here the names of tiles and seams in them become links.
 import { html } from '../view/dom.js';
 import { says as saysOfFlight } from './flight_view.js';
 import { count, figure } from '../view/format.js';
@@ -16,10 +16,10 @@ export function verdictWord(tile) {
 export const failingTiles = (model) => model.tiles.filter((tile) => !tile.ok);
 export const failingSeams = (model) => model.seams.filter((seam) => !seam.ok);
 
-// What a finding's code means to a maker.
+// The meaning of a finding's code for a maker.
 export const meaning = (model, code) => model.report.envelope.says.codes[code] ?? code;
 
-// What stands in the headline of how it flies; nothing where it flies as drawn, or was not inflated.
+// The headline's text on the flight; null if the envelope flies as drawn or was not inflated.
 function flightWord(said) {
     if (!said) return null;
     if (!said.converged) return ' How it flies is not known.';
@@ -28,7 +28,7 @@ function flightWord(said) {
     return said.safe ? null : ' It is too weak.';
 }
 
-// Of a plan that was laid on the roll: how many pieces did not fit it.
+// For a plan that was laid on the roll: the number of pieces that did not fit.
 export function notLaid(roll) {
     const refused = roll?.refused.reduce((sum, { quantity }) => sum + quantity, 0) ?? 0;
     const laid = roll?.markers.reduce((sum, { placements }) => sum + placements.length, 0) ?? 0;
@@ -46,7 +46,7 @@ const lines = (texts, attributes) =>
         texts.map((text) => html('li', {}, text)),
     );
 
-// Sentences of parts: texts, { tile: name } and { seam: id }.
+// Sentences made of parts: texts, { tile: name } and { seam: id }.
 function sentences(title, said, linkOf) {
     if (said.length === 0) return null;
     const texts = said.map((parts) => parts.map((part) => (typeof part === 'string' ? part : linkOf(part))));

@@ -1,9 +1,9 @@
-// What is chosen, by whatever was clicked; and the next that fails.
+// The chosen item, whatever was clicked, and the next failing one.
 import { failingSeams, failingTiles } from '../tables/verdict.js';
 
 export function makeChooser(model, state) {
     const chooser = {
-        // Told what was chosen, and whether it was clicked where it is seen in space.
+        // Called with the chosen item, and whether it was clicked in the 3D view.
         onChosen: () => {},
         choose(kind, item, isSeen = false) {
             state.change({ chosen: { kind, index: item.index } });
@@ -26,7 +26,7 @@ export function makeChooser(model, state) {
             const at = failing.findIndex(([kind, item]) => chosen?.kind === kind && chosen.index === item.index);
             chooser.choose(...failing[(at + 1) % failing.length]);
         },
-        // The tiles that are chosen, and the seam.
+        // The chosen tiles, and the chosen seam.
         chosen() {
             const { chosen } = state.now;
             if (!chosen) return [[], null];

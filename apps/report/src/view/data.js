@@ -1,5 +1,5 @@
-// What the program put into the page, unpacked: report.json as it is, the shapes (src/ripstop/report/page/page_shapes.h) and, once `nest` was
-// run, marker.json.
+// The data that the program put into the page, unpacked: report.json, the shapes
+// (src/ripstop/report/page/page_shapes.h) and, after `nest`, marker.json.
 import { paletteTable } from './palette.js';
 
 function bytesOf(id) {
@@ -16,7 +16,7 @@ async function unpacked(id) {
     return new Response(stream).arrayBuffer();
 }
 
-// Steps from row to row, summed up; a typed array wraps round as the steps do.
+// Sums up the steps from row to row; a typed array wraps round as the steps do.
 function summed(steps, columns) {
     for (let i = columns; i < steps.length; ++i) steps[i] += steps[i - columns];
     return steps;
@@ -132,7 +132,7 @@ export async function readModel() {
     return modelOf(jsonOf(report), buffer, roll && jsonOf(roll));
 }
 
-// The points of a side of a seam along its tile's boundary: `columns` numbers each, out of `positions`.
+// The points of a side of a seam along its tile's boundary: `columns` numbers each, from `positions`.
 export function sidePoints(tile, side, positions, columns) {
     const { loop } = tile;
     const at = (edge, share) => {

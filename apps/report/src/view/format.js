@@ -1,4 +1,4 @@
-// Figures for people: a true minus, fixed decimals, a dash for what is unknown.
+// Formats figures: a true minus sign, fixed decimals, a dash for unknown values.
 export function figure(value, decimals = 2, signed = false) {
     if (value === null || value === undefined || !Number.isFinite(value)) return '–';
     const text = Math.abs(value).toFixed(decimals);
@@ -16,13 +16,14 @@ export const signedMillimetres = (value, decimals = 2) => figure(value, decimals
 export const degrees = (value, decimals = 1) => figure(value, decimals) + '°';
 export const squareMetres = (value, decimals = 2) => figure(value, decimals) + '\u00a0m²';
 
-// About three digits, none of them idle: 2 and not 2.000.
+// About three significant digits without trailing zeros: 2 and not 2.000.
 export function short(value) {
     const text = figure(value, Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : Math.abs(value) >= 1 ? 2 : 3);
     return text.includes('.') ? text.replace(/\.?0+$/, '') : text;
 }
 
-// Whom a seam joins: `LEFT – RIGHT + RIB` where a third sheet lies in it, `RIB – LEFT, into S0001` on that sheet's own record.
+// The tiles that a seam joins: `LEFT – RIGHT + RIB` with an additional sheet, `RIB – LEFT, into S0001` in that sheet's
+// record.
 export const sewnTiles = (said) =>
     [`${said.tile_a} – ${said.tile_b}`, ...(said.further_tiles ?? [])].join(' + ') +
     (said.sewn_into ? `, into ${said.sewn_into}` : '');

@@ -41,7 +41,7 @@ const stateBar = ({ states }, swatch) =>
         states.map((state, i) => html('span', {}, swatch(places.states + i), ` ${state}`)),
     );
 
-// `look` as lookOf gives it.
+// `look`: from lookOf.
 export function legendView(look) {
     const { map, scale, table } = look;
     const swatch = (place) => html('i', { class: 'swatch', style: `background:${cssColour(table, place)}` });

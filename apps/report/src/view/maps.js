@@ -1,10 +1,10 @@
-// The colour maps. What each shows, where its colours end and what stands beside them was decided by the program
-// (src/ripstop/report/view/map_view.h); here values become places in the palette.
+// The colour maps. The program decides their values, scales and legends (src/ripstop/report/view/map_view.h); here
+// values become palette indices.
 import { placeOf, places } from './palette.js';
 
 const unknown = -32768; // of a triangle: flipped on the cloth
 
-// What is painted with: the map, its scale and the colours of the palette. Until a scale is chosen each map has its own first one.
+// The settings for painting: map, scale and palette. Until a scale is chosen, each map uses its own first one.
 export function lookOf(model, { map: id, scale: wanted, palette }) {
     const map = model.maps.find((each) => each.id === id);
     const scale = map.scales.find((each) => each.id === wanted) ?? map.scales[0];
@@ -18,7 +18,7 @@ export function clothValue(tile, id, triangle) {
     return value === unknown ? NaN : value * map.step;
 }
 
-// The place in the palette of every triangle of a tile.
+// The palette index of every triangle of a tile.
 export function clothPlaces(tile, { map, scale }) {
     const values = tile.maps[map.id];
     const count = tile.triangles.length / 3;
@@ -31,7 +31,7 @@ export function clothPlaces(tile, { map, scale }) {
     );
 }
 
-// The place in the palette of every boundary edge of a tile; nothing for a map of the cloth alone.
+// The palette index of every boundary edge of a tile; null for a map of the cloth alone.
 export function rimPlaces(tile, { map, scale }) {
     if (!map.of_edges) return null;
     const { values, step } = tile.edges[map.id];

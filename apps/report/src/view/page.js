@@ -1,9 +1,9 @@
-// Where everything stands on the page.
+// The layout of the page.
 import { html } from './dom.js';
 
 const hintWords = 'Click a tile or a seam. Drag turns; once clicked, the wheel zooms. Keys: arrows, + − and Home.';
 
-// The places whose content changes: the picture, its colours with their numbers, how it is posed, what is printed and spoken.
+// The places whose content changes: the picture, its legend, its pose, the print view and the spoken text.
 export function makePlaces() {
     return {
         holder: html('div', { class: 'holder' }),
@@ -15,7 +15,7 @@ export function makePlaces() {
     };
 }
 
-// `above`: what stands above the picture; `below`: what stands below the work.
+// `above`: content above the picture; `below`: content below the work area.
 export function layOut(places, { verdict, list, above, panel, below, tip }) {
     const space = html(
         'section',

@@ -1,8 +1,8 @@
-// Places in a table of colours, as the program has them (src/ripstop/report/view/page_colours.h): below, 256 steps from -1 to 1 of
-// where a scale ends, above, flipped, nothing known, then the states of cloth in flight.
+// Indices of a table of colours, as in the program (src/ripstop/report/view/page_colours.h): below, 256 steps from -1
+// to 1 relative to the end of a scale, above, flipped, unknown, then the states of cloth in flight.
 export const places = { below: 0, first: 1, steps: 256, above: 257, flipped: 258, unknown: 259, states: 260, count: 263 };
 
-// A palette's `rrggbb` of each place as bytes, red, green, blue and 255 each.
+// A palette's `rrggbb` entries as bytes: red, green, blue and 255 each.
 export function paletteTable(colours) {
     const table = new Uint8Array(4 * places.count).fill(255);
     for (let i = 0; i < places.count; ++i)
@@ -10,7 +10,7 @@ export function paletteTable(colours) {
     return table;
 }
 
-// The place of a value in shares of where its scale ends. Where nothing `hasBeyond`, what lies beyond has the place of the end.
+// The index of a value relative to the end of its scale. Without `hasBeyond`, values beyond get the index of the end.
 export function placeOf(share, hasBeyond) {
     if (Number.isNaN(share)) return places.flipped;
     if (hasBeyond && share < -1) return places.below;

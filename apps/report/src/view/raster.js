@@ -1,6 +1,6 @@
-// Triangles into pixels, a hundred times faster than a path each and without gaps between them.
+// Rasterises triangles: a hundred times faster than one path each, and without gaps.
 
-// The pixels of a canvas; with `farthest`, a depth of each beside it.
+// The pixels of a canvas; with `farthest`, also a depth buffer.
 export function makeImage(context, farthest) {
     const { width, height } = context.canvas;
     const data = context.createImageData(width, height);
@@ -8,7 +8,7 @@ export function makeImage(context, farthest) {
     return { width, height, data, pixels: new Uint32Array(data.data.buffer), depths };
 }
 
-// Fills the pixels whose middles lie in the triangle; where there are depths, those where nothing is nearer (more) than `depth`.
+// Fills the pixels whose centres lie in the triangle; with depths, only where nothing is nearer (greater) than `depth`.
 export function fillTriangle(image, colour, x, y, depth) {
     const top = Math.max(0, Math.ceil(Math.min(y[0], y[1], y[2]) - 0.5));
     const bottom = Math.min(image.height - 1, Math.floor(Math.max(y[0], y[1], y[2]) - 0.5));

@@ -1,4 +1,4 @@
-// What is chosen: a tile or a seam, a map, colours. Whoever shows it listens.
+// The chosen tile or seam, map and colours. Views subscribe to changes.
 export function makeState(initial) {
     const listeners = [];
     let now = initial;

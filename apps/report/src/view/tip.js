@@ -1,4 +1,4 @@
-// What the pointer is over, in words beside it.
+// A text beside the pointer about the item below it.
 import { html } from './dom.js';
 import { degrees, figure, percent, sewnTiles, signedMillimetres } from './format.js';
 import { clothValue } from './maps.js';

@@ -1,11 +1,11 @@
-// What stands above the picture: which colours, in which palette, and what is shown.
+// The controls above the picture: map, palette, and view.
 import { failingSeams, failingTiles } from '../tables/verdict.js';
 import { html } from './dom.js';
 import { lookOf } from './maps.js';
 
 const optionElement = ({ id, name }) => html('option', { value: id }, name);
 
-// The maps of the pieces and those of the flight apart, where there are both.
+// Groups the maps of the pieces and those of the flight, if there are both.
 function mapGroups(available) {
     const groups = [
         { name: 'As cut', options: available.filter((map) => !map.in_flight) },
@@ -28,7 +28,7 @@ function selectBox(label, options, value, onchange) {
     return html('label', { class: 'choice' }, html('span', {}, label), box);
 }
 
-// How far the colours go: by what there is, or by what is allowed; hidden where the map knows but one.
+// The scale: by the values or by the limits; hidden if the map has only one.
 function scaleChoice(model, state) {
     const names = { there: 'to what is there', tolerance: 'to tolerance' };
     const buttons = Object.entries(names).map(([id, name]) =>

@@ -1,7 +1,7 @@
-// The wheel scrolls the page. Over a picture that has the focus, or with Ctrl, it zooms that.
+// The wheel scrolls the page. Over a focused picture, or with Ctrl, it zooms the picture.
 export const isZooming = (event, picture) => event.ctrlKey || event.metaKey || document.activeElement === picture;
 
-// Keeps the wheel of a picture from those who would zoom with it when it is the page's; `zoom`, where nobody else does.
+// Hides the wheel from a picture's own zoom when it belongs to the page; `zoom` is used if nothing else zooms.
 export function zoomByWheel(picture, zoom) {
     const onWheel = (event) => {
         if (!isZooming(event, picture)) return event.stopImmediatePropagation();
