@@ -15,8 +15,7 @@ struct LiftedLines {
     std::vector<NamedCurve> curves =
         {};          ///< named `LAYER PIECE`, attribute `layer` as in the drawing, `tile` the piece's name
     int pieces = 0;  ///< number of pieces found in the drawing
-    std::vector<std::string> strangers =
-        {};  ///< names of cut lines in the drawing that match no piece
+    std::vector<std::string> strangers = {};  ///< names of cut lines in the drawing that match no piece
 };
 
 /// Carries the lines of a drawing back to the tiles: artwork drawn on the patterns returns to the model.

@@ -290,8 +290,7 @@ std::vector<CssDeclaration> css_declarations(std::string_view block) {
         CssDeclaration declaration{lower_case(svg_trimmed(part.substr(0, colon))), {}, false};
         std::string_view value = svg_trimmed(part.substr(colon + 1));
         const std::size_t mark = value.rfind('!');
-        if (mark != std::string_view::npos &&
-            lower_case(svg_trimmed(value.substr(mark + 1))) == "important") {
+        if (mark != std::string_view::npos && lower_case(svg_trimmed(value.substr(mark + 1))) == "important") {
             declaration.is_important = true;
             value = svg_trimmed(value.substr(0, mark));
         }
