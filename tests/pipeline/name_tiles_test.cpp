@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
+#include "ripstop/io/json/project_json.h"
 #include "support/refusal.h"
 #include "support/shapes.h"
 

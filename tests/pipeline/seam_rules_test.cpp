@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "ripstop/io/json/project_json.h"
 #include "ripstop/pipeline/read/read_envelope.h"
 #include "ripstop/tile/allowance.h"
 #include "support/envelopes.h"

@@ -8,6 +8,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/io/json/fabric_json.h"
+#include "ripstop/io/json/project_json.h"
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "support/outside.h"
 #include "support/sewn.h"

@@ -101,7 +101,9 @@ void expect_same_view(const CutPlan& plan, const MapView& view, std::size_t scal
     }
     EXPECT_EQ(page["note"], view.scales[scale].note);
     for (const std::string& end : {view.scales[scale].low, view.scales[scale].middle, view.scales[scale].high})
-        if (!end.empty()) EXPECT_THAT(page["legend"], ::testing::Contains(end)) << what;
+        if (!end.empty()) {
+            EXPECT_THAT(page["legend"], ::testing::Contains(end)) << what;
+        }
     const auto beyond = ::testing::Contains("beyond");
     if (view.scales[scale].has_beyond)
         EXPECT_THAT(page["legend"], beyond) << what;
