@@ -1,4 +1,5 @@
 #include "ripstop/pipeline/read/seam_rules.h"
+#include "ripstop/io/json/project_json.h"
 
 #include <gmock/gmock.h>
 
