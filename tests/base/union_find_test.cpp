@@ -7,7 +7,7 @@
 namespace ripstop {
 namespace {
 
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
 TEST(UnionFind, StartsWithEveryNumberAlone) {
     UnionFind sets(3);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ripstop/geometry/polygon.h"
+#include "ripstop/nest/laid_piece.h"
 #include "ripstop/nest/nest_pieces.h"
 #include "support/loose_pieces.h"
 
@@ -80,7 +81,7 @@ TEST_P(OwnPieces, CarryTheirNamesWithoutNumber) {
     std::set<std::string> names;
     const Markers markers = nest_pieces(set, options());
     for (const Placement& placement : markers.markers.at(0).placements)
-        names.insert(placed_piece(set.pieces[placement.piece], placement).name);
+        names.insert(laid_piece(set.pieces[placement.piece], placement).name);
     EXPECT_EQ(names, (std::set<std::string>{"A", "B", "C", "D"}));
 }
 

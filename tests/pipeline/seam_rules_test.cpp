@@ -1,5 +1,4 @@
 #include "ripstop/pipeline/read/seam_rules.h"
-#include "ripstop/io/json/project_json.h"
 
 #include <gmock/gmock.h>
 
