@@ -25,7 +25,7 @@ constexpr double tolerance = 0.5 * millimetre;
 Envelope envelope_of(const std::vector<TriangleMesh>& meshes) {
     Envelope envelope;
     for (const TriangleMesh& mesh : meshes)
-        envelope.tiles.push_back(make_tile(std::string("T").append(std::to_string(envelope.tiles.size()) + 1), mesh,
+        envelope.tiles.push_back(make_tile(std::string("T").append(std::to_string(envelope.tiles.size() + 1)), mesh,
                                            {.warp = Vec3(0.6, 0.8, 0)}));
     add_seams(envelope, {tolerance});
     return envelope;
