@@ -167,7 +167,7 @@ void print_envelope() {
             fmt::print(
                 "| {} | {} | {} | {:.1f} | {} | {:.1f} | {:.1f} | {} | {:.1f} | {:.3f} % | {:+.3f} % | {:.0e} |\n",
                 bulge > 0 ? "lobed, 20 degrees, tapes 2 % shorter" : "smooth", triangles_of(plan), found.sectors,
-                inflating, once.summary.factorizations, 1e3 * once.off.moved_rms, correcting, found.rounds.size(),
+                inflating, once.summary.factorizations, 1e3 * once.off.moved_rms, correcting, plan.rounds.size(),
                 1e3 * found.off.moved_rms, 100 * found.off.moved_rms / found.drawn_height,
                 100 * (found.volume / found.drawn_volume - 1), worst);
         }

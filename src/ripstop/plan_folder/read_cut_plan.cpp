@@ -7,7 +7,7 @@
 #include "ripstop/io/json/sewing_json.h"
 #include "ripstop/io/mesh/mesh_file.h"
 #include "ripstop/measure/judge_seams.h"
-#include "ripstop/measure/seam_walk.h"
+#include "ripstop/measure/walk_seams.h"
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
 

@@ -59,7 +59,7 @@ TextRow row_of(const FlatTile& tile) {
 Vec2 largest_size(const std::vector<CutPlan>& plans, std::size_t tile) {
     Vec2 largest = Vec2::Constant(1e-9);
     for (const CutPlan& plan : plans)
-        if (is_drawable(plan.tiles[tile])) {
+        if (plan.tiles[tile].is_flat()) {
             const Points2& flat = plan.tiles[tile].flattening.positions;
             largest = largest.cwiseMax((flat.colwise().maxCoeff() - flat.colwise().minCoeff()).transpose());
         }
@@ -81,7 +81,7 @@ std::string shape(const FlatTile& tile, const Vec2& corner, double scale, const 
                                    std::to_string(a.flipped) + "  ·  " + shown(tile.seconds, 3) + " s",
                                {12, "start", "#52606d"});
     const Vec2 middle = corner + Vec2((cell_width - 24) / 2, cell_head + shape_height / 2);
-    if (!is_drawable(tile))
+    if (!tile.is_flat())
         return svg +
                svg_text(middle, "no flat positions: " + tile.flattening.summary.text(), {12, "middle", "#b3121f"});
     const Points2& flat = tile.flattening.positions;
