@@ -5,7 +5,7 @@
 #include "ripstop/flatten/method.h"
 #include "ripstop/io/json/fabric_json.h"
 #include "ripstop/io/mesh/mesh_file.h"
-#include "ripstop/measure/accuracy.h"
+#include "ripstop/measure/measure_accuracy.h"
 #include "ripstop/tile/make_tile.h"
 
 int main(int count, char** arguments) try {

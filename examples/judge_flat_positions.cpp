@@ -4,9 +4,9 @@
 #include "ripstop/base/error.h"
 #include "ripstop/io/json/fabric_json.h"
 #include "ripstop/io/mesh/mesh_file.h"
-#include "ripstop/measure/accuracy.h"
-#include "ripstop/measure/bounds.h"
 #include "ripstop/measure/judge.h"
+#include "ripstop/measure/measure_accuracy.h"
+#include "ripstop/measure/measure_bounds.h"
 #include "ripstop/tile/make_tile.h"
 
 int main(int count, char** arguments) try {
