@@ -272,7 +272,7 @@ TEST(ObjFaces, ThatFoldAreTheFaultOfTheirSurfaceAlone) {
     const std::string two = "v 2 1 0\nv 2 2 0\no good\nf 1 2 3\no bad\n";
     for (const auto& [face, what] :
          {std::pair("f 1 3 2 4", "folder/hull.obj:10: a face with 4 corners folds over itself"),
-          std::pair("f 1 2 3 1 5 6", "folder/hull.obj:10: a face with 6 corners comes by one of them twice")}) {
+          std::pair("f 1 2 3 1 5 6", "folder/hull.obj:10: a face with 6 corners visits one of them twice")}) {
         const CadModel model = model_of(square + two + face + "\n");
         ASSERT_EQ(model.surfaces.size(), 2u);
         EXPECT_EQ(model.surfaces[0].fault, "");

@@ -99,7 +99,7 @@ Nurbs read_nurbs(RhinoBytes data) {
     if (!std::is_sorted(nurbs.knots.begin(), nurbs.knots.end())) data.refuse("a NURBS curve whose knots go back");
     const auto width = static_cast<std::size_t>(dimension + (rational ? 1 : 0));
     if (data.count(width * sizeof(double)) != static_cast<std::size_t>(count))
-        data.refuse("a NURBS curve with another number of points than was said");
+        data.refuse("a NURBS curve with a wrong number of points");
     for (int i = 0; i < count; ++i) {
         Eigen::Vector4d point(0, 0, 0, 1);
         for (int k = 0; k < dimension; ++k) point[k] = data.real();

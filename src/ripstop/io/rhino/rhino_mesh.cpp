@@ -85,7 +85,7 @@ Points3 read_vertices(RhinoBytes& data, std::size_t count, RhinoBytes::Version v
     Points3 coarse;
     std::optional<Points3> fine = double_vertices_beside(object);
     if (version.major == 1) {
-        if (data.count(float_point) != count) data.refuse("another number of vertices than was said");
+        if (data.count(float_point) != count) data.refuse("two different numbers of vertices");
         coarse = points_of<float>(data.take(float_point * count).view());
     } else if (count > 0) {
         coarse = points_of<float>(data.buffer(float_point * count));

@@ -119,10 +119,9 @@ class Placer {
         }
         const std::optional<Reference> read = read_reference(object);
         if (!read) {
-            placing.lost.push_back(
-                {std::move(placed),
-                 "it is placed by a map that makes it flat or is none, expected to move, turn, mirror "
-                 "or scale it; explode it in Rhino or place it again"});
+            placing.lost.push_back({std::move(placed),
+                                    "its transformation flattens it or is invalid, expected one to move, turn, mirror "
+                                    "or scale it; explode it in Rhino or place it again"});
             return;
         }
         const Reference& reference = *read;

@@ -174,7 +174,7 @@ class Checker {
             const DrawingGroup& group = drawing_.groups[g];
             if (group.insertions == 0) {
                 add("block", fmt::format("block {} is never inserted; readers that take every block as a piece and "
-                                         "those that take what is inserted see different patterns",
+                                         "those that take only inserted blocks see different patterns",
                                          group.name));
                 continue;
             }
