@@ -46,7 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(unused_names(project, {"G01P01"}).empty() || !project.tiles.empty());
     for (const SeamType& type : project.seam_types) require(is_sound(type));
     for (const SeamRule& rule : project.seams) {
-        require(is_sound(rule.type) && !rule.tile.empty() && !rule.text().empty());
+        require(is_sound(rule.type) && !rule.tile.empty());
         require(rule.mate ? rule.fits_seam(rule.tile, *rule.mate) && rule.fits_seam(*rule.mate, rule.tile)
                           : rule.fits_free(rule.tile));
     }
