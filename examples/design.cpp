@@ -14,7 +14,7 @@ int main(int count, char** arguments) try {
     if (count != 2) return std::fputs("usage: design FILE.obj\n", stderr), 2;
     EnvelopeDesign design;
     design.gores = 12;
-    design.panel_height = parse_length("1450mm", "the height of a panel");  // as the roll is wide
+    design.panel_height = parse_length("1300mm", "the height of a panel");  // less than the roll is wide
     design.volume = 600;
     design.edge_length = 0.3;
     const std::vector<NamedMesh> tiles = design_natural(design);

@@ -16,7 +16,7 @@
 int main(int count, char** arguments) try {
     using namespace ripstop;
     if (count != 2) return std::fputs("usage: nest FILE.svg\n", stderr), 2;
-    const EnvelopeDesign design{.gores = 8, .panels = 3, .volume = 30, .edge_length = 0.3};
+    const EnvelopeDesign design{.gores = 8, .panels = 4, .volume = 30, .edge_length = 0.3};
     const Envelope envelope = make_envelope(design_natural(design), {});
     const CutPlan plan = flatten_envelope(envelope, {.fabric = fabric_named("nylon")});
     const PieceSet set = make_piece_set(plan, make_pieces(plan), "A");
