@@ -1,5 +1,5 @@
 // What openNURBS gives of a Rhino file, for ripstop: `node convert.mjs FILE.3dm OUTPUT`. OUTPUT is a converted model (see
-// src/ripstop/io/converted.h): a line of JSON, then the meshes; an object that is NURBS has them under `brep` beside the
+// src/ripstop/io/cad/converted.h): a line of JSON, then the meshes; an object that is NURBS has them under `brep` beside the
 // meshes Rhino had stored of its faces.
 import fs from 'node:fs';
 import rhino3dm from 'rhino3dm';

@@ -101,7 +101,7 @@ TEST_F(LiftCommand, WritesNothingWhereThereIsNothingToLift) {
     EXPECT_THAT(run.err, HasSubstr("no line on a layer called nix; there are lines on art"));
     const ProgramRun bare = workshop.ripstop("lift plan plan/cut/envelope.dxf -o art.obj");
     EXPECT_EQ(bare.code, 3);
-    EXPECT_THAT(bare.err, HasSubstr("nothing is drawn on its pieces"));
+    EXPECT_THAT(bare.err, HasSubstr("its pieces have only their own lines"));
     EXPECT_EQ(workshop.names(), (std::vector<std::string>{"drawn.svg", "plan", "small.obj"}));
 }
 

@@ -25,7 +25,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const EnvelopeDesign small{.gores = 8, .panels = 3, .volume = 300, .edge_length = 0.6};
+const EnvelopeDesign small{.gores = 16, .panels = 6, .volume = 300, .edge_length = 0.4};
 
 /// Writes the drawn tiles of an envelope to a file.
 void write_drawn(const std::string& file, const Envelope& envelope) {

@@ -42,7 +42,7 @@ TEST(ReportJson, SaysTheVerdictInPartsOfSentencesAndTheWarnings) {
     EXPECT_EQ(says["why"][0][0], Json({{"tile", plan.tiles[1].tile.name}}));
     EXPECT_THAT(says["why"][0][1].get<std::string>(), ::testing::StartsWith(": length of an edge"));
     EXPECT_EQ(says["codes"]["chain"], "length of an edge");
-    EXPECT_EQ(report(plan)["envelope"]["warnings"], Json::array());
+    EXPECT_EQ(report(testing::two_tile_plan())["envelope"]["warnings"], Json::array());
 }
 
 TEST(ReportJson, TellsEachTileInItsUnits) {
