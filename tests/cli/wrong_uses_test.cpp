@@ -133,7 +133,7 @@ constexpr Slip inputs[] = {
     {"nest plan --gap -1mm", 3, "the gap between pieces is -0.001 m, expected 0 to 1 m"},
     {"nest plan --roll -1m", 3, "the roll is -1 m wide, expected a length above 0"},
     {"nest plan --roll-length 0m", 3, "a roll is 0 m long, expected a length above 0"},
-    {"nest plan -o plan", 3, "plan: is of a cut plan"},
+    {"nest plan -o plan", 3, "plan: belongs to a cut plan"},
     {"diff plan old", 3, "old/cut/pieces.json: "},
     {"lift plan text.dxf -o l.obj", 3, "text.dxf:1: "},
     {"lift plan plan/cut/envelope.dxf -o l.obj", 3, "its pieces have only their own lines, such as the sew line"},
