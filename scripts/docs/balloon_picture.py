@@ -42,7 +42,7 @@ def boundary(triangles):
 def seen(point):
     """Right, up and towards the eye."""
     x, y, z = point
-    return x, z * math.cos(UP) - y * math.sin(UP) * -1, -y * math.cos(UP) + z * math.sin(UP)
+    return x, z * math.cos(UP) + y * math.sin(UP), z * math.sin(UP) - y * math.cos(UP)
 
 
 def normal_of(vertices, triangles):

@@ -231,10 +231,10 @@
 // plan_folder
 #include "ripstop/plan_folder/cut_files.h"
 #include "ripstop/plan_folder/directory.h"
-#include "ripstop/plan_folder/inflated_files.h"
 #include "ripstop/plan_folder/marker_files.h"
 #include "ripstop/plan_folder/read_cut_plan.h"
 #include "ripstop/plan_folder/unchanged.h"
+#include "ripstop/plan_folder/update_folder.h"
 #include "ripstop/plan_folder/whole_directory.h"
 
 // pipeline

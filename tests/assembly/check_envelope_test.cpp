@@ -1,6 +1,5 @@
 /// Every fault of an envelope is reported once, at the tile that causes it.
 #include "ripstop/assembly/faults/check_envelope.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +11,7 @@
 #include <numbers>
 
 #include "ripstop/report/words/check_report.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/envelopes.h"
 #include "support/shapes.h"
 

@@ -26,15 +26,12 @@ namespace ripstop {
 namespace cad_test {
 
 using ::testing::AllOf;
+using testing::area_of;
 using ::testing::Each;
 using ::testing::HasSubstr;
+using testing::read_cad;
 using testing::ScratchDirectory;
 using testing::Workshop;
-
-CadModel read(const std::string& file, MeshingOptions options = {}) {
-    options.mesher = RIPSTOP_CAD_PROGRAM;
-    return read_model(file, options);
-}
 
 std::string fault_of(const std::string& file, MeshingOptions options = {}) {
     if (options.mesher.empty()) options.mesher = RIPSTOP_CAD_PROGRAM;
@@ -54,12 +51,6 @@ std::string script(const ScratchDirectory& scratch, const std::string& body) {
     return path;
 }
 
-double area(const CadModel& model) {
-    double sum = 0;
-    for (const NamedMesh& surface : model.surfaces) sum += surface_area(surface.mesh);
-    return sum;
-}
-
 TEST(Cad, TheSameCubeInInchMillimetreAndMetreIsTheSameCube) {
     const ScratchDirectory scratch;
     for (const std::string extension : {".step", ".iges"})
@@ -67,12 +58,12 @@ TEST(Cad, TheSameCubeInInchMillimetreAndMetreIsTheSameCube) {
             SCOPED_TRACE(extension + " in " + ours);
             const std::string file = scratch.path(std::string("cube_") + ours + extension);
             testing::write_cube(file, writers);
-            CadModel model = read(file);
+            CadModel model = read_cad(file);
             ASSERT_TRUE(model.unit.has_value());
             EXPECT_EQ(model.unit->name, ours);
             model = in_metres(std::move(model), model.unit->metres);
             EXPECT_EQ(model.surfaces.size(), 6U);
-            EXPECT_NEAR(area(model), 6, 1e-9);
+            EXPECT_NEAR(area_of(model), 6, 1e-9);
             for (const NamedMesh& surface : model.surfaces) {
                 EXPECT_EQ(surface.name.rfind("cube_0", 0), 0U) << surface.name;
                 EXPECT_GE(surface.mesh.positions.minCoeff(), -1e-9);
@@ -86,7 +77,7 @@ TEST(Cad, TheSameCubeInInchMillimetreAndMetreIsTheSameCube) {
 TEST(Cad, ABrepSaysNoUnitAndIsTakenAsAsked) {
     const ScratchDirectory scratch;
     testing::write_cube(scratch.path("cube.brep"), "MM");
-    EXPECT_FALSE(read(scratch.path("cube.brep")).unit.has_value());
+    EXPECT_FALSE(read_cad(scratch.path("cube.brep")).unit.has_value());
     ReadOptions options{.unit = LengthUnit{"mm", 0.001}};
     options.meshing.mesher = RIPSTOP_CAD_PROGRAM;
     options.meshing.edge_length = 0.25;
@@ -103,7 +94,7 @@ TEST(Cad, TheFacesOfRealFilesHaveTheAreaBoundaryAndBoxThatOpenCascadeSays) {
         RIPSTOP_REQUIRE_SHARED(source, ("step/" + name + ".STEP"));
         SCOPED_TRACE(name);
         const testing::CadFigures figures = testing::step_figures(source.string());
-        CadModel model = read(source.string(), {.chord_error = 1e-5, .edge_length = 2e-3});
+        CadModel model = read_cad(source.string(), {.chord_error = 1e-5, .edge_length = 2e-3});
         model = in_metres(std::move(model), model.unit.value_or(LengthUnit{}).metres);
         ASSERT_EQ(model.surfaces.size(), figures.faces.size());
         Vec3 low = model.surfaces[0].mesh.positions.row(0), high = low;
@@ -152,7 +143,7 @@ TEST(Cad, AGoredEnvelopeIsSoundAndItsSeamsMatchWhenFlattened) {
 TEST(Cad, PartsOfAnAssemblyStandInTheirPlacesWithNamesOfTheirOwn) {
     const ScratchDirectory scratch;
     testing::write_assembly(scratch.path("assembly.step"));
-    CadModel model = in_metres(read(scratch.path("assembly.step")), 0.001);
+    CadModel model = in_metres(read_cad(scratch.path("assembly.step")), 0.001);
     ASSERT_EQ(model.surfaces.size(), 2U);
     EXPECT_EQ(model.surfaces[0].name, "panel");
     EXPECT_EQ(model.surfaces[1].name, "panel_2");
@@ -164,17 +155,18 @@ TEST(Cad, PartsInOtherFilesAreReadBesideItOrNamed) {
     const ScratchDirectory scratch;
     testing::write_assembly_of_files(scratch.path("assembly.step"));
     ASSERT_TRUE(std::filesystem::exists(scratch.path("panel.stp")));
-    CadModel model = in_metres(read(scratch.path("assembly.step")), 0.001);
+    CadModel model = in_metres(read_cad(scratch.path("assembly.step")), 0.001);
     ASSERT_EQ(model.surfaces.size(), 2U);
     EXPECT_LT((centroid(model.surfaces[0].mesh) - Vec3(1, 0.5, 0)).norm(), 1e-9);
     EXPECT_LT((centroid(model.surfaces[1].mesh) - Vec3(1, 5, 0.5)).norm(), 1e-9);
     EXPECT_TRUE(model.unread.empty());
 
     testing::write_text(scratch.path("panel.stp"), "ISO-10303-21; garbage");
-    ASSERT_EQ(read(scratch.path("assembly.step")).unread.size(), 1U);
-    EXPECT_THAT(read(scratch.path("assembly.step")).unread[0].reason, HasSubstr("panel.stp, which could not be read"));
+    ASSERT_EQ(read_cad(scratch.path("assembly.step")).unread.size(), 1U);
+    EXPECT_THAT(read_cad(scratch.path("assembly.step")).unread[0].reason,
+                HasSubstr("panel.stp, which could not be read"));
     std::filesystem::remove(scratch.path("panel.stp"));
-    model = read(scratch.path("assembly.step"));
+    model = read_cad(scratch.path("assembly.step"));
     EXPECT_TRUE(model.surfaces.empty());
     ASSERT_EQ(model.unread.size(), 1U);
     EXPECT_EQ(model.unread[0].name, "panel");
@@ -191,10 +183,10 @@ TEST(Cad, WhatTheKernelDoesNotKnowBesideAShapeIsLeftOutAndNamesStay) {
     text.insert(text.find(items) + items.size(), "#900000,");
     text.insert(text.rfind("ENDSEC;"), "#900000 = SOME_NEW_ITEM('');\n");
     testing::write_text(file, text);
-    const CadModel model = read(file);
+    const CadModel model = read_cad(file);
     ASSERT_EQ(model.surfaces.size(), 6U);
     EXPECT_EQ(model.surfaces[0].name, "cube_01");
-    EXPECT_NEAR(area(in_metres(model, 0.001)), 6, 1e-9);
+    EXPECT_NEAR(area_of(in_metres(model, 0.001)), 6, 1e-9);
     EXPECT_THAT(model.remarks, ::testing::Contains(HasSubstr("1 item beside the shapes left out")));
     EXPECT_THAT(model.remarks, ::testing::Contains(HasSubstr("1 SOME_NEW_ITEM")));
 }
@@ -202,7 +194,7 @@ TEST(Cad, WhatTheKernelDoesNotKnowBesideAShapeIsLeftOutAndNamesStay) {
 TEST(Cad, NeighboursThatFaceOppositeWaysAreMadeToAgreeAndItIsSaid) {
     const ScratchDirectory scratch;
     testing::write_opposed(scratch.path("opposed.brep"));
-    const CadModel model = read(scratch.path("opposed.brep"));
+    const CadModel model = read_cad(scratch.path("opposed.brep"));
     ASSERT_EQ(model.surfaces.size(), 2U);
     for (const NamedMesh& surface : model.surfaces) EXPECT_GT(area_vector(surface.mesh).z(), 0) << surface.name;
     EXPECT_THAT(model.remarks, ::testing::Contains(HasSubstr("1 face was turned over")));
@@ -226,7 +218,7 @@ TEST(Cad, AFaceSewnToItselfIsNoTileAndAFileWithoutFacesHasNone) {
     EXPECT_THAT(tube.err, HasSubstr("tube: has 2 boundary loops"));
     EXPECT_EQ(line.code, 3);
     EXPECT_THAT(line.err, HasSubstr("no surface that could be read"));
-    EXPECT_EQ(read(workshop.path("line.step")).curves.at(0).name, "GRAIN");
+    EXPECT_EQ(read_cad(workshop.path("line.step")).curves.at(0).name, "GRAIN");
 }
 
 TEST(Cad, AsFineAsAskedAndNoFinerThanCanBeBorne) {
@@ -234,7 +226,7 @@ TEST(Cad, AsFineAsAskedAndNoFinerThanCanBeBorne) {
     testing::write_gores(scratch.path("gores.step"), 8);
     const auto triangles = [&](const MeshingOptions& options) {
         int sum = 0;
-        for (const NamedMesh& surface : read(scratch.path("gores.step"), options).surfaces)
+        for (const NamedMesh& surface : read_cad(scratch.path("gores.step"), options).surfaces)
             sum += surface.mesh.triangle_count();
         return sum;
     };
@@ -251,7 +243,7 @@ TEST(Cad, NoSurfaceLiesFurtherOffItsTrianglesThanAsked) {
     for (const std::string name : {"gores.step", "gores.iges"}) {
         testing::write_gores(scratch.path(name), 4);
         for (const double chord_error : {40e-3, 15e-3}) {
-            const CadModel model = read(scratch.path(name), {.chord_error = chord_error});
+            const CadModel model = read_cad(scratch.path(name), {.chord_error = chord_error});
             const double found = testing::greatest_distance(scratch.path(name), model);
             EXPECT_LE(found, chord_error * (1 + 1e-6)) << name;
             EXPECT_GT(found, chord_error / 4) << name << ": far finer than asked";
@@ -307,8 +299,8 @@ TEST(Cad, LengthsAreInTheFilesOwnNumbersWhereItSaysNoUnit) {
     const std::string file = scratch.path("cube.brep");
     testing::write_cube(file, "MM");
     // A twelfth of 1000 units. Before, they were taken as metres, which gave 83333.3 mm.
-    EXPECT_THAT(read(file).remarks, ::testing::Contains(HasSubstr("edges of at most 83.3: at most 0.000 off")));
-    EXPECT_THAT(read(file, {.metres_per_unit = 0.001}).remarks,
+    EXPECT_THAT(read_cad(file).remarks, ::testing::Contains(HasSubstr("edges of at most 83.3: at most 0.000 off")));
+    EXPECT_THAT(read_cad(file, {.metres_per_unit = 0.001}).remarks,
                 ::testing::Contains(HasSubstr("edges of at most 83.3 mm: at most 0.000 mm off")));
 }
 
@@ -329,7 +321,7 @@ TEST(Cad, TellsTheFaceThatIsMeshed) {
     told.clear();
     options.mesher.clear();
     options.progress = [&told](double, const std::string& what) { told.push_back(what); };
-    read(file, options);
+    read_cad(file, options);
     ASSERT_FALSE(told.empty());
     EXPECT_THAT(told.front(), ::testing::EndsWith(" of 6"));
 }
@@ -371,159 +363,6 @@ TEST(Cad, WhateverBecomesOfTheMesherIsOneSentence) {
     ::setenv("RIPSTOP_CAD", "/nowhere/ripstop-cad", 1);
     EXPECT_EQ(workshop.ripstop("check cube.step").code, 3);
     ::unsetenv("RIPSTOP_CAD");
-}
-
-/// The known figures of a solid of `write_solid`, in metres.
-struct Known {
-    testing::Solid solid;
-    double area;
-    std::function<double(const Vec3&)> distance;  ///< of a point from the surface
-};
-
-double cone_distance(const Vec3& p) {
-    const double r = std::hypot(p.x(), p.y()), slant = std::hypot(0.5, 0.9);
-    return std::min(std::abs(p.z()), std::abs(0.9 * (r - 0.5) + 0.5 * p.z()) / slant);
-}
-
-double torus_distance(const Vec3& p) {
-    return std::abs(std::hypot(std::hypot(p.x(), p.y()) - 0.5, p.z()) - 0.15);
-}
-
-std::vector<Known> solids() {
-    const double pi = std::numbers::pi;
-    return {{testing::Solid::cone, pi * 0.5 * (std::hypot(0.5, 0.9) + 0.5), cone_distance},
-            {testing::Solid::sphere, 4 * pi * 0.25, [](const Vec3& p) { return std::abs(p.norm() - 0.5); }},
-            {testing::Solid::torus, 4 * pi * pi * 0.5 * 0.15, torus_distance}};
-}
-
-CadModel solid_of(const ScratchDirectory& scratch, testing::Solid solid, const MeshingOptions& options = {}) {
-    const std::string file = scratch.path("solid.step");
-    testing::write_solid(file, solid);
-    return in_metres(read(file, options), 0.001);
-}
-
-int triangles(const CadModel& model) {
-    int sum = 0;
-    for (const NamedMesh& surface : model.surfaces) sum += surface.mesh.triangle_count();
-    return sum;
-}
-
-int most_triangles_of_a_face(const CadModel& model) {
-    int most = 0;
-    for (const NamedMesh& surface : model.surfaces) most = std::max(most, surface.mesh.triangle_count());
-    return most;
-}
-
-Vec3 corner_of(const TriangleMesh& mesh, Eigen::Index triangle, int k) {
-    return mesh.positions.row(mesh.triangles(triangle, k % 3));
-}
-
-/// The union of all surfaces' triangles; vertices in the same place are merged.
-struct Together {
-    int open = 0;            ///< edges that are not traversed once in each direction
-    int folded = 0;          ///< edges within a surface whose triangles' normals differ by more than 120 degrees
-    double least_shape = 1;  ///< minimum of 4 sqrt(3) A / (a² + b² + c²), which is 1 for equilateral triangles
-    double mean_shape = 0;
-};
-
-Together together(const CadModel& model) {
-    using Place = std::array<double, 3>;
-    Together result;
-    struct Side {
-        Vec3 normal;
-        const NamedMesh* surface;
-    };
-    std::map<std::pair<Place, Place>, std::vector<Side>> runs;
-    for (const NamedMesh& surface : model.surfaces)
-        for (Eigen::Index t = 0; t < surface.mesh.triangles.rows(); ++t) {
-            const auto corner = [&](int k) { return corner_of(surface.mesh, t, k); };
-            const Vec3 a = corner(1) - corner(0), b = corner(2) - corner(1), c = corner(0) - corner(2);
-            const Vec3 normal = a.cross(b);
-            const double shape =
-                2 * std::sqrt(3.0) * normal.norm() / (a.squaredNorm() + b.squaredNorm() + c.squaredNorm());
-            result.least_shape = std::min(result.least_shape, shape);
-            result.mean_shape += shape / triangles(model);
-            const auto place = [&](int k) { return Place{corner(k).x(), corner(k).y(), corner(k).z()}; };
-            for (int k = 0; k < 3; ++k) runs[{place(k), place(k + 1)}].push_back({normal.normalized(), &surface});
-        }
-    for (const auto& [ends, sides] : runs) {
-        const auto back = runs.find({ends.second, ends.first});
-        const bool once = sides.size() == 1 && back != runs.end() && back->second.size() == 1;
-        result.open += once ? 0 : 1;
-        if (!once || sides[0].surface != back->second[0].surface) continue;
-        result.folded += sides[0].normal.dot(back->second[0].normal) < -0.5 ? 1 : 0;
-    }
-    return result;
-}
-
-TEST(CadPoles, AreMeshedClosedAndRoundWithinTheirBound) {
-    const ScratchDirectory scratch;
-    for (const Known& known : solids()) {
-        SCOPED_TRACE(static_cast<int>(known.solid));
-        const CadModel model = solid_of(scratch, known.solid);
-        EXPECT_LE(most_triangles_of_a_face(model), 20000);
-        const Together all = together(model);
-        EXPECT_EQ(all.open, 0);
-        EXPECT_EQ(all.folded, 0);
-        EXPECT_GT(all.least_shape, 0.1);
-        EXPECT_GT(all.mean_shape, 0.85);
-        // Edges that turn by 2.8 degrees lose 0.04 % of the area; those of a bounded torus are 2.5 times as long
-        // and lose 0.25 %.
-        EXPECT_NEAR(area(model) / known.area, 1, 3e-3);
-        EXPECT_LT(area(model), known.area);
-    }
-}
-
-TEST(CadPoles, AreAsNearToTheirTrianglesAsAsked) {
-    const ScratchDirectory scratch;
-    for (const Known& known : solids()) {
-        SCOPED_TRACE(static_cast<int>(known.solid));
-        const double chord_error = 2e-3;
-        const CadModel model = solid_of(scratch, known.solid, {.chord_error = chord_error});
-        EXPECT_THAT(model.remarks, Each(::testing::Not(HasSubstr("no finer mesh"))));
-        EXPECT_EQ(together(model).open, 0);
-        double greatest = 0;
-        for (const NamedMesh& surface : model.surfaces)
-            for (Eigen::Index t = 0; t < surface.mesh.triangles.rows(); ++t) {
-                const auto corner = [&](int k) { return corner_of(surface.mesh, t, k); };
-                greatest = std::max(greatest, known.distance((corner(0) + corner(1) + corner(2)) / 3));
-                for (int k = 0; k < 3; ++k)
-                    greatest = std::max(greatest, known.distance((corner(k) + corner(k + 1)) / 2));
-            }
-        EXPECT_LE(greatest, chord_error * (1 + 1e-6));
-        EXPECT_GT(greatest, chord_error / 6) << "far finer than asked";
-    }
-}
-
-TEST(CadPoles, ANeedleIsBoundedAndItIsSaidHow) {
-    const ScratchDirectory scratch;
-    const CadModel model = solid_of(scratch, testing::Solid::needle);
-    ASSERT_EQ(model.surfaces.size(), 1U);
-    EXPECT_LE(triangles(model), 20000);
-    EXPECT_THAT(model.remarks, ::testing::Contains(HasSubstr("ask for finer ones with --chord or --edge")));
-    const double exact = std::numbers::pi * 0.06 * std::hypot(0.06, 3);
-    EXPECT_NEAR(area(model) / exact, 1, 3e-3);
-}
-
-TEST(CadPoles, ManyFacesAreBoundedTogether) {
-    const ScratchDirectory scratch;
-    const CadModel model = solid_of(scratch, testing::Solid::tori);
-    ASSERT_EQ(model.surfaces.size(), 12U);
-    EXPECT_LE(triangles(model), 200000);
-    EXPECT_GT(triangles(model), 100000);
-    EXPECT_EQ(together(model).open, 0);
-    EXPECT_THAT(model.remarks, ::testing::Contains(HasSubstr("12 faces have triangles up to")));
-}
-
-TEST(CadPoles, ATubeThinnerThanItsEdgesStaysRound) {
-    const ScratchDirectory scratch;
-    for (const double edge : {0.02, 0.2, 2.0}) {
-        SCOPED_TRACE(edge);
-        const CadModel model = solid_of(scratch, testing::Solid::wire, {.edge_length = edge});
-        EXPECT_EQ(together(model).open, 0);
-        // At least six edges around: 3 sin(60 degrees) / pi of the area.
-        EXPECT_GT(area(model) / (2 * std::numbers::pi * 0.002 * 3.002), 0.82);
-    }
 }
 
 }  // namespace cad_test

@@ -1,5 +1,4 @@
 #include "ripstop/design/natural/gores.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 
@@ -15,6 +14,7 @@
 #include "ripstop/mesh/adjacency.h"
 #include "ripstop/mesh/disk.h"
 #include "ripstop/model/tile/tile.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/refusal.h"
 
 namespace ripstop {

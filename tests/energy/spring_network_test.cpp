@@ -1,11 +1,11 @@
 #include "ripstop/energy/spring_network.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -1,5 +1,4 @@
 #include "ripstop/flatten/map/arap.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 
@@ -8,6 +7,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/flatten/map/tutte.h"
 #include "ripstop/mesh/change/flips.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

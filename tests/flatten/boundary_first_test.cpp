@@ -1,13 +1,13 @@
 #include "ripstop/flatten/map/boundary_first.h"
-#include "ripstop/mesh/boundary.h"
-#include "ripstop/tile/make_tile.h"
-#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/mesh/change/flips.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

@@ -1,7 +1,4 @@
 #include "ripstop/flatten/seam/coarse_start.h"
-#include "ripstop/mesh/boundary.h"
-#include "ripstop/tile/make_tile.h"
-#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +7,10 @@
 #include "ripstop/energy/woven_membrane.h"
 #include "ripstop/flatten/map/boundary_first.h"
 #include "ripstop/flatten/seam/seam_exact.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/mesh/change/flips.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 #include "support/shapes.h"
 
 namespace ripstop {

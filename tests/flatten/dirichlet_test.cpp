@@ -1,5 +1,4 @@
 #include "ripstop/flatten/map/dirichlet.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +11,7 @@
 #include "ripstop/flatten/map/arap.h"
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/mesh/change/flips.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

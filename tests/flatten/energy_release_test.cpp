@@ -1,5 +1,4 @@
 #include "ripstop/flatten/spring/energy_release.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 
 #include "ripstop/base/error.h"
 #include "ripstop/measure/measure_accuracy.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

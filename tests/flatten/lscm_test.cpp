@@ -1,5 +1,4 @@
 #include "ripstop/flatten/map/lscm.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 #include <numbers>
 
 #include "ripstop/mesh/change/flips.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

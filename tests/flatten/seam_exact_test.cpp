@@ -1,6 +1,4 @@
 #include "ripstop/flatten/seam/seam_exact.h"
-#include "ripstop/mesh/boundary.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +12,8 @@
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/measure/measure_accuracy.h"
 #include "ripstop/measure/measure_bounds.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/fabrics.h"
 #include "support/shapes.h"
 

@@ -1,7 +1,4 @@
 #include "ripstop/flatten/seam/seam_matched.h"
-#include "ripstop/mesh/boundary.h"
-#include "ripstop/tile/make_tile.h"
-#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +13,9 @@
 #include "ripstop/flatten/seam/seam_exact.h"
 #include "ripstop/flatten/seam/seam_problem.h"
 #include "ripstop/measure/measure_accuracy.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 #include "support/fabrics.h"
 #include "support/flat_errors.h"
 #include "support/sewn.h"

@@ -1,5 +1,4 @@
 #include "ripstop/flatten/seam/seam_problem.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 #include <random>
 
 #include "ripstop/flatten/seam/seam_newton.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/fabrics.h"
 #include "support/finite_difference.h"
 #include "support/shapes.h"

@@ -1,5 +1,4 @@
 #include "ripstop/flatten/seam/seam_saddle.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 #include <Eigen/QR>
 
 #include "ripstop/flatten/map/boundary_first.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/fabrics.h"
 #include "support/shapes.h"
 

@@ -1,11 +1,11 @@
 #include "ripstop/flatten/seam/seam_stretch.h"
-#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "ripstop/base/error.h"
+#include "ripstop/tile/targets.h"
 #include "support/sewn.h"
 #include "support/sphere_patches.h"
 

@@ -1,11 +1,11 @@
 #include "ripstop/flatten/spring/spring_mass.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ripstop/base/error.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

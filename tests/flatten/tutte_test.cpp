@@ -1,13 +1,13 @@
 #include "ripstop/flatten/map/tutte.h"
-#include "ripstop/mesh/boundary.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
 
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/mesh/change/flips.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

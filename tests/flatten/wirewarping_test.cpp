@@ -1,7 +1,4 @@
 #include "ripstop/flatten/map/wirewarping.h"
-#include "ripstop/mesh/boundary.h"
-#include "ripstop/tile/make_tile.h"
-#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +6,9 @@
 #include <numbers>
 
 #include "ripstop/base/error.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 #include "support/flat_errors.h"
 #include "support/shapes.h"
 

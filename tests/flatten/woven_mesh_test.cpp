@@ -1,6 +1,4 @@
 #include "ripstop/flatten/weave/woven_mesh.h"
-#include "ripstop/mesh/boundary.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -9,7 +7,9 @@
 #include "ripstop/base/error.h"
 #include "ripstop/flatten/tools/laying.h"
 #include "ripstop/geometry/triangle.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/mesh/change/flips.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -1,5 +1,4 @@
 #include "ripstop/pipeline/flight/compensate.h"
-#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +10,7 @@
 #include "ripstop/geometry/triangle.h"
 #include "ripstop/io/json/fabric_json.h"
 #include "ripstop/pipeline/flight/wanted_cloth.h"
+#include "ripstop/tile/targets.h"
 #include "support/balloons.h"
 
 namespace ripstop {

@@ -1,5 +1,4 @@
 #include "ripstop/inflate/deviation.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 
 #include "ripstop/inflate/inflate.h"
 #include "ripstop/pipeline/read/read_envelope.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/sewn.h"
 #include "support/shapes.h"
 

@@ -1,6 +1,4 @@
 #include "ripstop/io/json/project_json.h"
-#include "ripstop/pipeline/read/tile_options.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 
@@ -9,6 +7,8 @@
 #include <sstream>
 
 #include "ripstop/base/error.h"
+#include "ripstop/pipeline/read/tile_options.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/refusal.h"
 
 namespace ripstop {

@@ -1,6 +1,4 @@
 #include "ripstop/measure/equal_tiles.h"
-#include "ripstop/tile/make_tile.h"
-#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +8,8 @@
 #include "ripstop/base/text/units.h"
 #include "ripstop/design/natural/gores.h"
 #include "ripstop/pipeline/read/read_envelope.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -1,11 +1,11 @@
 #include "ripstop/measure/judge_seams.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 
 #include "ripstop/measure/judge.h"
 #include "ripstop/measure/measure_accuracy.h"
 #include "ripstop/measure/walk_seams.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/seams.h"
 #include "support/sewn.h"
 #include "support/shapes.h"

@@ -1,6 +1,4 @@
 #include "ripstop/measure/judge_zigzags.h"
-#include "ripstop/tile/find_zigzags.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +7,8 @@
 #include <numbers>
 
 #include "ripstop/flatten/method.h"
+#include "ripstop/tile/find_zigzags.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/zigzags.h"
 
 namespace ripstop {

@@ -1,5 +1,4 @@
 #include "ripstop/measure/measure_bounds.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 #include <numbers>
 
 #include "ripstop/base/text/units.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -1,6 +1,4 @@
 #include "ripstop/measure/walk_seams.h"
-#include "ripstop/mesh/boundary.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +6,8 @@
 #include <cmath>
 
 #include "ripstop/flatten/seam/seam_exact.h"
+#include "ripstop/mesh/boundary.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/seams.h"
 #include "support/shapes.h"
 

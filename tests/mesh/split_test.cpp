@@ -1,13 +1,13 @@
 #include "ripstop/mesh/change/split.h"
-#include "ripstop/mesh/boundary.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/model/tile/tile.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

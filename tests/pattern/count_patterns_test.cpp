@@ -1,7 +1,8 @@
 #include "ripstop/pattern/piece/count_patterns.h"
-#include "ripstop/model/piece/pattern_piece.h"
 
 #include <gtest/gtest.h>
+
+#include "ripstop/model/piece/pattern_piece.h"
 
 namespace ripstop {
 namespace pattern_piece_test {

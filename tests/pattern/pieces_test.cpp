@@ -1,5 +1,4 @@
 #include "ripstop/pattern/piece/pieces.h"
-#include "ripstop/mesh/boundary.h"
 
 #include <gmock/gmock.h>
 
@@ -7,6 +6,7 @@
 #include <cmath>
 
 #include "ripstop/geometry/polygon.h"
+#include "ripstop/mesh/boundary.h"
 #include "support/flat_tiles.h"
 
 namespace ripstop {

@@ -1,5 +1,4 @@
 #include "ripstop/pipeline/flatten/equal_pieces.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +9,7 @@
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "ripstop/pipeline/read/read_envelope.h"
 #include "ripstop/report/figures/figures.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -1,6 +1,4 @@
 #include "ripstop/pipeline/remesh/fair_seams.h"
-#include "ripstop/tile/find_zigzags.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +9,8 @@
 #include "ripstop/assembly/seams/find_seams.h"
 #include "ripstop/model/tile/zigzag.h"
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/tile/find_zigzags.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 #include "support/zigzags.h"
 
@@ -56,7 +56,7 @@ TEST(FairSeams, AreTheSameOnBothSides) {
         {0.1, 1, 0.2, 4}, [](const Vec2& p) { return p.norm() > 1 ? -1
                                                      : p.y() > 0  ? 0
                                                                   : 1; },
-        [](const Vec2& p) { return on_sphere(p); }));
+        [](const Vec2& p) { return onto_sphere(p); }));
     const std::size_t before = envelope.seams.size();
     const std::vector<std::string> remarks = fair_seams(envelope, tolerance);
     EXPECT_EQ(remarks.size(), 2u);

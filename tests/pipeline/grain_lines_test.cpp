@@ -1,11 +1,11 @@
 #include "ripstop/pipeline/read/grain_lines.h"
-#include "ripstop/tile/make_tile.h"
-#include "ripstop/tile/targets.h"
 
 #include <gmock/gmock.h>
 
 #include "ripstop/base/error.h"
 #include "ripstop/pipeline/read/read_envelope.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 #include "support/shapes.h"
 
 namespace ripstop {

@@ -10,7 +10,7 @@
 #include "ripstop/design/natural/gores.h"
 #include "ripstop/io/mesh/mesh_file.h"
 #include "ripstop/pipeline/flight/inflate_plan.h"
-#include "ripstop/plan_folder/inflated_files.h"
+#include "ripstop/plan_folder/update_folder.h"
 #include "ripstop/report/json/report_json.h"
 #include "support/balloons.h"
 #include "support/envelopes.h"
@@ -107,6 +107,13 @@ TEST(Plan, ThatIsReadAgainReportsTheSameBytes) {
     }
 }
 
+TEST(Plan, ThatWasWrittenWithoutSecondsHasNoneWhenItIsReadAgain) {
+    const testing::ScratchDirectory scratch;
+    write_plan(scratch.path("plan"), plan_envelope(testing::balloon(small), in_metres()), {.reproducible = true});
+    const Plan again = read_plan(scratch.path("plan"));
+    EXPECT_EQ(report_json(again.cut, false), report_json(again.cut, true));
+}
+
 TEST(Plan, IsUpdatedInFlightAndKeepsAllElse) {
     const testing::ScratchDirectory scratch;
     const std::string path = scratch.path("plan");
@@ -158,7 +165,7 @@ TEST(Plan, ShowsTheRollThroughLaterUpdates) {
 TEST(Plan, LeavesAPdfOutThatNobodyPrintsAndSaysSo) {
     const testing::ScratchDirectory scratch;
     Plan plan = plan_envelope(testing::balloon(small), in_metres());
-    plan.unit_is_wrong = true;
+    plan.cut.findings.push_back({"unit", "no balloon is so large", Vec3::Zero(), 1, 0});
     EXPECT_THAT(write_plan(scratch.path("plan"), plan), Contains(HasSubstr("no PDF is written")));
     EXPECT_FALSE(std::filesystem::exists(scratch.path("plan/cut/envelope.pdf")));
     EXPECT_THAT(testing::content(scratch.path("plan/report.json")), HasSubstr("no PDF is written"));

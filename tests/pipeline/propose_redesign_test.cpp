@@ -1,7 +1,4 @@
 #include "ripstop/pipeline/redesign/propose_redesign.h"
-#include "ripstop/mesh/boundary.h"
-#include "ripstop/tile/make_tile.h"
-#include "ripstop/tile/targets.h"
 
 #include <gmock/gmock.h>
 
@@ -14,11 +11,14 @@
 #include "ripstop/base/error.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/measure/judge.h"
+#include "ripstop/mesh/boundary.h"
 #include "ripstop/model/plan/better_verdict.h"
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "ripstop/pipeline/redesign/half_tile.h"
 #include "ripstop/pipeline/redesign/weld_tiles.h"
 #include "ripstop/report/words/proposals.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 #include "support/seams.h"
 #include "support/shapes.h"
 

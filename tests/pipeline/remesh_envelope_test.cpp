@@ -1,6 +1,4 @@
 #include "ripstop/pipeline/remesh/remesh_envelope.h"
-#include "ripstop/tile/make_tile.h"
-#include "ripstop/tile/targets.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,8 +21,11 @@
 #include "ripstop/pipeline/read/read_envelope.h"
 #include "ripstop/remesh/mesh_state.h"
 #include "ripstop/remesh/remesh_disk.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 #include "support/envelopes.h"
 #include "support/poor_meshes.h"
+#include "support/remeshing.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"
 
@@ -35,23 +36,13 @@ using namespace testing;
 using ::testing::HasSubstr;
 constexpr double half = 0.35;  // of the sphere patch [rad]
 
-class Remeshing : public ::testing::Test {
-  protected:
-    void SetUp() override {
-        if (!can_remesh()) GTEST_SKIP() << "built without CGAL";
-    }
-};
+using Remeshing = RemeshingTest;
 
 Envelope one_tile(const TriangleMesh& mesh, const Vec3& warp = Vec3::UnitZ()) {
     Envelope envelope{{make_tile("tile", mesh, {.warp = warp})}};
     add_seams(envelope);
     return envelope;
 }
-
-RemeshOptions at(double length) {
-    return {.mode = RemeshMode::by_length, .edge_length = length};
-}
-const RemeshOptions automatic{.mode = RemeshMode::automatic};
 
 Tile remeshed(const TriangleMesh& mesh, const RemeshOptions& options, const Vec3& warp = Vec3::UnitZ()) {
     Envelope envelope = one_tile(mesh, warp);
@@ -125,21 +116,21 @@ TEST_F(Remeshing, OfSliversLandsOnTheGoodMeshesShape) {
 
 TEST_F(Remeshing, OfRandomDiagonalsLandsOnTheGoodMeshesShape) {
     const TriangleMesh mesh = random_diagonals(half, 24, 24, 5);
-    const Tile tile = remeshed(mesh, at(0.03));
+    const Tile tile = remeshed(mesh, by_length(0.03));
     expect_sound(one_tile(mesh).tiles[0], tile, 15);
     EXPECT_LT(outline_difference(tile, good_tile()), 1e-4);
 }
 
 TEST_F(Remeshing, OfJumbledVerticesLandsOnTheGoodMeshesShape) {
     const TriangleMesh mesh = jumbled(half, 24, 24, 0.3, 5);
-    const Tile tile = remeshed(mesh, at(0.03));
+    const Tile tile = remeshed(mesh, by_length(0.03));
     expect_sound(one_tile(mesh).tiles[0], tile, 15);
     EXPECT_LT(outline_difference(tile, good_tile()), 1e-4);
 }
 
 TEST_F(Remeshing, OfADenseBoundaryThinsItAlongTheCurve) {
     const TriangleMesh mesh = with_dense_boundary(half, 20, 20, 9);
-    const Tile before = one_tile(mesh).tiles[0], tile = remeshed(mesh, at(0.035));
+    const Tile before = one_tile(mesh).tiles[0], tile = remeshed(mesh, by_length(0.035));
     EXPECT_LT(tile.boundary.size(), before.boundary.size() / 4);
     expect_sound(before, tile, 15);
     EXPECT_LT(outline_difference(tile, good_tile()), 1e-4);
@@ -247,7 +238,7 @@ TEST_F(Remeshing, KeepsACreaseSharp) {
     });
     Envelope envelope{{make_tile("roof", roof, {.warp = Vec3::UnitY()})}};
     add_seams(envelope);
-    remesh_envelope(envelope, at(0.15));
+    remesh_envelope(envelope, by_length(0.15));
     const TriangleMesh& mesh = envelope.tiles[0].mesh;
     ASSERT_TRUE(envelope.tiles[0].remeshed);
     double ridge = 0;
@@ -268,7 +259,7 @@ TEST_F(Remeshing, KeepsTheVertexWhereAnEdgeGoesOverACrease) {
     });
     Envelope envelope{{make_tile("roof", roof, {.warp = Vec3::UnitY()})}};
     add_seams(envelope);
-    remesh_envelope(envelope, at(0.13));
+    remesh_envelope(envelope, by_length(0.13));
     ASSERT_TRUE(envelope.tiles[0].remeshed);
     EXPECT_NEAR(surface_area(envelope.tiles[0].mesh), surface_area(roof), 1e-9);
 }
@@ -282,7 +273,7 @@ TEST_F(Remeshing, CarriesTheWarpOfEachTriangle) {
     }
     Envelope envelope{{make_tile("tile", mesh, {.warp_field = field})}};
     add_seams(envelope);
-    remesh_envelope(envelope, at(0.03));
+    remesh_envelope(envelope, by_length(0.03));
     const Tile& tile = envelope.tiles[0];
     ASSERT_TRUE(tile.remeshed);
     ASSERT_EQ(tile.grain.field.rows(), tile.mesh.triangle_count());
@@ -290,128 +281,6 @@ TEST_F(Remeshing, CarriesTheWarpOfEachTriangle) {
         const Vec3 middle = (tile.mesh.corner(t, 0) + tile.mesh.corner(t, 1) + tile.mesh.corner(t, 2)) / 3;
         // The field changes as much as its argument, over the 0.06 m of an old triangle.
         EXPECT_LT((Vec3(tile.grain.field.row(t)) - Vec3(0, middle.y(), 1).normalized()).norm(), 0.06);
-    }
-}
-
-std::vector<double> chain_lengths(const Tile& tile) {
-    const Eigen::VectorXd drawn = drawn_lengths(tile);
-    std::vector<double> lengths;
-    for (const Chain& chain : tile.chains) {
-        double sum = 0;
-        for (int e = 0; e < chain.edge_count(); ++e)
-            sum += drawn[std::find(tile.boundary.begin(), tile.boundary.end(),
-                                   chain.vertices[static_cast<std::size_t>(e)]) -
-                         tile.boundary.begin()];
-        lengths.push_back(sum);
-    }
-    return lengths;
-}
-
-/// The vertices of a side of a seam, in the order of side a.
-std::vector<Vec3> vertices_of(const Envelope& envelope, const SeamSide& side, bool reversed) {
-    const Tile& tile = envelope.tiles[static_cast<std::size_t>(side.tile)];
-    std::vector<Vec3> points;
-    for (const SeamPart& part : side.parts)
-        points.push_back(tile.mesh.positions.row(tile.boundary[static_cast<std::size_t>(part.edge)]));
-    const std::size_t last = static_cast<std::size_t>(side.parts.back().edge + 1) % tile.boundary.size();
-    points.push_back(tile.mesh.positions.row(tile.boundary[last]));
-    if (reversed) std::reverse(points.begin(), points.end());
-    return points;
-}
-
-void expect_same_vertices(const Envelope& envelope, double corners) {
-    for (const Seam& seam : envelope.seams) {
-        const std::vector<Vec3> a = vertices_of(envelope, seam.a, false), b = vertices_of(envelope, seam.b, true);
-        ASSERT_EQ(a.size(), b.size()) << seam.id;
-        for (std::size_t k = 1; k + 1 < a.size(); ++k) EXPECT_EQ(a[k], b[k]) << seam.id;
-        EXPECT_LT((a.front() - b.front()).norm(), corners) << seam.id;
-        EXPECT_LT((a.back() - b.back()).norm(), corners) << seam.id;
-        double length_a = 0, length_b = 0;
-        for (const SeamPart& part : seam.a.parts) length_a += part.length;
-        for (const SeamPart& part : seam.b.parts) length_b += part.length;
-        EXPECT_NEAR(length_a, seam.length, 1e-9 * seam.length);
-        EXPECT_NEAR(length_b, seam.length, 1e-9 * seam.length);
-    }
-}
-
-EnvelopeDesign small_design() {
-    EnvelopeDesign design;
-    design.gores = 6;
-    design.panels = 3;
-    return design;
-}
-
-TEST_F(Remeshing, GivesBothSidesOfEverySeamTheSameVerticesAndKeepsTheLengths) {
-    Envelope envelope = make_envelope(meshed_apart(small_design(), 3, 6), {});
-    const Envelope before = envelope;
-    const std::vector<std::string> remarks = remesh_envelope(envelope, at(0.6));
-    ASSERT_EQ(envelope.seams.size(), before.seams.size());
-    for (const Tile& tile : envelope.tiles)
-        EXPECT_TRUE(tile.remeshed) << tile.name << ": " << ::testing::PrintToString(remarks);
-    expect_same_vertices(envelope, 1e-6);
-    for (std::size_t s = 0; s < before.seams.size(); ++s) {
-        EXPECT_EQ(envelope.seams[s].id, before.seams[s].id);
-        EXPECT_NEAR(envelope.seams[s].length, before.seams[s].length, 1e-9 * before.seams[s].length);
-    }
-    for (std::size_t t = 0; t < before.tiles.size(); ++t) {
-        EXPECT_EQ(corners_of(envelope.tiles[t]), corners_of(before.tiles[t]));
-        EXPECT_LE(locked_edges(envelope.tiles[t].mesh), 0) << before.tiles[t].name;
-    }
-}
-
-TEST_F(Remeshing, FindsTheCornersInABrickWall) {
-    Envelope envelope = make_envelope(brick_wall(3, 6), {});
-    const Envelope before = envelope;
-    remesh_envelope(envelope, at(0.05));
-    for (const Tile& tile : envelope.tiles) EXPECT_TRUE(tile.remeshed) << tile.name;
-    ASSERT_EQ(envelope.seams.size(), before.seams.size());
-    expect_same_vertices(envelope, 0.5 * millimetre);
-    for (std::size_t t = 0; t < before.tiles.size(); ++t) {
-        const std::vector<double> was = chain_lengths(before.tiles[t]), is = chain_lengths(envelope.tiles[t]);
-        for (std::size_t c = 0; c < was.size(); ++c)
-            EXPECT_NEAR(is[c], was[c], 2 * millimetre) << before.tiles[t].name;  // smooth curve, not polyline
-    }
-}
-
-TEST_F(Remeshing, OfATileSewnToItselfKeepsItsSeam) {
-    // A cone cut open along a ruling: both of its straight edges are one seam.
-    const TriangleMesh mesh = grid(16, 4, [](double u, double v) {
-        const double slant = 0.5 + 1.5 * v, turn = 2 * std::numbers::pi * u;
-        return Vec3(slant * std::sin(0.4) * std::cos(turn), slant * std::sin(0.4) * std::sin(turn),
-                    slant * std::cos(0.4));
-    });
-    Envelope envelope = make_envelope({{"cone", mesh}}, {});
-    ASSERT_EQ(envelope.seams.size(), 1u);
-    const double length = envelope.seams[0].length;
-    remesh_envelope(envelope, automatic);
-    ASSERT_TRUE(envelope.tiles[0].remeshed);
-    ASSERT_EQ(envelope.seams.size(), 1u);
-    EXPECT_NEAR(envelope.seams[0].length, length, 1e-9 * length);
-    expect_same_vertices(envelope, 1e-9);
-}
-
-TEST_F(Remeshing, LeavesADesignedEnvelopeBitByBit) {
-    Envelope envelope = make_envelope(design_natural({}), {});
-    const Envelope before = envelope;
-    EXPECT_TRUE(remesh_envelope(envelope, automatic).empty());
-    for (std::size_t t = 0; t < before.tiles.size(); ++t) {
-        EXPECT_EQ(envelope.tiles[t].mesh.positions, before.tiles[t].mesh.positions);
-        EXPECT_EQ(envelope.tiles[t].mesh.triangles, before.tiles[t].mesh.triangles);
-        EXPECT_FALSE(envelope.tiles[t].remeshed);
-    }
-}
-
-TEST_F(Remeshing, IsTheSameOnAnyNumberOfThreads) {
-    const Envelope input = make_envelope(meshed_apart(small_design(), 3, 6), {});
-    Envelope one = input, four = input;
-    RemeshOptions options = at(0.8);
-    options.threads = 1;
-    remesh_envelope(one, options);
-    options.threads = 4;
-    remesh_envelope(four, options);
-    for (std::size_t t = 0; t < input.tiles.size(); ++t) {
-        EXPECT_EQ(one.tiles[t].mesh.positions, four.tiles[t].mesh.positions);
-        EXPECT_EQ(one.tiles[t].mesh.triangles, four.tiles[t].mesh.triangles);
     }
 }
 
@@ -478,7 +347,7 @@ TEST_F(Remeshing, OfEqualTilesRoundedByTheirFileKeepsThemEqual) {
         EXPECT_EQ(kinds_of(envelope.tiles), 1) << decimals << " decimals";
         envelope = make_envelope(rounded(panels, decimals), {});
         EXPECT_EQ(kinds_of(envelope.tiles), 4);
-        remesh_envelope(envelope, at(0.4));
+        remesh_envelope(envelope, by_length(0.4));
         EXPECT_EQ(kinds_of(envelope.tiles), 4) << decimals << " decimals";
     }
 }
@@ -540,9 +409,9 @@ void expect_failures_as_they_were(const Envelope& before, const Envelope& after,
 
 TEST_F(Remeshing, LeavesTilesWhoseSeamsWouldBeOthers) {
     // So coarse that the sides of some seams are close for part of their length only.
-    Envelope envelope = make_envelope(meshed_apart(small_design(), 3), {});
+    Envelope envelope = make_envelope(meshed_apart({.gores = 6, .panels = 3}, 3), {});
     const Envelope before = envelope;
-    const std::vector<std::string> remarks = remesh_envelope(envelope, at(0.6));
+    const std::vector<std::string> remarks = remesh_envelope(envelope, by_length(0.6));
     expect_failures_as_they_were(before, envelope, remarks, "the seams would not be found again");
     EXPECT_EQ(envelope.seams.size(), before.seams.size());
 }
@@ -553,7 +422,7 @@ TEST_F(Remeshing, KeepsTheCreasesOfACrumpledTile) {
     Envelope envelope = one_tile(grid(
         30, 30, [&](double u, double v) { return Vec3(0.06 * static_cast<double>(random() % 1000) / 1000, u, v); }));
     const double area = surface_area(envelope.tiles[0].mesh);
-    const std::vector<std::string> remarks = remesh_envelope(envelope, at(0.1));
+    const std::vector<std::string> remarks = remesh_envelope(envelope, by_length(0.1));
     ASSERT_TRUE(envelope.tiles[0].remeshed) << ::testing::PrintToString(remarks);
     EXPECT_NEAR(surface_area(envelope.tiles[0].mesh) / area, 1, 5e-4);
 }
@@ -569,7 +438,7 @@ TEST_F(Remeshing, LeavesATileThatWouldFold) {
     // Flanks of 68 degrees, on edges about as long as half a wave even if smaller ones are tried.
     Envelope envelope = one_tile(egg_box(2, 80, 68 * degree));
     const Envelope before = envelope;
-    const std::vector<std::string> remarks = remesh_envelope(envelope, at(2));
+    const std::vector<std::string> remarks = remesh_envelope(envelope, by_length(2));
     expect_failures_as_they_were(before, envelope, remarks, "the new triangles would fold over");
 }
 
@@ -577,21 +446,21 @@ TEST_F(Remeshing, LeavesATileThatWouldLoseItsArea) {
     // No triangle is turned by 60 degrees if none is steeper than 28; the waves have 6 % of the area.
     Envelope envelope = one_tile(egg_box(3, 60, 28 * degree));
     const Envelope before = envelope;
-    const std::vector<std::string> remarks = remesh_envelope(envelope, at(2));
+    const std::vector<std::string> remarks = remesh_envelope(envelope, by_length(2));
     expect_failures_as_they_were(before, envelope, remarks, "its area would become another");
 }
 
 TEST_F(Remeshing, RefusesALengthThatMeansNothing) {
     Envelope envelope = one_tile(octant(10));
-    EXPECT_THROW(remesh_envelope(envelope, at(0)), InputError);
-    EXPECT_THROW(remesh_envelope(envelope, at(std::nan(""))), InputError);
-    EXPECT_THROW(remesh_envelope(envelope, at(1e-6)), InputError);
+    EXPECT_THROW(remesh_envelope(envelope, by_length(0)), InputError);
+    EXPECT_THROW(remesh_envelope(envelope, by_length(std::nan(""))), InputError);
+    EXPECT_THROW(remesh_envelope(envelope, by_length(1e-6)), InputError);
 }
 
 TEST_F(Remeshing, AtALengthBeyondTheTileLeavesItSomeTrianglesAndItsArea) {
     // The minimum number of triangles would lose 1 % of the area, so smaller ones are used: not many, but enough.
     const TriangleMesh mesh = sphere_grid(half, 12, 12);
-    const Tile tile = remeshed(mesh, at(50));
+    const Tile tile = remeshed(mesh, by_length(50));
     EXPECT_GT(tile.mesh.triangle_count(), 8);
     EXPECT_LT(tile.mesh.triangle_count(), mesh.triangle_count() / 2);
     const double of_sphere = 2 * half * 2 * std::sin(half), lacking = 1 - surface_area(mesh) / of_sphere;

@@ -1,5 +1,4 @@
 #include "ripstop/pipeline/read/tile_fabrics.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 
@@ -10,6 +9,7 @@
 #include "ripstop/io/json/fabric_json.h"
 #include "ripstop/io/json/project_json.h"
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/outside.h"
 #include "support/sewn.h"
 #include "support/shapes.h"

@@ -1,5 +1,4 @@
 #include "ripstop/pipeline/flight/wanted_cloth.h"
-#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 
 #include "ripstop/assembly/seams/find_seams.h"
 #include "ripstop/pipeline/read/read_envelope.h"
+#include "ripstop/tile/targets.h"
 #include "support/envelopes.h"
 #include "support/sewn.h"
 

@@ -1,5 +1,4 @@
 #include "ripstop/remesh/facet_row.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 #include <numbers>
 
 #include "ripstop/assembly/seams/chain_curve.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/poor_meshes.h"
 #include "support/shapes.h"
 

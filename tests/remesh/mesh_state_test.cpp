@@ -1,5 +1,4 @@
 #include "ripstop/remesh/mesh_state.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ripstop/tile/make_tile.h"
 #include "support/poor_meshes.h"
 #include "support/shapes.h"
 

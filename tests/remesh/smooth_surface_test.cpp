@@ -1,5 +1,4 @@
 #include "ripstop/remesh/smooth_surface.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 #include "ripstop/mesh/disk.h"
 #include "ripstop/model/tile/tile.h"
 #include "ripstop/remesh/corner_normals.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/poor_meshes.h"
 #include "support/shapes.h"
 

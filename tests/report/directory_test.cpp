@@ -25,12 +25,11 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-void write(const std::string& dir, const DirectoryOptions& options = {},
-           const CutPlan& plan = testing::two_tile_plan()) {
+void write(const std::string& dir, const WriteOptions& options = {}, const CutPlan& plan = testing::two_tile_plan()) {
     write_directory(dir, plan, make_piece_set(plan, make_pieces(plan), "A"), options);
 }
 
-std::string refusal(const std::string& dir, const DirectoryOptions& options = {}) {
+std::string refusal(const std::string& dir, const WriteOptions& options = {}) {
     return testing::refusal([&] { write(dir, options); });
 }
 

@@ -1,5 +1,4 @@
 #include "ripstop/report/view/map_view.h"
-#include "ripstop/tile/targets.h"
 
 #include <gmock/gmock.h>
 
@@ -9,6 +8,7 @@
 #include "ripstop/pipeline/flatten/strain_maps.h"
 #include "ripstop/report/view/first_tile.h"
 #include "ripstop/report/view/page_colours.h"
+#include "ripstop/tile/targets.h"
 #include "support/flat_tiles.h"
 #include "support/inflated.h"
 #include "support/seams.h"

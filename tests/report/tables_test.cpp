@@ -80,6 +80,7 @@ TEST(TilesCsv, HasALineATileAndAFieldAColumn) {
     EXPECT_EQ(of(second, "energy_j"), "1.5");
     EXPECT_EQ(of(second, "stop"), "converged");
     EXPECT_EQ(of(second, "finding"), "chain 1 is too long, by \"a lot\"");
+    // Half of the last digit: a millionth of the unit, or the seventh digit.
     EXPECT_NEAR(std::stod(of(first, "area_m2")), plan.tiles[0].accuracy.area, 0.51e-6);
     EXPECT_NEAR(std::stod(of(first, "perimeter_mm")), 1000 * plan.tiles[0].accuracy.perimeter, 0.51e-3);
     EXPECT_NEAR(std::stod(of(second, "chain_error_max_pct")), 100 * plan.tiles[1].accuracy.chains[0].error(), 0.1);

@@ -56,6 +56,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "ripstop/io/mesh/mesh_file.h"
+
 namespace ripstop::testing {
 namespace {
 
@@ -281,6 +283,17 @@ void write_opposed(const std::string& file) {
     builder.Add(both, plate(0, 0, 2000, 1000));
     builder.Add(both, plate(0, 1000, 1000, 1000).Reversed());
     BRepTools::Write(both, file.c_str());
+}
+
+CadModel read_cad(const std::string& file, MeshingOptions options) {
+    options.mesher = RIPSTOP_CAD_PROGRAM;
+    return read_model(file, options);
+}
+
+double area_of(const CadModel& model) {
+    double sum = 0;
+    for (const NamedMesh& surface : model.surfaces) sum += surface_area(surface.mesh);
+    return sum;
 }
 
 }  // namespace ripstop::testing

@@ -4,10 +4,17 @@
 #include <vector>
 
 #include "ripstop/geometry/types.h"
+#include "ripstop/io/cad/convert.h"
 #include "ripstop/model/tile/cad_model.h"
 
 /// CAD files written and measured by Open CASCADE, as a reference for `ripstop-cad`. Only if it is installed.
 namespace ripstop::testing {
+
+/// What `ripstop-cad` makes of a file.
+CadModel read_cad(const std::string& file, MeshingOptions options = {});
+
+/// The area of all surfaces, in the square of their unit.
+double area_of(const CadModel& model);
 
 /// The kernel's figures of a face of a STEP file, in file order.
 struct CadFace {

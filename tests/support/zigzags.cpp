@@ -66,7 +66,7 @@ std::vector<TriangleMesh> cut_along_mesh(const Lattice& lattice, const std::func
     return meshes;
 }
 
-Vec3 on_sphere(const Vec2& point) {
+Vec3 onto_sphere(const Vec2& point) {
     const double away = point.norm(), angle = 2 * std::asin(std::min(1.0, away / (2 * sphere)));
     if (away < 1e-12) return {0, 0, sphere};
     return {sphere * std::sin(angle) * point.x() / away, sphere * std::sin(angle) * point.y() / away,
@@ -77,7 +77,7 @@ TriangleMesh zigzag_disc(double curvature, double across, double jumble, unsigne
     const double angle = std::acos(1 - curvature / (2 * std::numbers::pi)), radius = 2 * sphere * std::sin(angle / 2);
     return cut_along_mesh(
                {radius / across, radius, jumble, seed},
-               [&](const Vec2& point) { return point.norm() < radius ? 0 : -1; }, on_sphere)
+               [&](const Vec2& point) { return point.norm() < radius ? 0 : -1; }, onto_sphere)
         .front();
 }
 

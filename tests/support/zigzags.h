@@ -23,7 +23,7 @@ std::vector<TriangleMesh> cut_along_mesh(const Lattice& lattice, const std::func
 
 /// The area-preserving map from the plane to a sphere of 10 m: a circle about the origin becomes a small circle
 /// around +z.
-Vec3 on_sphere(const Vec2& point);
+Vec3 onto_sphere(const Vec2& point);
 
 /// A disk of that sphere that contains this much curvature, cut along a mesh that is `across` edges from the
 /// middle to the border. Cut smoothly, it would lose `curvature` / (4 pi) of its area if its border kept its

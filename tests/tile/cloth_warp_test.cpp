@@ -1,6 +1,4 @@
 #include "ripstop/tile/cloth_warp.h"
-#include "ripstop/tile/make_tile.h"
-#include "ripstop/tile/targets.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +9,8 @@
 #include "ripstop/base/error.h"
 #include "ripstop/base/text/units.h"
 #include "ripstop/model/tile/tile.h"
+#include "ripstop/tile/make_tile.h"
+#include "ripstop/tile/targets.h"
 #include "support/closed_tiles.h"
 #include "support/shapes.h"
 

@@ -1,6 +1,4 @@
 #include "ripstop/model/tile/zigzag.h"
-#include "ripstop/tile/find_zigzags.h"
-#include "ripstop/tile/make_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +6,8 @@
 #include <numbers>
 
 #include "ripstop/assembly/seams/find_seams.h"
+#include "ripstop/tile/find_zigzags.h"
+#include "ripstop/tile/make_tile.h"
 #include "support/shapes.h"
 #include "support/zigzags.h"
 
@@ -57,7 +57,7 @@ TEST(Zigzags, AreOneARunBetweenTheNeighboursAndNameTheirSeams) {
         {0.1, 1, 0.2, 4}, [](const Vec2& p) { return p.norm() > 1 ? -1
                                                      : p.y() > 0  ? 0
                                                                   : 1; },
-        [](const Vec2& p) { return on_sphere(p); });
+        [](const Vec2& p) { return onto_sphere(p); });
     Envelope envelope{{make_tile("upper", halves[0], {.warp = Vec3::UnitX()}),
                        make_tile("lower", halves[1], {.warp = Vec3::UnitX()})}};
     add_seams(envelope);

@@ -16,7 +16,7 @@
 #include "options/piece_options.h"
 #include "ripstop/pipeline/plan.h"
 #include "ripstop/plan_folder/directory.h"
-#include "ripstop/plan_folder/inflated_files.h"
+#include "ripstop/plan_folder/update_folder.h"
 #include "ripstop/plan_folder/whole_directory.h"
 #include "ripstop/report/picture/png_pictures.h"
 #include "ripstop/report/tables/tables.h"
@@ -34,7 +34,7 @@ struct FlattenArguments {
     std::string propose = "auto";
     bool propose_merges = false;
     PieceArguments pieces;
-    FormatArguments files{DirectoryOptions{}.formats};
+    FormatArguments files{WriteOptions{}.formats};
     bool compensate = false;
     FlightArguments flight;
 };
@@ -131,7 +131,11 @@ Job flatten_job(const FlattenArguments& given) {
 }
 
 WriteOptions write_options(const FlattenArguments& given) {
-    WriteOptions options{given.force, given.reproducible, given.pictures, given.jobs};
+    WriteOptions options;
+    options.force = given.force;
+    options.reproducible = given.reproducible;
+    options.png = given.pictures;
+    options.threads = given.jobs;
     options.formats = given.files.formats;
     options.files = file_options(given.files);
     return options;

@@ -11,7 +11,7 @@
 #include "ripstop/pipeline/flight/inflate_plan.h"
 #include "ripstop/pipeline/flight/tape_seams.h"
 #include "ripstop/pipeline/plan.h"
-#include "ripstop/plan_folder/inflated_files.h"
+#include "ripstop/plan_folder/update_folder.h"
 #include "ripstop/plan_folder/whole_directory.h"
 #include "ripstop/report/json/report_json.h"
 #include "ripstop/report/words/inflated_says.h"
@@ -76,7 +76,7 @@ void add_inflate(CLI::App& app) {
         ->check(within(0, 1024));
     command->add_flag("--json", given->json, "Print the report with what was found on stdout instead of the table");
     command->add_flag("--quiet", given->quiet, "No table, no progress");
-    command->add_flag("--reproducible", given->reproducible, "Leave the seconds out of what is added to report.json");
+    command->add_flag("--reproducible", given->reproducible, "Leave the seconds out of report.json");
     command->footer(
         "Adds to PLAN: `inflated` in report.json, the shape in flight in report.html, inflated/envelope.obj.\n\n"
         "Examples:\n"

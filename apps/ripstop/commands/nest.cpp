@@ -12,9 +12,9 @@
 #include "ripstop/io/piece_format.h"
 #include "ripstop/nest/nest_pieces.h"
 #include "ripstop/plan_folder/cut_files.h"
-#include "ripstop/plan_folder/inflated_files.h"
 #include "ripstop/plan_folder/marker_files.h"
 #include "ripstop/plan_folder/unchanged.h"
+#include "ripstop/plan_folder/update_folder.h"
 #include "ripstop/plan_folder/whole_directory.h"
 
 namespace ripstop::cli {

@@ -19,8 +19,8 @@
 #include "ripstop/pipeline/redesign/propose_redesign.h"
 #include "ripstop/plan_folder/cut_files.h"
 #include "ripstop/plan_folder/directory.h"
-#include "ripstop/plan_folder/inflated_files.h"
 #include "ripstop/plan_folder/read_cut_plan.h"
+#include "ripstop/plan_folder/update_folder.h"
 #include "ripstop/report/figures/wide_pieces.h"
 #include "ripstop/report/words/inflated_says.h"
 
@@ -43,7 +43,7 @@ class Planner {
     Plan plan(EnvelopeInput input, const Source& source) {
         const EnvelopeCheck check = judge_input(input, {job_.read.seam_tolerance, job_.read.only.empty(), job_.accept});
         begin(PlanStage::flatten);
-        Plan plan{flattened(input), {}, input.doubt && input.doubt->is_wrong};
+        Plan plan{flattened(input), {}};
         CutPlan& cut = plan.cut;
         cut.input_file = source.file;
         cut.input_sha256 = source.sha256;
@@ -91,7 +91,7 @@ class Planner {
             throw InputError("only the methods seam-… cut cloth for a strain, not " + job_.method +
                              "; choose one of them to correct the patterns");
         const Flight flight = job_.flight ? job_.flight(input.flight) : input.flight;
-        CompensateOptions options{std::exchange(flattening, {}), {flight.load, flight.rigging}, flight.tapes};
+        CompensateOptions options{std::move(flattening), {flight.load, flight.rigging}, flight.tapes};
         options.inflate.threads = job_.threads;
         options.flatten.progress = {};
         options.progress = watch_.progress;
@@ -136,11 +136,16 @@ class Planner {
     const PlanWatch& watch_;
 };
 
+bool has_wrong_unit(const CutPlan& cut) {
+    return std::any_of(cut.findings.begin(), cut.findings.end(),
+                       [](const Finding& finding) { return finding.code == "unit"; });
+}
+
 /// Drops the PDF if nobody could print it. Returns a warning that says so.
-std::vector<std::string> leave_out_unprintable(DirectoryOptions& writing, const Plan& plan) {
+std::vector<std::string> leave_out_unprintable(WriteOptions& writing, const Plan& plan) {
     const auto pdf = std::find(writing.formats.begin(), writing.formats.end(), "pdf");
     if (pdf == writing.formats.end()) return {};
-    if (plan.unit_is_wrong) {
+    if (has_wrong_unit(plan.cut)) {
         writing.formats.erase(pdf);
         return {"no PDF is written: the unit is wrong"};
     }
@@ -203,21 +208,23 @@ Plan plan_envelope(Envelope envelope, const Job& given, const PlanWatch& watch) 
 }
 
 std::vector<std::string> write_plan(const fs::path& folder, const Plan& plan, const WriteOptions& options) {
-    DirectoryOptions writing{options.force, options.reproducible};
-    writing.png = options.png;
-    writing.threads = options.threads;
-    writing.formats = options.formats;
-    writing.files = options.files;
+    WriteOptions writing = options;
     const std::vector<std::string> warnings = leave_out_unprintable(writing, plan);
-    writing.warnings = warnings;
-    write_directory(folder, plan.cut, plan.pieces, writing, measure_strain_maps(plan.cut, options.threads));
+    const std::vector<StrainMap> strains = measure_strain_maps(plan.cut, options.threads);
+    if (warnings.empty()) {
+        write_directory(folder, plan.cut, plan.pieces, writing, strains);
+    } else {
+        CutPlan warned = plan.cut;
+        warned.warnings.insert(warned.warnings.end(), warnings.begin(), warnings.end());
+        write_directory(folder, warned, plan.pieces, writing, strains);
+    }
     return warnings;
 }
 
 Plan read_plan(const fs::path& folder) {
     const Unchanged read({folder / "report.json", folder / "flat" / "sewing.json"});
     CutPlan cut = read_cut_plan(folder);
-    return {std::move(cut), read_pieces_of(folder), false, read};
+    return {std::move(cut), read_pieces_of(folder), read};
 }
 
 void update_plan(const fs::path& folder, const Plan& plan, const WriteOptions& options) {

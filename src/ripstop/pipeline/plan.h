@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "ripstop/base/progress.h"
-#include "ripstop/io/piece_format.h"
 #include "ripstop/model/flight/flight.h"
 #include "ripstop/model/piece/pattern_piece.h"
 #include "ripstop/model/plan/cut_plan.h"
 #include "ripstop/pattern/piece/pieces.h"
 #include "ripstop/pipeline/read/read_envelope.h"
+#include "ripstop/plan_folder/directory.h"
 #include "ripstop/plan_folder/unchanged.h"
 
 /// The main job: from a drawn envelope to a plan, and from a plan to its folder and back.
@@ -69,7 +69,6 @@ struct PlanWatch {
 struct Plan {
     CutPlan cut;
     PieceSet pieces;
-    bool unit_is_wrong = false;            ///< the file's unit is certainly wrong (`UnitDoubt`)
     std::optional<Unchanged> folder = {};  ///< the files it was read from (`read_plan`)
 
     /// Whether the envelope can be made as drawn and, if it was inflated, flies as drawn.
@@ -85,16 +84,6 @@ Plan plan_envelope(const std::filesystem::path& file, const Job& job = {}, const
 /// The same from an envelope in memory, in metres and with its seams. Names, layers and grain lines of a project are
 /// ignored, because they refer to files.
 Plan plan_envelope(Envelope envelope, const Job& job = {}, const PlanWatch& watch = {});
-
-/// Options of `write_plan`.
-struct WriteOptions {
-    bool force = false;         ///< replace the contents of a folder that is not empty
-    bool reproducible = false;  ///< leave `seconds` out of report.json, so every run writes the same bytes
-    bool png = false;           ///< also write the views of report.html as PNG pictures
-    int threads = 0;            ///< 0: one per core
-    std::vector<std::string> formats = {"dxf", "svg", "pdf"};  ///< formats of the cut files: names from `piece_formats`
-    PieceFileOptions files = {};                               ///< options of the cut files
-};
 
 /// Writes the folder of a plan, all or nothing (`write_directory`). Returns warnings, which are in report.json too: a
 /// PDF is left out if nobody could print it, because it has too many pages or the unit is wrong. Throws InputError if

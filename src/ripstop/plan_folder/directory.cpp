@@ -7,7 +7,7 @@
 #include "ripstop/io/mesh/flat_obj.h"
 #include "ripstop/io/text/output_file.h"
 #include "ripstop/plan_folder/cut_files.h"
-#include "ripstop/plan_folder/inflated_files.h"
+#include "ripstop/plan_folder/update_folder.h"
 #include "ripstop/report/figures/figures.h"
 #include "ripstop/report/json/report_json.h"
 #include "ripstop/report/page/html_report.h"
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 const std::vector<std::string_view> ours{"report.json", "report.html",      "tiles.csv", "seams.csv", "bom.csv", "flat",
                                          "cut",         "cut-*/envelope.*", "marker",    "pictures",  "inflated"};
 
-void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces, const DirectoryOptions& options,
+void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces, const WriteOptions& options,
                const std::vector<StrainMap>& strains) {
     fs::create_directory(dir / "flat");
     const std::vector<std::string> stems = file_stems(plan);
@@ -59,16 +59,10 @@ void write_all(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces,
 
 }  // namespace
 
-void write_directory(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces, const DirectoryOptions& options,
+void write_directory(const fs::path& dir, const CutPlan& plan, const PieceSet& pieces, const WriteOptions& options,
                      const std::vector<StrainMap>& strains) {
-    CutPlan warned;
-    if (!options.warnings.empty()) {
-        warned = plan;
-        warned.warnings.insert(warned.warnings.end(), options.warnings.begin(), options.warnings.end());
-    }
-    const CutPlan& told = options.warnings.empty() ? plan : warned;
     write_whole_directory(dir, options.force, ours,
-                          [&](const fs::path& partial) { write_all(partial, told, pieces, options, strains); });
+                          [&](const fs::path& partial) { write_all(partial, plan, pieces, options, strains); });
 }
 
 }  // namespace ripstop

@@ -12,14 +12,13 @@
 
 namespace ripstop {
 
-/// Options of `write_directory`: what it writes and what it may replace.
-struct DirectoryOptions {
-    bool force = false;                      ///< replace the contents of a directory that is not empty
-    bool reproducible = false;               ///< leave `seconds` out of report.json, so every run writes the same bytes
-    bool pictures = true;                    ///< pictures/NAME.svg for each tile, and pictures/seams.svg
-    bool png = false;                        ///< also the PNG pictures of `write_png_pictures`
-    int threads = 0;                         ///< for the PNG pictures (0: one per core)
-    std::vector<std::string> warnings = {};  ///< about files left out; listed after those of the plan
+/// Options of `write_directory` and `write_plan`: what they write and what they may replace.
+struct WriteOptions {
+    bool force = false;         ///< replace the contents of a directory that is not empty
+    bool reproducible = false;  ///< leave `seconds` out of report.json, so every run writes the same bytes
+    bool pictures = true;       ///< pictures/NAME.svg for each tile, and pictures/seams.svg
+    bool png = false;           ///< also the PNG pictures of `write_png_pictures`
+    int threads = 0;            ///< for the PNG pictures (0: one per core)
     std::vector<std::string> formats = {"dxf", "svg", "pdf"};  ///< formats of the cut files: names from `piece_formats`
     PieceFileOptions files = {};                               ///< options of the cut files
 };
@@ -37,6 +36,6 @@ struct DirectoryOptions {
 /// is written completely or not at all, with the errors of `write_whole_directory`. `force` replaces an old plan; files
 /// that belong to no plan are kept.
 void write_directory(const std::filesystem::path& dir, const CutPlan& plan, const PieceSet& pieces,
-                     const DirectoryOptions& options = {}, const std::vector<StrainMap>& strains = {});
+                     const WriteOptions& options = {}, const std::vector<StrainMap>& strains = {});
 
 }  // namespace ripstop

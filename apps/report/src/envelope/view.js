@@ -4,7 +4,8 @@ import { makeEnvelopePlain } from './plain.js';
 import { makeEnvelopeScene } from './scene.js';
 
 const label =
-    'The envelope in space. Arrow keys go from tile to tile, with shift they turn it, plus and minus zoom, Home shows all, Escape chooses nothing.';
+    'The envelope in space. Arrow keys go from tile to tile, with shift they turn it, plus and minus zoom, ' +
+    'Home shows all, Escape chooses nothing.';
 
 // A canvas that was asked for WebGL cannot give a 2D context, so each has its own canvas.
 export function makeEnvelopeView(shape, holder) {

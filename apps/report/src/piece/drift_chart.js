@@ -57,7 +57,9 @@ export function driftChart(seam) {
         html(
             'figcaption',
             {},
-            `How far ${said.tile_a === said.tile_b ? 'the second side' : said.tile_b} is ahead along the seam, from its start (the ring, on both pieces too) on, from notch to notch; the band is what is allowed, ±${millimetres(said.limit_mm, 2)}.`,
+            `How far ${said.tile_a === said.tile_b ? 'the second side' : said.tile_b} is ahead along the seam, ` +
+                `from its start (the ring, on both pieces too) on, from notch to notch; ` +
+                `the band is what is allowed, ±${millimetres(said.limit_mm, 2)}.`,
         ),
     );
 }

@@ -11,7 +11,11 @@ function nothingChosen(model) {
     const patterns = model.tiles.filter((tile) => !tile.said.equal_to && !tile.said.mirror_of).length;
     return [
         html('h2', { class: 'screen-only' }, 'Choose a tile or a seam'),
-        html('p', { class: 'screen-only' }, 'Click one in the picture, or choose it in the list. Its piece is shown here as it is cut.'),
+        html(
+            'p',
+            { class: 'screen-only' },
+            'Click one in the picture, or choose it in the list. Its piece is shown here as it is cut.',
+        ),
         figureList(
             pair(
                 'Tiles',
@@ -45,10 +49,16 @@ export function spoken(model, chosen) {
     if (!chosen) return 'Nothing chosen';
     if (chosen.kind === 'tile') {
         const tile = model.tiles[chosen.index];
-        return `Tile ${tile.name}, ${verdictWord(tile)}, area error ${plainPercent(tile.said.area_error_pct, 2)}, ${tile.sides.length} sewn edges`;
+        return (
+            `Tile ${tile.name}, ${verdictWord(tile)}, ` +
+            `area error ${plainPercent(tile.said.area_error_pct, 2)}, ${tile.sides.length} sewn edges`
+        );
     }
     const { said, id } = model.seams[chosen.index];
-    return `Seam ${id} between ${said.tile_a} and ${said.tile_b}, ${seamWord(said)}, mismatch ${signedMillimetres(said.mismatch_mm)}`;
+    return (
+        `Seam ${id} between ${said.tile_a} and ${said.tile_b}, ` +
+        `${seamWord(said)}, mismatch ${signedMillimetres(said.mismatch_mm)}`
+    );
 }
 
 // Whether the last input came from the keyboard.

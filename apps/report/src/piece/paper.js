@@ -18,7 +18,11 @@ function printedPieces(model, context) {
     return [
         html('h2', {}, failing.length > 0 ? 'The pieces that fail' : 'The patterns'),
         shown.length < wanted.length &&
-            html('p', {}, `The first ${shown.length} of ${count(wanted.length, 'piece')}; click any of them in report.html.`),
+            html(
+                'p',
+                {},
+                `The first ${shown.length} of ${count(wanted.length, 'piece')}; click any of them in report.html.`,
+            ),
         html(
             'div',
             { class: 'pieces' },

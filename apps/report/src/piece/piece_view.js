@@ -1,4 +1,5 @@
-// The piece of a tile as it is cut: strain in colours, cut and sew line, notches, grain, labels, seams, a proposed seam.
+// The piece of a tile as it is cut: strain in colours, cut and sew line, notches, grain, labels, seams, and the
+// proposed seam.
 import { sidePoints } from '../view/data.js';
 import { html, svg } from '../view/dom.js';
 import { figure, millimetres } from '../view/format.js';

@@ -55,13 +55,15 @@ export function seamPanel(model, seam, context) {
         html('p', {}, between),
         seamFigures(said),
         said.further_tiles && html('p', {}, `One seam with ${said.further_tiles.join(' and ')}, sewn into it.`),
-        said.sewn_into && html('p', {}, `${said.tile_a} is sewn into seam ${said.sewn_into}: one seam, notches on all.`),
+        said.sewn_into &&
+            html('p', {}, `${said.tile_a} is sewn into seam ${said.sewn_into}: one seam, notches on all.`),
         tapeFigures(said),
         !said.certain &&
             html(
                 'p',
                 { class: 'note' },
-                `The meshes leave ${millimetres(said.uncertainty_mm, 2)} of its length open; finer ones would make it certain.`,
+                `The meshes leave ${millimetres(said.uncertainty_mm, 2)} of its length open; ` +
+                    `finer ones would make it certain.`,
             ),
         driftChart(seam),
         html(

@@ -65,7 +65,8 @@ function proposalWords(model, tile, onTile) {
         'p',
         { class: 'proposal' },
         html('b', {}, 'To redesign: '),
-        `a seam ${proposal.direction} (dashed) helps most of ${proposal.lines_tried} tried. One half: ${left(proposal.halves[0])}; the other: ${left(proposal.halves[1])}.`,
+        `a seam ${proposal.direction} (dashed) helps most of ${proposal.lines_tried} tried. ` +
+            `One half: ${left(proposal.halves[0])}; the other: ${left(proposal.halves[1])}.`,
     );
 }
 

@@ -27,13 +27,17 @@ export function basis(model) {
                 report.fabrics.map((fabric) =>
                     row(
                         `Fabric ${fabric.name}`,
-                        `strain within ±${short(fabric.strain_limit_pct)} %, shear up to ${figure(fabric.shear_limit_deg, 1)}°; ${count(fabric.tiles, 'tile')}, ${figure(fabric.area_m2, 2)} m²${fabric.description ? `; ${fabric.description}` : ''}`,
+                        `strain within ±${short(fabric.strain_limit_pct)} %, ` +
+                            `shear up to ${figure(fabric.shear_limit_deg, 1)}°; ` +
+                            `${count(fabric.tiles, 'tile')}, ${figure(fabric.area_m2, 2)} m²` +
+                            (fabric.description ? `; ${fabric.description}` : ''),
                     ),
                 ),
                 report.seam_types.map((type) =>
                     row(
                         `Sewn ${type.type}`,
-                        `allowance ${short(type.allowance_mm)} mm; ${count(type.seams, 'seam')}, ${count(type.free_edges, 'free edge')}, ${figure(type.length_mm / 1000, 1)} m`,
+                        `allowance ${short(type.allowance_mm)} mm; ${count(type.seams, 'seam')}, ` +
+                            `${count(type.free_edges, 'free edge')}, ${figure(type.length_mm / 1000, 1)} m`,
                     ),
                 ),
                 row('Input', `${input.file}, unit ${input.unit}, SHA-256 ${input.sha256}`),

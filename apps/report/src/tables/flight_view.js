@@ -153,7 +153,8 @@ function figures(model, said, onTile) {
         pair(
             'Lift',
             `${figure(said.lift_n, 0)}\u00a0N`,
-            `${figure(said.lift_n / 9.80665, 0)} kg beside its own ${figure(said.cloth_mass_kg + said.tape_mass_kg, 1)} kg`,
+            `${figure(said.lift_n / 9.80665, 0)} kg beside ` +
+                `its own ${figure(said.cloth_mass_kg + said.tape_mass_kg, 1)} kg`,
         ),
         pair(
             'Tension of the cloth',
@@ -168,13 +169,15 @@ function figures(model, said, onTile) {
 
 function basis(said) {
     const { load } = said;
-    const air = `${figure(load.inside_c, 0)} °C inside, ${figure(load.outside_c, 0)} °C outside, ${figure(load.altitude_m, 0)} m up`;
+    const air = `${figure(load.inside_c, 0)} °C inside, ${figure(load.outside_c, 0)} °C outside, ` +
+        `${figure(load.altitude_m, 0)} m up`;
     const extra = load.extra_pressure_pa ? `, ${figure(load.extra_pressure_pa, 0)} Pa more everywhere` : '';
     const sectors = said.sectors > 1 ? `; one of ${said.sectors} equal sectors was computed` : '';
     return html(
         'p',
         { class: 'note' },
-        `${air}${extra}: ${figure(load.crown_pressure_pa, 1)} Pa at the top. Solved: ${said.stop}, ${said.stop_reason}${sectors}. `,
+        `${air}${extra}: ${figure(load.crown_pressure_pa, 1)} Pa at the top. ` +
+            `Solved: ${said.stop}, ${said.stop_reason}${sectors}. `,
         'Factors after CS 31HB.25 and 14 CFR 31.25, with a limit load of 1.4.',
     );
 }

@@ -90,7 +90,11 @@ function clothOf(marker, start) {
         parts
             .filter((part) => part.start_mm > 0 && part.start_mm >= start)
             .map(({ start_mm: at }) =>
-                svg('path', { class: 'join', d: `M${at} 0V${-width}` }, svg('title', {}, 'Here a length of cloth ends')),
+                svg(
+                    'path',
+                    { class: 'join', d: `M${at} 0V${-width}` },
+                    svg('title', {}, 'Here a length of cloth ends'),
+                ),
             ),
     ];
 }
@@ -108,7 +112,8 @@ function rowView(marker, pieces, start, onTile) {
                 class: 'roll',
                 viewBox: `${start} ${-width} ${rowLength} ${width}`,
                 role: 'group',
-                'aria-label': `The roll from ${figure(start / 1000, 0)} to ${figure(end / 1000, 1)} m: ${count(here.length, 'piece')}`,
+                'aria-label': `The roll from ${figure(start / 1000, 0)} to ${figure(end / 1000, 1)} m: ` +
+                    count(here.length, 'piece'),
                 onkeydown: walkRow,
             },
             clothOf(marker, start),
@@ -139,7 +144,11 @@ function rowView(marker, pieces, start, onTile) {
 function joinWords({ roll_parts: parts }) {
     if (parts.length < 2) return null;
     const lengths = parts.map(({ length_mm: length }) => figure(length / 1000, 1)).join(', ');
-    return html('p', { class: 'note' }, `In ${parts.length} lengths of cloth: ${lengths} m. A dashed line is where one ends.`);
+    return html(
+        'p',
+        { class: 'note' },
+        `In ${parts.length} lengths of cloth: ${lengths} m. A dashed line is where one ends.`,
+    );
 }
 
 function markerView(model, marker, onTile, onShown) {
@@ -169,7 +178,8 @@ function markerView(model, marker, onTile, onShown) {
         html(
             'h3',
             {},
-            `${name}: ${figure(marker.length_mm / 1000, 1)} m of cloth ${figure(marker.roll_width_mm, 0)} mm wide, ${figure(marker.utilisation_pct, 1)} % of it used, ${count(pieces.length, 'piece')}`,
+            `${name}: ${figure(marker.length_mm / 1000, 1)} m of cloth ${figure(marker.roll_width_mm, 0)} mm wide, ` +
+                `${figure(marker.utilisation_pct, 1)} % of it used, ${count(pieces.length, 'piece')}`,
         ),
         joinWords(marker),
         rows,

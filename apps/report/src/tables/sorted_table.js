@@ -93,7 +93,8 @@ export function sortedTable({ id, title, one, items, columns, onItem }) {
         const found = rows.found();
         const shown = isWhole ? found : found.slice(0, firstRows);
         body.replaceChildren(...shown.map((item) => rowOf(item, columns, onItem)));
-        heading.textContent = `${title} (${found.length < items.length ? `${figure(found.length, 0)} of ${all}` : all})`;
+        const many = found.length < items.length ? `${figure(found.length, 0)} of ${all}` : all;
+        heading.textContent = `${title} (${many})`;
         more.textContent = `Show all ${found.length}`;
         more.hidden = shown.length === found.length;
         heads.forEach((head, i) => {

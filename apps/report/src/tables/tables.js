@@ -9,7 +9,11 @@ const worstEdge = (tile) => largest(...tile.said.chains.map((chain) => chain.err
 
 const tileColumns = (model) => [
     { name: 'Tile', value: (tile) => tile.name, isName: true },
-    { name: 'Verdict', value: (tile) => (tile.ok ? 'can be made' : codes(model, tile) || 'not judged'), isVerdict: true },
+    {
+        name: 'Verdict',
+        value: (tile) => (tile.ok ? 'can be made' : codes(model, tile) || 'not judged'),
+        isVerdict: true,
+    },
     {
         name: 'Cut like',
         value: (tile) => tile.said.equal_to ?? (tile.said.mirror_of ? `${tile.said.mirror_of}, turned over` : ''),

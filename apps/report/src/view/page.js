@@ -34,6 +34,7 @@ export function layOut(places, { verdict, list, above, panel, below, tip }) {
 }
 
 export function sayItCannotBeShown(error) {
-    const words = `The report cannot be shown by this browser (${error.message}). The figures are in report.json, tiles.csv and seams.csv beside this page.`;
+    const words = `The report cannot be shown by this browser (${error.message}). ` +
+        'The figures are in report.json, tiles.csv and seams.csv beside this page.';
     document.getElementById('page').replaceChildren(html('p', { role: 'alert', class: 'starting' }, words));
 }

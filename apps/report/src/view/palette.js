@@ -1,6 +1,15 @@
 // Indices of a table of colours, as in the program (src/ripstop/report/view/page_colours.h): below, 256 steps from -1
 // to 1 relative to the end of a scale, above, flipped, unknown, then the states of cloth in flight.
-export const places = { below: 0, first: 1, steps: 256, above: 257, flipped: 258, unknown: 259, states: 260, count: 263 };
+export const places = {
+    below: 0,
+    first: 1,
+    steps: 256,
+    above: 257,
+    flipped: 258,
+    unknown: 259,
+    states: 260,
+    count: 263,
+};
 
 // A palette's `rrggbb` entries as bytes: red, green, blue and 255 each.
 export function paletteTable(colours) {

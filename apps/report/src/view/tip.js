@@ -22,7 +22,9 @@ export function hoverWords({ tile, triangle, seam }) {
             html(
                 'div',
                 {},
-                `in flight ${signedMillimetres(value('deviation') * 1000, 1)} off, ${figure(value('flight-tension'), 1)}\u00a0N/m, ${['taut', 'wrinkled', 'slack'][value('state')]}`,
+                `in flight ${signedMillimetres(value('deviation') * 1000, 1)} off, ` +
+                    `${figure(value('flight-tension'), 1)}\u00a0N/m, ` +
+                    `${['taut', 'wrinkled', 'slack'][value('state')]}`,
             ),
         );
     if (seam?.said.tape_force_max_n !== undefined)

@@ -266,7 +266,7 @@ Json outcome_json(const FlatTile& tile, bool reproducible) {
                    {"equal_to", tile.equal_to},
                    {"mirrored", tile.mirrored},
                    {"attributes", tile.tile.attributes}};
-    if (!reproducible) object["seconds"] = number_json(tile.seconds);
+    if (!reproducible && std::isfinite(tile.seconds)) object["seconds"] = tile.seconds;
     if (tile.tile.remeshed) object["remeshed"] = remeshed_json(*tile.tile.remeshed);
     if (tile.proposal) object["proposal"] = proposal_json(*tile.proposal);
     return object;
@@ -286,7 +286,7 @@ void read_outcome(const PlanReader& from, std::size_t tiles, FlatTile& into) {
     const PlanReader attributes = from.at("attributes");
     for (const auto& [key, value] : attributes.value().items())
         into.tile.attributes[key] = attributes.text(key.c_str());
-    if (from.has("seconds")) into.seconds = number_of(from, "seconds");
+    into.seconds = from.has("seconds") ? from.number("seconds") : std::numeric_limits<double>::quiet_NaN();
     if (from.has("remeshed")) into.tile.remeshed = remeshed_of(from.at("remeshed"));
     if (from.has("proposal")) into.proposal = proposal_of(from.at("proposal"));
 }

@@ -24,7 +24,8 @@ struct FlatTile {
     Bounds bounds;  ///< known before the solve
     Accuracy accuracy;
     Verdict verdict;
-    double seconds = 0;  ///< wall-clock time of this tile's solve; its share if all tiles are solved together
+    double seconds = 0;  ///< wall-clock time of this tile's solve; its share if all tiles are solved together; NaN if
+                         ///< unknown
     int equal_to = -1;   ///< index in `CutPlan::tiles` of an earlier tile with the same pattern; -1: the first of its
                          ///< kind
     bool mirrored = false;                       ///< cut by that pattern turned over

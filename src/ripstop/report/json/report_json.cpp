@@ -297,7 +297,7 @@ Json tile_json(const FlatTile& tile, const std::string& stem, const Json& chains
     if (longer.warp != 0 || longer.weft != 0 || !longer.chains.empty())
         json["compensation"] = compensation_json(longer);
     if (tile.tile.remeshed) json["remeshed"] = remeshed_json(*tile.tile.remeshed, tile.accuracy);
-    if (!reproducible) json["seconds"] = figure(tile.seconds);
+    if (!reproducible && std::isfinite(tile.seconds)) json["seconds"] = figure(tile.seconds);
     json["iterations"] = summary.iterations;
     json["factorizations"] = summary.factorizations;
     json["stop"] = name(summary.termination);

@@ -1,4 +1,4 @@
-#include "ripstop/plan_folder/inflated_files.h"
+#include "ripstop/plan_folder/update_folder.h"
 
 #include <fstream>
 #include <optional>
