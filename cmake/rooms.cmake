@@ -1,4 +1,7 @@
 # The library's sources: every .cpp of the rooms that rooms.txt names. Its public headers: the doors.
+#
+# A unity build compiles each floor as one unit: most of a compiler's time goes into headers and templates, which a unit
+# reads once. So names in unnamed namespaces must be unique within a floor.
 file(STRINGS src/ripstop/rooms.txt lines REGEX "^[a-z_/]+ :")
 set(ripstop_sources "")
 set(ripstop_doors "")
@@ -8,10 +11,8 @@ foreach(line IN LISTS lines)
     string(REGEX MATCHALL "[a-z0-9_]+\\.h" doors "${CMAKE_MATCH_2}")
     file(GLOB sources CONFIGURE_DEPENDS src/ripstop/${room}/*.cpp)
     list(APPEND ripstop_sources ${sources})
-    # Each room is one unit of a unity build. So names in unnamed namespaces must be unique within a room only, and
-    # a new file recompiles its own room only.
-    string(REPLACE "/" "_" group "${room}")
-    set_source_files_properties(${sources} PROPERTIES UNITY_GROUP ${group})
+    string(REGEX REPLACE "/.*" "" floor "${room}")
+    set_source_files_properties(${sources} PROPERTIES UNITY_GROUP ${floor})
     list(TRANSFORM doors PREPEND ${room}/)
     list(APPEND ripstop_doors ${doors})
 endforeach()

@@ -20,6 +20,7 @@
 #include "ripstop/base/text/range.h"
 #include "ripstop/base/text/stated_unit.h"
 #include "ripstop/base/text/units.h"
+#include "ripstop/base/text/utf8.h"
 #include "ripstop/base/union_find.h"
 
 // geometry

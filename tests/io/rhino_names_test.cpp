@@ -123,10 +123,5 @@ TEST_F(RhinoNames, GoByTheTileTextOfTheBlockThatHoldsThemAlone) {
     EXPECT_NEAR(y, 0, 1e-15);
 }
 
-TEST(RhinoCalled, NumbersAreAsWideAsTheLast) {
-    EXPECT_EQ(numbered(3, 9), "03");
-    EXPECT_EQ(numbered(3, 120), "003");
-}
-
 }  // namespace rhino_names_test
 }  // namespace ripstop

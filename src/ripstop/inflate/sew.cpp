@@ -22,7 +22,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_place = 1e-5;  // fraction of an edge
+constexpr double vertex_share = 1e-5;  // fraction of an edge
 
 /// A boundary vertex on a side of a seam, and its arc length along the seam's curve.
 struct SideVertex {
@@ -36,7 +36,7 @@ std::vector<SideVertex> vertices_of_side(const CutPlan& plan, const Seam& seam, 
     const auto at = [&](int i) { return boundary[static_cast<std::size_t>(i) % boundary.size()]; };
     std::vector<SideVertex> found;
     if (const BoundaryPlace first = place_on_side(plan.tiles, seam, second, second ? seam.length : 0);
-        first.share < same_place)
+        first.share < vertex_share)
         found.push_back({at(first.edge), 0});
     double along = 0;
     for (std::size_t i = 0; i + 1 < side.parts.size(); ++i) {
@@ -44,7 +44,7 @@ std::vector<SideVertex> vertices_of_side(const CutPlan& plan, const Seam& seam, 
         found.push_back({at(side.parts[i].edge + 1), along});
     }
     if (const BoundaryPlace last = place_on_side(plan.tiles, seam, second, second ? 0 : seam.length);
-        last.share > 1 - same_place)
+        last.share > 1 - vertex_share)
         found.push_back({at(last.edge + 1), seam.length});
     if (second)
         for (SideVertex& each : found) each.along = seam.length - each.along;
@@ -73,8 +73,8 @@ class Seamstress {
         const std::vector<int>& boundary = plan_.tiles[at(tile)].tile.boundary;
         const auto i = static_cast<std::size_t>(place.edge);
         SewnPoint from = point(tile, boundary[i]), to = point(tile, boundary[(i + 1) % boundary.size()]);
-        if (place.share < same_place) return from;
-        if (place.share > 1 - same_place) return to;
+        if (place.share < vertex_share) return from;
+        if (place.share > 1 - vertex_share) return to;
         from.shares[0].weight = 1 - place.share;
         to.shares[0].weight = place.share;
         return {{from.shares[0], to.shares[0]}};

@@ -12,7 +12,7 @@ namespace {
 
 /// Calls visit(row, column, slot) for every entry of the lower triangle.
 template <class Visit>
-void visit_entries(const SparsePattern& pattern, Visit&& visit) {
+void visit_pattern(const SparsePattern& pattern, Visit&& visit) {
     for (int c = 0; c < pattern.size(); ++c)
         for (int s = pattern.column_start()[at(c)]; s < pattern.column_start()[at(c + 1)]; ++s)
             visit(pattern.rows()[at(s)], c, s);
@@ -29,7 +29,7 @@ std::uint64_t scrambled(int i) {
 /// detected by equal sums of hashes over the neighbours. A collision is very unlikely and would only cost fill.
 std::vector<int> groups_of_twins(const SparsePattern& pattern) {
     std::vector<std::uint64_t> met(at(pattern.size()), 0);
-    visit_entries(pattern, [&](int row, int column, int) {
+    visit_pattern(pattern, [&](int row, int column, int) {
         met[at(row)] += scrambled(column);
         if (row != column) met[at(column)] += scrambled(row);
     });
@@ -131,7 +131,7 @@ OrderedTriangle renumbered(const SparsePattern& pattern, const std::vector<int>&
 
     // Sorts by row, then stably by column, so that rows increase within a column.
     std::vector<int> row_start(order.size() + 1, 0), column_start(order.size() + 1, 0);
-    visit_entries(pattern, [&](int r, int c, int) {
+    visit_pattern(pattern, [&](int r, int c, int) {
         const auto [row, column] = place(r, c);
         ++row_start[at(row) + 1];
         ++column_start[at(column) + 1];
@@ -143,7 +143,7 @@ OrderedTriangle renumbered(const SparsePattern& pattern, const std::vector<int>&
     };
     std::vector<Entry> by_row(count);
     std::vector<int> next = row_start;
-    visit_entries(pattern, [&](int r, int c, int slot) {
+    visit_pattern(pattern, [&](int r, int c, int slot) {
         const auto [row, column] = place(r, c);
         by_row[at(next[at(row)]++)] = {row, column, slot};
     });

@@ -10,7 +10,7 @@ namespace {
 
 /// Calls visit(row, column) of the lower triangle for every entry of every group, in slot order.
 template <class Visit>
-void visit_entries(const Couplings& couplings, Visit&& visit) {
+void visit_couplings(const Couplings& couplings, Visit&& visit) {
     for (int g = 0; g < couplings.count(); ++g) {
         const int* const first = couplings.unknowns.data() + couplings.start[at(g)];
         const int* const last = couplings.unknowns.data() + couplings.start[static_cast<std::size_t>(g) + 1];
@@ -52,7 +52,7 @@ SparsePattern::SparsePattern(int size, const Couplings& couplings) {
     // Sorts the entries by column; slots_ holds their rows until the column is processed.
     slots_.resize(slot_start_.back());
     std::vector<std::size_t> bucket_start(columns + 1, 0);
-    visit_entries(couplings, [&]([[maybe_unused]] int row, int column) {
+    visit_couplings(couplings, [&]([[maybe_unused]] int row, int column) {
         assert(column >= 0 && row < size);
         ++bucket_start[static_cast<std::size_t>(column) + 1];
     });
@@ -60,7 +60,7 @@ SparsePattern::SparsePattern(int size, const Couplings& couplings) {
     std::vector<std::size_t> entries(slots_.size());
     std::size_t entry = 0;
     std::vector<std::size_t> fill(bucket_start.begin(), bucket_start.end() - 1);
-    visit_entries(couplings, [&](int row, int column) {
+    visit_couplings(couplings, [&](int row, int column) {
         slots_[entry] = row;
         entries[fill[at(column)]++] = entry++;
     });

@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_place = 1e-6;  // relative to an edge
+constexpr double past_end = 1e-6;  // relative to an edge
 constexpr int foot_steps = 12;
 
 }  // namespace
@@ -87,7 +87,7 @@ std::optional<double> FacetRow::along(const BoundaryPlace& place, Side Cell::*si
         const bool is_next = place.share == 0 && place.edge == (here.edge + 1) % count;
         if (place.edge != here.edge && !is_next) continue;
         const double u = ((is_next ? 1 : place.share) - here.from) / (here.to - here.from);
-        if (u >= -same_place && u <= 1 + same_place) return q + std::clamp(u, 0.0, 1.0);
+        if (u >= -past_end && u <= 1 + past_end) return q + std::clamp(u, 0.0, 1.0);
     }
     return {};
 }

@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t shown_names = 6;
 constexpr double slit = 0.003;  // as openness: a circle has 0.08, a square 0.06, the hole of a missing gore 0.008
 constexpr double corner_on_cloth = 40 * degree;
-constexpr double corner_reach = 4;  // in tolerances: how far from a corner of a hole the corners of its tiles may lie
+constexpr double hole_corner_reach =
+    4;  // in tolerances: how far from a corner of a hole the corners of its tiles may lie
 
 std::string name_of(const std::vector<Tile>& tiles, int tile) {
     return tiles[at(tile)].name;
@@ -189,7 +190,7 @@ std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const Foun
         if (passes_a_miss(loop, found.near_misses)) continue;  // its corners are where the gap begins
         if (goes_round_all(loop, numbers)) continue;
         const auto on_cloth = std::count_if(corners[l].begin(), corners[l].end(), [&](const Vec3& corner) {
-            return std::abs(turn_on_cloth(skin, corner, corner_reach * tolerance)) > corner_on_cloth;
+            return std::abs(turn_on_cloth(skin, corner, hole_corner_reach * tolerance)) > corner_on_cloth;
         });
         if (on_cloth < 2) continue;  // the rim of a tube with flat sides
         const std::vector<std::string> around = each_once(names_of(tiles, loop.tiles));

@@ -9,11 +9,11 @@
 namespace ripstop {
 namespace {
 
-constexpr double tallest = 100, smallest = 0.1;       // [m] sizes beyond these are wrong
-constexpr double balloon_low = 5, balloon_high = 60;  // [m]
-constexpr double model_low = 0.5;                     // [m] of sewn things other than balloons
-constexpr double rounding = 1e-9;                     // relative rounding of a conversion factor
-constexpr double two_allowances = 0.05;               // [m] two allowances of an inch each
+constexpr double largest_size = 100, smallest_size = 0.1;  // [m] sizes beyond these are wrong
+constexpr double balloon_low = 5, balloon_high = 60;       // [m]
+constexpr double model_low = 0.5;                          // [m] of sewn things other than balloons
+constexpr double rounding = 1e-9;                          // relative rounding of a conversion factor
+constexpr double two_allowances = 0.05;                    // [m] two allowances of an inch each
 
 /// Rounds to 0.1 m; below one metre, to 0.1 mm.
 std::string size_text(double length) {
@@ -66,7 +66,7 @@ std::vector<Candidate> fitting_units(double extent, double metres, bool any) {
     std::vector<Candidate> metric, others;
     for (const char* unit : {"mm", "cm", "m", "ft", "in"}) {
         const double factor = metres_per_unit(unit) / metres;
-        if (std::abs(factor - 1) < 1e-9 || extent * factor < model_low || extent * factor > tallest) continue;
+        if (std::abs(factor - 1) < 1e-9 || extent * factor < model_low || extent * factor > largest_size) continue;
         (any || std::string_view(unit).ends_with("m") ? metric : others).push_back({unit, factor});
     }
     const auto nearer = [&](const Candidate& p, const Candidate& q) {
@@ -99,15 +99,15 @@ std::string units_text(const std::vector<Candidate>& units, const Extent& extent
 std::optional<UnitDoubt> doubt_unit(const std::vector<Eigen::AlignedBox3d>& surfaces, const UnitRead& read) {
     if (surfaces.empty() || read.size_is_meant) return std::nullopt;
     const Extent extent = extent_of(surfaces);
-    const bool is_large = extent.robust > tallest, is_high = extent.robust > balloon_high * (1 + rounding);
+    const bool is_large = extent.robust > largest_size, is_high = extent.robust > balloon_high * (1 + rounding);
     const std::vector<Candidate> units = fitting_units(extent.robust, read.unit.metres, is_high && !is_large);
-    const bool is_small = extent.robust < smallest && !units.empty();
+    const bool is_small = extent.robust < smallest_size && !units.empty();
     const std::string what = "the envelope measures " + size_text(extent.size) + " m" +
                              (read.is_files ? " in the file's own unit, " + read.unit.name : std::string()) + ", ";
     const std::string then = units_text(units, extent) + "; give --size-is-meant if this size is right";
     if (is_large || is_small)
         return UnitDoubt{what + "a hot-air balloon is 5 to 60 m tall; " + then, extent.size,
-                         is_large ? tallest : smallest, true};
+                         is_large ? largest_size : smallest_size, true};
     if (!any_balloon(units, extent.robust)) return std::nullopt;
     if (is_high)
         return UnitDoubt{what + "a hot-air balloon is 5 to 60 m tall; " + then, extent.size, balloon_high, false};

@@ -154,9 +154,7 @@ NearMiss near_miss(const std::vector<Tile>& tiles, const std::vector<PlacedChain
 }
 
 std::string seam_id(std::size_t index, std::size_t count) {
-    const std::string number = std::to_string(index + 1);
-    const std::size_t digits = std::max<std::size_t>(4, std::to_string(count).size());
-    return "S" + std::string(digits - number.size(), '0') + number;
+    return "S" + padded(index + 1, count, 4);
 }
 
 }  // namespace

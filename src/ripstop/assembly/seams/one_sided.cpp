@@ -12,9 +12,9 @@
 namespace ripstop {
 namespace {
 
-constexpr int samples = 8;          // triangles sampled per tile
-constexpr int half_sphere = 16;     // directions; their opposites are used too
-constexpr double own_cloth = 1e-4;  // share of the tile's size: closer hits belong to the tile itself
+constexpr int samples_per_tile = 8;  // triangles sampled per tile
+constexpr int half_sphere = 16;      // directions; their opposites are used too
+constexpr double own_cloth = 1e-4;   // share of the tile's size: closer hits belong to the tile itself
 
 /// Directions spread evenly over the sphere, along a spiral.
 std::array<Vec3, 2 * half_sphere> directions() {
@@ -35,7 +35,7 @@ double one_sidedness(const Tile& tile, const SightLines& cloth) {
     const double least = own_cloth * bounding_diagonal(tile.mesh);
     const int count = tile.mesh.triangle_count();
     std::array<double, 2> seen{0, 0}, open{0, 0};
-    for (int s = 0; s < std::min(samples, count); ++s) {
+    for (int s = 0; s < std::min(samples_per_tile, count); ++s) {
         // the golden section, because triangles in rows would always be hit at the same end
         const double place = (s + 1) * 0.6180339887498949;
         const int t = static_cast<int>((place - std::floor(place)) * count);

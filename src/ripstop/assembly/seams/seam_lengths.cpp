@@ -10,7 +10,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_place = 1e-6;  // share of the seam's length: vertices this close coincide
+constexpr double coincident_share = 1e-6;  // share of the seam's length: vertices this close coincide
 
 const PlacedChain& chain_of(const std::vector<PlacedChain>& chains, int c) {
     return chains[at(c)];
@@ -120,7 +120,7 @@ bool conforms(const ChainCurve& a, const ChainCurve& b, const RunEnds& ends) {
     if (!is_vertex(ends.start_a) || !is_vertex(ends.end_a) || !is_vertex(ends.start_b) || !is_vertex(ends.end_b) ||
         count != ends.end_b - ends.start_b)
         return false;
-    const double near = same_place * (station_at(a, ends.end_a) - station_at(a, ends.start_a));
+    const double near = coincident_share * (station_at(a, ends.end_a) - station_at(a, ends.start_a));
     for (double k = 0; k <= count; ++k)
         if ((point_at(a, ends.start_a + k) - point_at(b, ends.end_b - k)).norm() > near) return false;
     return true;

@@ -1,12 +1,14 @@
 #include "ripstop/base/text/glob.h"
 
+#include "ripstop/base/text/utf8.h"
+
 namespace ripstop {
 namespace {
 
 /// The index of the character after the one at `i` (UTF-8).
 std::size_t next_character(std::string_view text, std::size_t i) {
     ++i;
-    while (i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80) ++i;
+    while (i < text.size() && !starts_letter(text[i])) ++i;
     return i;
 }
 

@@ -1,5 +1,6 @@
 #include "ripstop/base/text/number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -21,6 +22,12 @@ std::string format_fixed(double value, int decimals) {
     std::string text(buffer.data(), result.ptr);
     if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);
     return text;
+}
+
+std::string padded(std::size_t number, std::size_t last, std::size_t least_digits) {
+    const std::string text = std::to_string(number);
+    const std::size_t digits = std::max({least_digits, std::to_string(last).size(), text.size()});
+    return std::string(digits - text.size(), '0') + text;
 }
 
 std::string format_shortest(double value) {

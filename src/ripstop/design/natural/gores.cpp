@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "ripstop/base/index.h"
+#include "ripstop/base/text/number_text.h"
 #include "ripstop/base/text/range.h"
 #include "ripstop/design/tools/panel_rows.h"
 
@@ -116,12 +117,6 @@ TriangleMesh panel_mesh(const EnvelopeDesign& design, const PanelGrid& panel, in
     return mesh;
 }
 
-std::string numbered(char letter, int number, int count) {
-    const std::string text = std::to_string(number);
-    const std::size_t digits = std::max<std::size_t>(2, std::to_string(count).size());
-    return letter + std::string(digits - text.size(), '0') + text;
-}
-
 double top_of_cloth(const EnvelopeDesign& design, const NaturalShape& shape) {
     if (design.crown_radius == 0) return shape.length;
     if (!(design.crown_radius < 0.9 * shape.max_radius))
@@ -193,7 +188,7 @@ std::vector<NamedMesh> design_natural(const EnvelopeDesign& design) {
     std::vector<NamedMesh> tiles;
     for (int gore = 0; gore < design.gores; ++gore)
         for (int j = 0; j < panels; ++j)
-            tiles.push_back({numbered('G', gore + 1, design.gores) + numbered('P', j + 1, panels),
+            tiles.push_back({"G" + padded(at(gore + 1), at(design.gores)) + "P" + padded(at(j + 1), at(panels)),
                              panel_mesh(design, grids[at(j)], gore),
                              {}});
     return tiles;

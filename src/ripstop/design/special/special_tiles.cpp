@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "ripstop/base/index.h"
+#include "ripstop/base/text/number_text.h"
 #include "ripstop/base/union_find.h"
 #include "ripstop/geometry/triangle.h"
 
@@ -103,12 +104,6 @@ class Pieces {
     UnionFind sets_;
 };
 
-std::string numbered(char letter, int number, int count) {
-    const std::string text = std::to_string(number);
-    const std::size_t digits = std::max<std::size_t>(2, std::to_string(count).size());
-    return letter + std::string(digits - text.size(), '0') + text;
-}
-
 }  // namespace
 
 std::vector<SpecialTile> number_tiles(WorkSurface& surface, const SpecialBody& body) {
@@ -160,8 +155,10 @@ std::vector<BodyCurve> draw_curves(WorkSurface& surface, const SpecialBody& body
 std::string tile_name(const SpecialBody& body, const SpecialTile& tile) {
     const SpecialBody::Face& face = body.faces()[at(tile.cell.face)];
     const SpecialPrimitive& primitive = body.shape().primitives[at(face.primitive)];
-    std::string name = primitive.name + "-" + numbered('S', tile.cell.sector + 1, primitive.sectors);
-    name += face.part == 1 ? "BASE" : face.part == 2 ? "TOP" : numbered('R', tile.cell.ring + 1, primitive.rings);
+    std::string name = primitive.name + "-S" + padded(at(tile.cell.sector + 1), at(primitive.sectors));
+    name += face.part == 1   ? "BASE"
+            : face.part == 2 ? "TOP"
+                             : "R" + padded(at(tile.cell.ring + 1), at(primitive.rings));
     if (tile.nth > 25) return name + "-" + std::to_string(tile.nth + 1);
     return tile.nth > 0 ? name + static_cast<char>('a' + tile.nth) : name;
 }

@@ -22,12 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<CadFormat, 6> formats = {{{".step", "STEP"},
-                                               {".stp", "STEP"},
-                                               {".iges", "IGES"},
-                                               {".igs", "IGES"},
-                                               {".brep", "Open CASCADE BREP"},
-                                               {".brp", "Open CASCADE BREP"}}};
+constexpr std::array<CadFormat, 6> cad_format_table = {{{".step", "STEP"},
+                                                        {".stp", "STEP"},
+                                                        {".iges", "IGES"},
+                                                        {".igs", "IGES"},
+                                                        {".brep", "Open CASCADE BREP"},
+                                                        {".brp", "Open CASCADE BREP"}}};
 
 constexpr const char* say_where =
     "build it with gmsh and Open CASCADE (make setup, then make), or name it in RIPSTOP_CAD";
@@ -157,7 +157,7 @@ void require_sound(const MeshingOptions& options) {
 }
 
 std::span<const CadFormat> cad_formats() {
-    return formats;
+    return cad_format_table;
 }
 
 CadModel convert_cad(const fs::path& file, const MeshingOptions& options) {

@@ -13,10 +13,6 @@ namespace {
 
 constexpr double area_tolerance = 0.01;
 
-std::string numbered(const std::string& name, std::size_t number) {
-    return name + (number < 10 ? "_0" : "_") + std::to_string(number);
-}
-
 std::string attribute(const Attributes& attributes, const char* key) {
     const auto found = attributes.find(key);
     return found == attributes.end() ? "" : found->second;
@@ -43,7 +39,7 @@ std::vector<std::string> names_of(const std::vector<ConvertedObject>& objects, c
         const std::string layer = attribute(object.attributes, "layer");
         std::string name = readable_name(object.name);
         if (name.empty() && !layer.empty() && on_layer[layer] == 1) name = last_part(layer);
-        if (name.empty()) name = objects.size() == 1 ? stem : numbered(stem, ++nameless);
+        if (name.empty()) name = objects.size() == 1 ? stem : stem + "_" + padded(++nameless, objects.size());
         names.push_back(name);
     }
     return names;
@@ -83,7 +79,8 @@ CadModel as_surfaces(ConvertedModel model, TilesAs tiles, const std::string& ste
             ConvertedFace& face = object.faces[f];
             const std::string part = readable_name(face.name);
             std::string name = names[o];
-            if (object.faces.size() > 1) name = part.empty() ? numbered(name, f + 1) : name + "/" + part;
+            if (object.faces.size() > 1)
+                name = part.empty() ? name + "_" + padded(f + 1, object.faces.size()) : name + "/" + part;
             name = unlike(name, taken);
             const double area = surface_area(face.mesh);
             if (face.area > 0 && std::abs(area / face.area - 1) > area_tolerance)

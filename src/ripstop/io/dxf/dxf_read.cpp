@@ -40,9 +40,9 @@ struct InsertPlace {
 /// In the file's units, whatever they are: 0.05 mm in a drawing in inches.
 constexpr double chord_error = 0.002;
 
-class Reader {
+class DxfReader {
   public:
-    Reader(const std::string& text, const std::string& name) : name_(name), tags_(read_dxf_tags(text, name)) {
+    DxfReader(const std::string& text, const std::string& name) : name_(name), tags_(read_dxf_tags(text, name)) {
         most_ = std::min<std::size_t>(20'000'000, 100'000 + 1'000 * tags_.size());
     }
 
@@ -323,7 +323,7 @@ PatternDrawing read_dxf(std::istream& in, const std::string& name) {
     std::string bytes = read_bytes(in, name);
     require_ascii_dxf(bytes, name);
     const std::string text = dxf_text(std::move(bytes), name);
-    return Reader(text, name).read();
+    return DxfReader(text, name).read();
 }
 
 }  // namespace ripstop

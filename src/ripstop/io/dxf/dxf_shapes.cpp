@@ -75,19 +75,19 @@ DxfShape light_polyline(const DxfEntity& entity, double chord_error) {
     return through(corners, (entity.flags() & 1) != 0, chord_error);
 }
 
-constexpr double whole = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 
 DxfShape circle(const DxfEntity& entity, double chord_error) {
     DxfShape shape{{}, true};
-    add_arc(shape.points, entity.place(10), entity.number(40), 0, whole, chord_error);
+    add_arc(shape.points, entity.place(10), entity.number(40), 0, full_turn, chord_error);
     shape.points.pop_back();
     return shape;
 }
 
 DxfShape arc(const DxfEntity& entity, double chord_error) {
     const double start = std::fmod(entity.number(50), 360) * degree;
-    double sweep = std::fmod(entity.number(51) * degree - start, whole);
-    if (sweep <= 0) sweep += whole;
+    double sweep = std::fmod(entity.number(51) * degree - start, full_turn);
+    if (sweep <= 0) sweep += full_turn;
     DxfShape shape;
     add_arc(shape.points, entity.place(10), entity.number(40), start, sweep, chord_error);
     return shape;
@@ -98,10 +98,10 @@ DxfShape ellipse(const DxfEntity& entity, double chord_error) {
     const Vec3 centre = entity.place(10), major = entity.place(11);
     const Vec3 minor = entity.number(40, 1) * dxf_normal(entity).cross(major);
     const double start = entity.number(41);
-    double sweep = entity.number(42, whole) - start;
-    if (std::abs(sweep) > whole) sweep = std::fmod(sweep, whole);
-    if (sweep <= 0) sweep += whole;
-    const bool is_closed = sweep > whole - 1e-9;
+    double sweep = entity.number(42, full_turn) - start;
+    if (std::abs(sweep) > full_turn) sweep = std::fmod(sweep, full_turn);
+    if (sweep <= 0) sweep += full_turn;
+    const bool is_closed = sweep > full_turn - 1e-9;
     const int steps = chords(std::max(major.norm(), minor.norm()), sweep, chord_error);
     DxfShape shape{{}, is_closed};
     for (int i = 0; i < steps + (is_closed ? 0 : 1); ++i) {

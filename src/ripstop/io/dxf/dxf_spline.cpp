@@ -9,7 +9,7 @@ namespace {
 using Vec4 = Eigen::Vector4d;
 
 constexpr int highest_degree = 25, deepest_halving = 10;
-constexpr std::size_t most_points = 200000;
+constexpr std::size_t most_spline_points = 200000;
 
 /// A B-spline in homogeneous coordinates (w x, w y, w z, w).
 struct Spline {
@@ -132,7 +132,7 @@ void divide(const Spline& spline, std::size_t span, double t0, const Vec3& from,
     double off = 0;
     for (const double share : {0.25, 0.5, 0.75})
         off = std::max(off, distance_to_chord(spline.at(t0 + share * (t1 - t0), span), from, to));
-    if (depth == deepest_halving || points.size() > most_points || off <= 0.75 * chord_error) {
+    if (depth == deepest_halving || points.size() > most_spline_points || off <= 0.75 * chord_error) {
         points.push_back(to);
         return;
     }

@@ -54,7 +54,7 @@ constexpr std::array<Field<Remeshed, double>, 5> remeshed_numbers{{{"edge_length
                                                                    {"distance_max", &Remeshed::distance_max}}};
 constexpr std::array terminations{Termination::failed, Termination::converged, Termination::stagnated,
                                   Termination::iteration_limit};
-constexpr double most = 2e9;
+constexpr double most_counted = 2e9;
 
 /// JSON has no infinity.
 Json number_json(double value) {
@@ -108,7 +108,7 @@ Json accuracy_json(const Accuracy& accuracy) {
 Accuracy accuracy_of(const PlanReader& from) {
     Accuracy accuracy;
     for (const auto& [key, member] : accuracy_numbers) accuracy.*member = number_of(from, key);
-    for (const auto& [key, member] : accuracy_counts) accuracy.*member = from.whole(key, 0, most);
+    for (const auto& [key, member] : accuracy_counts) accuracy.*member = from.whole(key, 0, most_counted);
     for (const auto& [key, member] : accuracy_places) accuracy.*member = place_of(from, key);
     accuracy.chains = from.each<ChainAccuracy>("chains", [](const PlanReader& chain) {
         return ChainAccuracy{number_of(chain, "length"), number_of(chain, "flat_length")};
@@ -131,8 +131,9 @@ Json findings_json(const std::vector<Finding>& findings) {
 
 std::vector<Finding> findings_of(const PlanReader& from, const char* key) {
     return from.each<Finding>(key, [](const PlanReader& finding) {
-        return Finding{finding.text("code"),        finding.text("message"),     place_of(finding, "at"),
-                       number_of(finding, "value"), number_of(finding, "limit"), finding.whole("chain", -1, most),
+        return Finding{finding.text("code"),        finding.text("message"),
+                       place_of(finding, "at"),     number_of(finding, "value"),
+                       number_of(finding, "limit"), finding.whole("chain", -1, most_counted),
                        texts_of(finding, "tiles")};
     });
 }
@@ -154,7 +155,7 @@ Json trial_json(const Trial& trial) {
 }
 
 Trial trial_of(const PlanReader& from) {
-    return {from.whole("triangles", 0, most), accuracy_of(from.at("accuracy")), verdict_of(from.at("verdict"))};
+    return {from.whole("triangles", 0, most_counted), accuracy_of(from.at("accuracy")), verdict_of(from.at("verdict"))};
 }
 
 Json proposal_json(const SplitProposal& proposal) {
@@ -173,8 +174,8 @@ SplitProposal proposal_of(const PlanReader& from) {
     for (const json& point : from.list("line")) proposal.line.push_back(place_from(from, point, "line"));
     if (from.list("halves").size() != 2) from.refuse("halves are not two");
     for (std::size_t i = 0; i < 2; ++i) proposal.halves[i] = trial_of(from.in("halves", i));
-    proposal.tried = from.whole("tried", 0, most);
-    proposal.findings_before = from.whole("findings_before", 0, most);
+    proposal.tried = from.whole("tried", 0, most_counted);
+    proposal.findings_before = from.whole("findings_before", 0, most_counted);
     return proposal;
 }
 
@@ -189,7 +190,7 @@ SolveSummary summary_of(const PlanReader& from) {
     const std::string word = from.text("termination");
     for (const Termination each : terminations)
         if (word == name(each))
-            return {each, from.whole("iterations", 0, most), from.whole("factorizations", 0, most),
+            return {each, from.whole("iterations", 0, most_counted), from.whole("factorizations", 0, most_counted),
                     from.text("reason")};
     from.refuse("termination is \"" + word + "\"");
 }
@@ -230,7 +231,7 @@ Json remeshed_json(const Remeshed& remeshed) {
 Remeshed remeshed_of(const PlanReader& from) {
     Remeshed remeshed;
     remeshed.reason = from.text("reason");
-    remeshed.triangles_before = from.whole("triangles_before", 0, most);
+    remeshed.triangles_before = from.whole("triangles_before", 0, most_counted);
     for (const auto& [key, member] : remeshed_numbers) remeshed.*member = number_of(from, key);
     return remeshed;
 }

@@ -16,7 +16,7 @@
 namespace ripstop {
 namespace {
 
-constexpr std::array<MeshFormat, 5> formats = {{
+constexpr std::array<MeshFormat, 5> mesh_format_table = {{
     {".obj",
      "Wavefront OBJ",
      read_obj,
@@ -60,7 +60,7 @@ const MeshFormat& format_of(const std::filesystem::path& path, Use use) {
     const auto add = [&known](const auto& format) {
         known += (known.empty() ? "" : ", ") + std::string(format.extension) + " (" + format.description + ")";
     };
-    for (const MeshFormat& format : formats) {
+    for (const MeshFormat& format : mesh_format_table) {
         if (use == Use::write && format.write == nullptr) continue;
         if (extension == format.extension) return format;
         add(format);
@@ -79,7 +79,7 @@ const MeshFormat& format_of(const std::filesystem::path& path, Use use) {
 }  // namespace
 
 std::span<const MeshFormat> mesh_formats() {
-    return formats;
+    return mesh_format_table;
 }
 
 CadModel read_model(const std::filesystem::path& path, const MeshingOptions& options) {

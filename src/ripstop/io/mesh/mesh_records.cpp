@@ -55,12 +55,9 @@ void name_parts(MeshRecords& file, const TriangleList& list) {
     for (const int surface : surface_of_part) {
         const auto s = static_cast<std::size_t>(surface);
         std::string name = file.surfaces[s];
-        const std::size_t digits = std::max<std::size_t>(2, std::to_string(count[s]).size());
-        while (count[s] > 1 && !taken.insert(name).second) {
-            const std::string number = std::to_string(++last[s]);
-            const std::string zeros(digits - std::min(digits, number.size()), '0');
-            name = file.surfaces[s] + "_" + zeros + number;
-        }
+        while (count[s] > 1 && !taken.insert(name).second)
+            name = file.surfaces[s] + "_" +
+                   padded(static_cast<std::size_t>(++last[s]), static_cast<std::size_t>(count[s]));
         names.push_back(name);
     }
     file.surfaces = std::move(names);

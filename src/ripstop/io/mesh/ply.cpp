@@ -80,9 +80,9 @@ class ReadingPlan {
 };
 
 template <class Source>
-class Reader {
+class PlyReader {
   public:
-    Reader(const PlyHeader& header, Source& source, MeshRecords& file)
+    PlyReader(const PlyHeader& header, Source& source, MeshRecords& file)
         : header_(header), source_(source), file_(file) {}
 
     void read() {
@@ -220,7 +220,7 @@ class Reader {
 
 template <class Source>
 void read_body(const PlyHeader& header, Source source, MeshRecords& file) {
-    Reader<Source>(header, source, file).read();
+    PlyReader<Source>(header, source, file).read();
 }
 
 }  // namespace

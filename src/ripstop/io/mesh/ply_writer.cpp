@@ -7,8 +7,8 @@
 namespace ripstop {
 namespace {
 
-template <class Row>
-void append(std::string& text, const Row& row) {
+template <class Numbers>
+void append(std::string& text, const Numbers& row) {
     for (Eigen::Index k = 0; k < row.size(); ++k) append_little_endian<double>(text, row(k));
 }
 

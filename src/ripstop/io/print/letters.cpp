@@ -5,15 +5,12 @@
 #include <cmath>
 #include <memory>
 
+#include "ripstop/io/text/cairo.h"
 #include "ripstop/io/text/escape.h"
 #include "ripstop/io/text/text.h"
 
 namespace ripstop {
 namespace {
-
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
-using Path = std::unique_ptr<cairo_path_t, decltype(&cairo_path_destroy)>;
 
 Points2 rows_of(const std::vector<Vec2>& points) {
     Points2 rows(static_cast<Eigen::Index>(points.size()), 2);
@@ -61,8 +58,8 @@ void set_letter_height(cairo_t* context, double height) {
 
 std::vector<Points2> letter_outlines(const Label& label) {
     constexpr double height = 200;  // height of capitals while they are flattened, to a tolerance of 1
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);
-    const Context context(cairo_create(surface.get()), cairo_destroy);
+    const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);
+    const CairoContext context(cairo_create(surface.get()), cairo_destroy);
     choose_letters(context.get());
     set_letter_height(context.get(), height);
     cairo_set_tolerance(context.get(), 1);
@@ -71,7 +68,7 @@ std::vector<Points2> letter_outlines(const Label& label) {
     cairo_text_extents(context.get(), text.c_str(), &extents);
     cairo_move_to(context.get(), 0, 0);
     cairo_text_path(context.get(), text.c_str());
-    const Path path(cairo_copy_path_flat(context.get()), cairo_path_destroy);
+    const CairoPath path(cairo_copy_path_flat(context.get()), cairo_path_destroy);
 
     const double scale = label.height / height;
     const Vec2 along(std::cos(label.turn), std::sin(label.turn)), up(-along.y(), along.x());

@@ -8,17 +8,13 @@
 #include <stdexcept>
 
 #include "ripstop/io/print/letters.h"
+#include "ripstop/io/text/cairo.h"
 #include "ripstop/io/text/text.h"
 
 namespace ripstop {
 namespace {
 
 constexpr double point = 0.0254 / 72;  // [m]
-
-cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
-    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
-    return CAIRO_STATUS_SUCCESS;
-}
 
 /// cairo cannot request printing without scaling. So this appends the catalogue once more, with that request in
 /// it, as an incremental update of PDF 1.4. The key is from PDF 1.6, and the catalogue states that version.
@@ -74,7 +70,7 @@ struct PdfCanvas::Cairo {
 };
 
 PdfCanvas::PdfCanvas(const std::string& title, const std::string& date) : cairo_(std::make_unique<Cairo>()) {
-    cairo_->surface = cairo_pdf_surface_create_for_stream(append, &cairo_->bytes, 1, 1);
+    cairo_->surface = cairo_pdf_surface_create_for_stream(append_to_text, &cairo_->bytes, 1, 1);
     cairo_pdf_surface_restrict_to_version(cairo_->surface, CAIRO_PDF_VERSION_1_4);
     cairo_pdf_surface_set_metadata(cairo_->surface, CAIRO_PDF_METADATA_TITLE, readable_name(title).c_str());
     cairo_pdf_surface_set_metadata(cairo_->surface, CAIRO_PDF_METADATA_CREATOR, "Ripstop");

@@ -17,12 +17,12 @@ constexpr RhinoId line_class = rhino_id("4ED7D4DB-E947-11d3-BFE5-0010830122F0"),
                   arc_class = rhino_id("CF33BE2A-09B4-11d4-BFFB-0010830122F0"),
                   joined_class = rhino_id("4ED7D4E0-E947-11d3-BFE5-0010830122F0");
 
-constexpr int deepest_curve = 16;       // nesting of joined curves
-constexpr double chord_error = 0.5e-3;  // share of the curve's size; half of the promise, because only midpoints
-                                        // are tested
-constexpr int most_pieces = 256;        // for each span of a NURBS curve
-constexpr std::size_t most_points = 20000;
-constexpr double most = 1e12;
+constexpr int deepest_curve = 16;             // nesting of joined curves
+constexpr double chord_error_share = 0.5e-3;  // share of the curve's size; half of the promise, because only midpoints
+                                              // are tested
+constexpr int most_pieces = 256;              // for each span of a NURBS curve
+constexpr std::size_t most_points_sampled = 20000;
+constexpr double most_coordinate = 1e12;
 
 using Polyline = std::vector<Vec3>;
 
@@ -113,10 +113,10 @@ Nurbs read_nurbs(RhinoBytes data) {
 Polyline points_on(const Nurbs& nurbs) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector4d& p : nurbs.control) box.extend(Vec3(p.head<3>() / p[3]));
-    const double tolerance = chord_error * box.diagonal().norm();
+    const double tolerance = chord_error_share * box.diagonal().norm();
     const int first_knot = nurbs.order - 2;
     Polyline points = {nurbs.at(0, nurbs.knot(first_knot))};
-    for (int span = 0; span < nurbs.spans() && points.size() < most_points; ++span) {
+    for (int span = 0; span < nurbs.spans() && points.size() < most_points_sampled; ++span) {
         const double from = nurbs.knot(first_knot + span), to = nurbs.knot(first_knot + span + 1);
         if (!(to > from)) continue;
         int pieces = 1;
@@ -168,7 +168,7 @@ std::optional<Points3> read_rhino_curve(const RhinoClass& object, const std::str
     if (points->size() < 2) object.data.refuse(called + " has less than two points");
     Points3 rows(static_cast<Eigen::Index>(points->size()), 3);
     for (std::size_t i = 0; i < points->size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = (*points)[i].transpose();
-    if (!rows.allFinite() || rows.cwiseAbs().maxCoeff() >= most)
+    if (!rows.allFinite() || rows.cwiseAbs().maxCoeff() >= most_coordinate)
         object.data.refuse(called + " has a coordinate that is not a number below 1e12");
     return rows;
 }

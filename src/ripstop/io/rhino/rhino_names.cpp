@@ -130,7 +130,7 @@ std::vector<std::string> rhino_surface_names(const std::vector<RhinoPlaced>& sur
         } else if (is_alone(i)) {
             names.push_back(path.empty() ? last_part(layer(i)) : path);
         } else {
-            const std::string number = numbered(++next[path], nameless[path]);
+            const std::string number = padded(++next[path], nameless[path]);
             names.push_back(path.empty() ? stem + "_" + number : path + "/" + number);
         }
     }
@@ -144,7 +144,7 @@ std::vector<std::string> rhino_other_names(const std::vector<RhinoPlaced>& objec
     for (const RhinoPlaced& placed : objects) {
         std::string name = given_name(placed);
         if (name.empty()) name = placed.path;
-        if (name.empty()) name = fallback + "_" + numbered(++next, objects.size());
+        if (name.empty()) name = fallback + "_" + padded(++next, objects.size());
         names.push_back(name);
     }
     return names;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ripstop/base/error.h"
+#include "ripstop/base/text/number_text.h"
 #include "ripstop/io/text/text.h"
 
 namespace ripstop {
@@ -91,7 +92,7 @@ class Placer {
         }
         for (const auto& [name, instances] : nameless)
             for (std::size_t i = 0; i < instances.size(); ++i)
-                names_.emplace(instances[i], name + "_" + numbered(i + 1, instances.size()));
+                names_.emplace(instances[i], name + "_" + padded(i + 1, instances.size()));
     }
 
     bool is_left_out(const RhinoObject& object) {
@@ -212,12 +213,6 @@ RhinoPlacing place_rhino_objects(const RhinoTables& tables, const std::vector<Rh
 
 std::string rhino_called(const RhinoObject& object) {
     return rhino_type_name(object.type) + " " + (object.name.empty() ? hexadecimal(object.id) : shown(object.name));
-}
-
-std::string numbered(std::size_t number, std::size_t last) {
-    const std::string text = std::to_string(number);
-    const std::size_t digits = std::max<std::size_t>(2, std::to_string(last).size());
-    return std::string(digits - text.size(), '0') + text;
 }
 
 }  // namespace ripstop

@@ -50,7 +50,4 @@ RhinoPlacing place_rhino_objects(const RhinoTables& tables, const std::vector<Rh
 /// What messages call an object or an instance: its type and name, `Mesh "G01P01"`, or its id if it has no name.
 std::string rhino_called(const RhinoObject& object);
 
-/// A number padded with zeros to the width of the last one: `03` of 12, `003` of 120.
-std::string numbered(std::size_t number, std::size_t last);
-
 }  // namespace ripstop

@@ -38,9 +38,9 @@ bool is_none(std::string_view value) {
     return value.empty() || value == "none" || value == "initial";
 }
 
-class Reader {
+class SvgReader {
   public:
-    Reader(std::string bytes, const std::string& name) : document_(std::move(bytes), name), styles_(document_) {}
+    SvgReader(std::string bytes, const std::string& name) : document_(std::move(bytes), name), styles_(document_) {}
 
     PatternDrawing read() {
         const pugi::xml_node root = document_.root();
@@ -365,7 +365,7 @@ class Reader {
 }  // namespace
 
 PatternDrawing read_svg(std::istream& in, const std::string& name) {
-    return Reader(read_bytes(in, name), name).read();
+    return SvgReader(read_bytes(in, name), name).read();
 }
 
 }  // namespace ripstop

@@ -7,11 +7,10 @@
 #include <memory>
 #include <stdexcept>
 
+#include "ripstop/io/text/cairo.h"
+
 namespace ripstop {
 namespace {
-
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
 struct Unref {
     void operator()(gpointer object) const { g_object_unref(object); }
@@ -25,15 +24,10 @@ void require(cairo_status_t status) {
     if (status != CAIRO_STATUS_SUCCESS) fail(cairo_status_to_string(status));
 }
 
-cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
-    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
-    return CAIRO_STATUS_SUCCESS;
-}
-
 void paint(cairo_t* context, const PlacedPixels& placed) {
     const Pixels& pixels = placed.pixels;
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels.width, pixels.height),
-                          cairo_surface_destroy);
+    const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels.width, pixels.height),
+                               cairo_surface_destroy);
     require(cairo_surface_status(surface.get()));
     const auto width = static_cast<std::size_t>(pixels.width);
     const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get())) / sizeof(std::uint32_t);
@@ -87,15 +81,15 @@ void draw(cairo_t* context, RsvgHandle* drawing) {
 std::string png_picture(const std::string& svg, const std::vector<PlacedPixels>& beneath) {
     const Drawing drawing = read(svg);
     const Eigen::Vector2i size = size_of(drawing.get()).array().ceil().cast<int>();
-    const Surface page(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.x(), size.y()), cairo_surface_destroy);
-    const Context context(cairo_create(page.get()), cairo_destroy);
+    const CairoSurface page(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.x(), size.y()), cairo_surface_destroy);
+    const CairoContext context(cairo_create(page.get()), cairo_destroy);
     cairo_set_source_rgb(context.get(), 1, 1, 1);
     cairo_paint(context.get());
     for (const PlacedPixels& pixels : beneath) paint(context.get(), pixels);
     draw(context.get(), drawing.get());
     require(cairo_status(context.get()));
     std::string bytes;
-    require(cairo_surface_write_to_png_stream(page.get(), append, &bytes));
+    require(cairo_surface_write_to_png_stream(page.get(), append_to_text, &bytes));
     return bytes;
 }
 

@@ -20,7 +20,7 @@ constexpr double shift = 1e-9;
 
 /// A triangle, counter-clockwise; in a ghost triangle `outside` is the last corner. Its circle holds no point right
 /// of `reach`.
-struct Cell {
+struct DelaunayTriangle {
     std::array<int, 3> corner;
     double reach;
 };
@@ -41,7 +41,7 @@ class Triangulation {
         std::sort(order.begin(), order.end(), [&](int p, int q) { return at_(p, 0) < at_(q, 0); });
         start(order[0], order[1], order[2]);
         for (std::size_t k = 3; k < order.size(); ++k) insert(order[k]);
-        for (const Cell& cell : active_) finish(cell);
+        for (const DelaunayTriangle& cell : active_) finish(cell);
         return std::move(done_);
     }
 
@@ -79,21 +79,21 @@ class Triangulation {
 
     /// Whether the circumcircle of the cell contains the point; for a ghost triangle, whether the point lies beyond
     /// its edge.
-    bool holds(const Cell& cell, int p) const {
+    bool holds(const DelaunayTriangle& cell, int p) const {
         const auto [a, b, c] = cell.corner;
         if (c == outside) return orient2d(point(a), point(b), point(p)) > 0;
         const Vec2 u = point(a) - point(p), v = point(b) - point(p), w = point(c) - point(p);
         return u.squaredNorm() * cross(v, w) + v.squaredNorm() * cross(w, u) + w.squaredNorm() * cross(u, v) > 0;
     }
 
-    void finish(const Cell& cell) {
+    void finish(const DelaunayTriangle& cell) {
         if (cell.corner[2] != outside) done_.push_back(cell.corner);
     }
 
     void insert(int p) {
         std::set<std::pair<int, int>> rim;  // boundary of the cavity: the cells whose circles contain the point
-        std::vector<Cell> others;
-        for (const Cell& cell : active_) {
+        std::vector<DelaunayTriangle> others;
+        for (const DelaunayTriangle& cell : active_) {
             if (cell.reach < point(p).x()) {
                 finish(cell);
             } else if (holds(cell, p)) {
@@ -117,7 +117,7 @@ class Triangulation {
     }
 
     Points2 at_;
-    std::vector<Cell> active_;
+    std::vector<DelaunayTriangle> active_;
     std::vector<std::array<int, 3>> done_;
 };
 

@@ -21,9 +21,9 @@
 namespace ripstop {
 namespace {
 
-constexpr double tolerance = 0.06 * millimetre;
-constexpr double sparsest = 20 * millimetre;   // between places
-constexpr double least_left = 1 * millimetre;  // less cloth cannot be sewn
+constexpr double check_tolerance = 0.06 * millimetre;
+constexpr double sparsest_checked = 20 * millimetre;  // between places
+constexpr double least_left = 1 * millimetre;         // less cloth cannot be sewn
 
 std::string short_millimetres(double metres) {
     std::string text = format_fixed(metres / millimetre, 1);
@@ -90,7 +90,7 @@ class CutChecker {
                              CutFault& fault) {
             for (Eigen::Index i = 0; i < points.points().rows(); ++i) {
                 const Vec2 at = points.corner(i);
-                if (outline.contains(at) == inside || outline.is_near(at, tolerance)) continue;
+                if (outline.contains(at) == inside || outline.is_near(at, check_tolerance)) continue;
                 const double distance = outline.distance(at) / millimetre;
                 if (distance > fault.value) fault = {fault.message, at, distance};
             }
@@ -105,7 +105,8 @@ class CutChecker {
 
     void check_segment(std::size_t index) {
         const SewSegment& segment = contour_.segments()[index];
-        const double spacing = segment.allowance > 0 ? std::min(segment.allowance / 2, sparsest) : sparsest;
+        const double spacing =
+            segment.allowance > 0 ? std::min(segment.allowance / 2, sparsest_checked) : sparsest_checked;
         const int places = std::max(1, static_cast<int>(std::ceil(segment.length / spacing)));
         for (int k = 0; k < places; ++k)
             check_place({index, segment.length * (k + 0.5) / places}, segment.length / places);
@@ -114,9 +115,9 @@ class CutChecker {
     void check_place(const SewPlace& place, double length) {
         const SewSegment& segment = contour_.segments()[place.segment];
         const Vec2 at = segment.at(place.along), end = at + segment.allowance * segment.outward;
-        if (cut_.is_near(end, tolerance)) return;
+        if (cut_.is_near(end, check_tolerance)) return;
         const double reach =
-            distance_along(piece_.cut_line, at - tolerance * segment.outward, segment.outward) - tolerance;
+            distance_along(piece_.cut_line, at - check_tolerance * segment.outward, segment.outward) - check_tolerance;
         if (reach < segment.allowance) {
             if (may_be_narrow(place, reach)) return;
             record(narrow_[segment.edge], at, length, reach);
@@ -135,7 +136,7 @@ class CutChecker {
     bool may_be_narrow(const SewPlace& place, double reach) const {
         const SewSegment& segment = contour_.segments()[place.segment];
         for (const MetAllowances& met : piece_.met)
-            if ((met.edge == segment.edge || met.mate_edge == segment.edge) && reach >= met.left - tolerance)
+            if ((met.edge == segment.edge || met.mate_edge == segment.edge) && reach >= met.left - check_tolerance)
                 return true;
         const std::size_t count = piece_.edges.size(), e = static_cast<std::size_t>(segment.edge);
         const double widest = std::max({segment.allowance, piece_.edges[(e + 1) % count].allowance,
@@ -153,7 +154,7 @@ class CutChecker {
             const SewSegment& other = contour_.segments()[i];
             if (i == place.segment) continue;
             const double along = std::clamp((point - other.from).dot(other.way), 0.0, other.length);
-            if ((point - other.at(along)).norm() < other.allowance - tolerance &&
+            if ((point - other.at(along)).norm() < other.allowance - check_tolerance &&
                 contour_.is_apart(place, {i, along}) == from_apart)
                 return true;
         }

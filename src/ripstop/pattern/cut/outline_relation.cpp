@@ -28,13 +28,13 @@ struct Edge {
 };
 
 /// The intersection of an edge with the other outline.
-struct Cut {
+struct EdgeCut {
     Eigen::Index edge;
     Vec2 at;
 };
 
 struct Meetings {
-    std::vector<Cut> cuts[2];
+    std::vector<EdgeCut> cuts[2];
     bool none() const { return cuts[0].empty() && cuts[1].empty(); }
     void add(const Edge& e, const Edge& f, const Vec2& at) {
         cuts[e.owner].push_back({e.index, at});
@@ -105,8 +105,8 @@ Meetings find_meetings(const IndexedOutline& first, const IndexedOutline& second
 }
 
 /// The corners, and a point on every part of an edge between intersections: such a part lies on one side.
-std::vector<Vec2> samples_of(const IndexedOutline& outline, std::vector<Cut> cuts) {
-    std::sort(cuts.begin(), cuts.end(), [&outline](const Cut& a, const Cut& b) {
+std::vector<Vec2> samples_of(const IndexedOutline& outline, std::vector<EdgeCut> cuts) {
+    std::sort(cuts.begin(), cuts.end(), [&outline](const EdgeCut& a, const EdgeCut& b) {
         const Vec2 from = outline.corner(a.edge);
         return a.edge != b.edge ? a.edge < b.edge : (a.at - from).squaredNorm() < (b.at - from).squaredNorm();
     });

@@ -16,8 +16,8 @@
 namespace ripstop {
 namespace {
 
-constexpr double tolerance = 0.1 * millimetre;        // neither cutters nor arcs drawn as chords are more precise
-constexpr double side_tolerance = 0.01 * millimetre;  // as for duplicate lines
+constexpr double overlap_tolerance = 0.1 * millimetre;  // neither cutters nor arcs drawn as chords are more precise
+constexpr double side_tolerance = 0.01 * millimetre;    // as for duplicate lines
 constexpr int most_told = 1000;
 
 /// A mark that only pieces have, and its place.
@@ -78,9 +78,10 @@ class OverlapFinder {
             for (std::size_t b = a + 1; b < order.size() && told_ < most_told; ++b) {
                 const FoundContour& second = contours_[order[b]];
                 // Because of rounding, a sew line that coincides with its cut line may begin before it.
-                if (second.facts.lower.x() > first.facts.upper.x() + tolerance) break;
-                if (second.facts.lower.y() > first.facts.upper.y() + tolerance ||
-                    second.facts.upper.y() < first.facts.lower.y() - tolerance || sheet_of(first) != sheet_of(second))
+                if (second.facts.lower.x() > first.facts.upper.x() + overlap_tolerance) break;
+                if (second.facts.lower.y() > first.facts.upper.y() + overlap_tolerance ||
+                    second.facts.upper.y() < first.facts.lower.y() - overlap_tolerance ||
+                    sheet_of(first) != sheet_of(second))
                     continue;
                 compare(std::min(order[a], order[b]), std::max(order[a], order[b]));
             }
@@ -96,7 +97,7 @@ class OverlapFinder {
     }
 
     void compare_cuts(std::size_t a, std::size_t b) {
-        const OutlineRelation found = relate(outline(a), outline(b), tolerance);
+        const OutlineRelation found = relate(outline(a), outline(b), overlap_tolerance);
         const bool is_one_layer =
             survey_.convention != LayerConvention::unknown || contours_[a].facts.layer == contours_[b].facts.layer;
         if (found.relation == Relation::within) take_parent(a, b);
@@ -134,7 +135,7 @@ class OverlapFinder {
     void place_sew(std::size_t sew, std::size_t cut) {
         const int holder = sew_[sew].holder;
         if (holder >= 0 && contours_[static_cast<std::size_t>(holder)].facts.area <= contours_[cut].facts.area) return;
-        const Relation relation = relate(outline(sew), outline(cut), tolerance).relation;
+        const Relation relation = relate(outline(sew), outline(cut), overlap_tolerance).relation;
         if (relation == Relation::within || relation == Relation::same) {
             sew_[sew].is_held = true;
             sew_[sew].holder = static_cast<int>(cut);
@@ -193,7 +194,7 @@ class OverlapFinder {
         auto mark = std::lower_bound(all.begin(), all.end(), facts.lower.x(),
                                      [](const Mark& m, double x) { return m.at.x() < x; });
         for (; mark != all.end() && mark->at.x() <= facts.upper.x(); ++mark)
-            if (holds(i, mark->at) && outline(i).distance(mark->at) > tolerance &&
+            if (holds(i, mark->at) && outline(i).distance(mark->at) > overlap_tolerance &&
                 std::none_of(children.begin(), children.end(),
                              [&](std::size_t child) { return holds(child, mark->at); }))
                 return &*mark;

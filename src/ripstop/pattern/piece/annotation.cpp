@@ -4,11 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "ripstop/base/text/utf8.h"
+
 namespace ripstop {
 namespace {
 
-constexpr double smallest_readable = 0.003;
-constexpr double smallest = 0.001;
+constexpr double readable_height = 0.003;
+constexpr double smallest_height = 0.001;
 constexpr double upright = std::numbers::pi / 2;
 
 /// Lines of writing below each other, in units of the first line's height. A letter is as wide as high: plotter
@@ -22,9 +24,7 @@ struct Writing {
     double width() const {
         double widest = 0;
         for (std::size_t i = 0; i < lines.size(); ++i) {
-            const auto is_start = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-            const auto letters = std::count_if(lines[i].begin(), lines[i].end(), is_start);
-            widest = std::max(widest, static_cast<double>(letters) * scale(i));
+            widest = std::max(widest, static_cast<double>(letters_in(lines[i])) * scale(i));
         }
         return widest;
     }
@@ -147,15 +147,15 @@ LabelPlace place_label(const Points2& outline, const Circle& room, const std::st
     const struct {
         const Writing& writing;
         double least;
-    } attempts[] = {{with_all, smallest_readable / Writing::scale(1)},
-                    {with_first, smallest_readable},
-                    {alone, smallest_readable},
-                    {alone, smallest}};
+    } attempts[] = {{with_all, readable_height / Writing::scale(1)},
+                    {with_first, readable_height},
+                    {alone, readable_height},
+                    {alone, smallest_height}};
     for (const auto& attempt : attempts) {
         const Fit fit = best_fit(outline, middles, attempt.writing, attempt.least, std::max(largest, attempt.least));
         if (fit.height > 0) return attempt.writing.at(fit.middle, fit.height, fit.turn);
     }
-    return alone.at(room.centre, smallest, 0);
+    return alone.at(room.centre, smallest_height, 0);
 }
 
 Points2 place_grain_line(const Points2& outline, const Circle& room, const Box& label) {

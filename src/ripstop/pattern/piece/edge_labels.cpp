@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "ripstop/base/text/utf8.h"
+
 namespace ripstop {
 namespace {
 
@@ -41,19 +43,14 @@ LabelPoint along(const Points2& line, double walked) {
     return place;
 }
 
-double letters(const std::string& text) {
-    return static_cast<double>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 Box label_box(const Label& label) {
-    return {label.middle, label.height * Vec2(letters(label.text) / 2, 0.5), label.turn};
+    return {label.middle, label.height * Vec2(static_cast<double>(letters_in(label.text)) / 2, 0.5), label.turn};
 }
 
 std::optional<Label> place_name(const PatternPiece& piece, const Points2& line, const Mate& mate, double from,
                                 const std::vector<Box>& taken) {
     for (const double height : heights) {
-        if (height * letters(mate.piece) > label_share * mate.length) continue;
+        if (height * static_cast<double>(letters_in(mate.piece)) > label_share * mate.length) continue;
         for (const double share : label_shares) {
             const LabelPoint place = along(line, from + share * mate.length);
             const Vec2 inward(-place.way.y(), place.way.x());

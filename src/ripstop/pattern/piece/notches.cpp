@@ -15,7 +15,7 @@ constexpr int curve_samples = 256;    // of a seam's curve, for spreading its ma
 constexpr double room_for_two = 0.2;  // a shorter seam gets one mark [m]
 constexpr double lone_mark = 0.4;     // its place, as a share of the seam's length
 constexpr double depth_of_allowance = 0.4;
-constexpr double same_place = 1e-3;  // marks closer than this coincide [m]
+constexpr double coincident_marks = 1e-3;  // marks closer than this coincide [m]
 
 /// The curvature of a side on the cloth, as a step function of the distance from the seam's start.
 struct Bends {
@@ -73,7 +73,7 @@ class Collector {
         notch.reach = outline_.edges[static_cast<std::size_t>(notch.edge)].allowance;
         notch.depth = std::min(depth_, depth_of_allowance * notch.reach);
         for (PieceNotch& other : notches) {
-            if ((other.on_sew - notch.on_sew).norm() >= same_place) continue;
+            if ((other.on_sew - notch.on_sew).norm() >= coincident_marks) continue;
             if (notch.reach < other.reach)
                 other = std::move(notch);  // the cut line steps here; the shorter one is inside both
             return;
@@ -87,7 +87,8 @@ class Collector {
         if (tile_.tile.chains.size() == 1 && side.parts.size() == tile_.tile.boundary.size()) return;
         const Vec2 at = flat_point(tile_, place);
         for (const int corner : {chain.vertices.front(), chain.vertices.back()})
-            if (tile_.tile.chains.size() > 1 && (Vec2(tile_.flattening.positions.row(corner)) - at).norm() < same_place)
+            if (tile_.tile.chains.size() > 1 &&
+                (Vec2(tile_.flattening.positions.row(corner)) - at).norm() < coincident_marks)
                 return;
         add(seam, place, {along, 1});
     }

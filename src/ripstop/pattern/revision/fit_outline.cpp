@@ -11,22 +11,22 @@
 namespace ripstop {
 namespace {
 
-constexpr int samples = 200;
+constexpr int outline_samples = 200;
 constexpr int most_steps = 100;
 
 Points2 evenly_spaced(const Points2& outline) {
-    const double spacing = perimeter(outline) / samples;
-    Points2 points(samples, 2);
+    const double spacing = perimeter(outline) / outline_samples;
+    Points2 points(outline_samples, 2);
     double left = 0;
     int next = 0;
-    for (Eigen::Index i = 0; i < outline.rows() && next < samples; ++i) {
+    for (Eigen::Index i = 0; i < outline.rows() && next < outline_samples; ++i) {
         const Vec2 from = outline.row(i), to = outline.row((i + 1) % outline.rows());
         const double length = (to - from).norm();
-        for (; left <= length && next < samples && length > 0; left += spacing)
+        for (; left <= length && next < outline_samples && length > 0; left += spacing)
             points.row(next++) = (from + left / length * (to - from)).transpose();
         left -= length;
     }
-    for (; next < samples; ++next) points.row(next) = outline.row(0);  // against rounding of the last samples
+    for (; next < outline_samples; ++next) points.row(next) = outline.row(0);  // against rounding of the last samples
     return points;
 }
 
@@ -81,12 +81,12 @@ OutlineFit fit_from(const Points2& a, const Points2& b, double turn) {
     double square = 0;
     for (int step = 0; step < most_steps; ++step) {
         const Points2 at = OutlineFit{turn, centre, place}.moved(points);
-        Points2 nearest(samples, 2);
-        for (Eigen::Index i = 0; i < samples; ++i) nearest.row(i) = nearest_on(b, at.row(i)).transpose();
+        Points2 nearest(outline_samples, 2);
+        for (Eigen::Index i = 0; i < outline_samples; ++i) nearest.row(i) = nearest_on(b, at.row(i)).transpose();
         const Vec2 goal = nearest.colwise().mean();
         double sine = 0, cosine = 0;
         square = 0;
-        for (Eigen::Index i = 0; i < samples; ++i) {
+        for (Eigen::Index i = 0; i < outline_samples; ++i) {
             const Vec2 from = Vec2(at.row(i)) - place, to = Vec2(nearest.row(i)) - goal;
             sine += cross(from, to);
             cosine += from.dot(to);
@@ -98,7 +98,7 @@ OutlineFit fit_from(const Points2& a, const Points2& b, double turn) {
         place = goal;
         if (std::abs(more) < 1e-12 && shifted < 1e-12) break;
     }
-    OutlineFit fit{std::remainder(turn, 2 * std::numbers::pi), centre, place, std::sqrt(square / samples)};
+    OutlineFit fit{std::remainder(turn, 2 * std::numbers::pi), centre, place, std::sqrt(square / outline_samples)};
     fit.distance = outline_distance(fit.moved(a), b);
     return fit;
 }

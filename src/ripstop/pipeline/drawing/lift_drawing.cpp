@@ -14,7 +14,7 @@ namespace ripstop {
 namespace {
 
 constexpr double same_point = 0.05e-3;
-constexpr double step = 2e-3;  // distance between sampled points of a line [m]
+constexpr double lift_step = 2e-3;  // distance between sampled points of a line [m]
 constexpr int most_steps = 2000;
 constexpr double longest_mark = 10e-3;  // match marks are 3 mm long where nothing can be cut [m]
 
@@ -49,7 +49,7 @@ struct Line {
 bool lies_on(const Points2& outline, const Points2& line) {
     for (Eigen::Index i = 0; i + 1 < line.rows(); ++i) {
         const Vec2 from = line.row(i), to = line.row(i + 1);
-        const int steps = std::clamp(static_cast<int>(std::ceil((to - from).norm() / step)), 2, most_steps);
+        const int steps = std::clamp(static_cast<int>(std::ceil((to - from).norm() / lift_step)), 2, most_steps);
         for (int k = 0; k <= steps; ++k)
             if (distance_to_outline(outline, from + (static_cast<double>(k) / steps) * (to - from)) > same_point)
                 return false;

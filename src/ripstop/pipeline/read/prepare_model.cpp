@@ -63,7 +63,7 @@ constexpr MendedKind kinds[] = {
     {&MendedMesh::closed, "tip", "tips", "narrower than the seam tolerance taken as points"},
 };
 
-std::string place_text(const Vec3& at) {
+std::string place_in_model(const Vec3& at) {
     return "(" + format_fixed(at.x(), 4) + ", " + format_fixed(at.y(), 4) + ", " + format_fixed(at.z(), 4) + ")";
 }
 
@@ -80,7 +80,7 @@ std::string sentence(const CadModel& model, const std::vector<MendedMesh>& mende
         names += (i ? ", " : "") + model.surfaces[surfaces[i]].name;
     if (surfaces.size() > shown_names) names += " and " + std::to_string(surfaces.size() - shown_names) + " more";
     return std::to_string(sum) + " " + (sum == 1 ? kind.one : kind.many) + " " + kind.done + ": in " + names +
-           (surfaces.size() == 1 ? ", near " : ", the first near ") + place_text(mended[surfaces.front()].place);
+           (surfaces.size() == 1 ? ", near " : ", the first near ") + place_in_model(mended[surfaces.front()].place);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace ripstop {
 namespace {
 
 constexpr double reach = 0.010;         // a curve is drawn on the surface, and a tile is only a mesh of it [m]
-constexpr double step = 0.020;          // distance between the points that are looked up [m]
+constexpr double lookup_step = 0.020;   // distance between the points that are looked up [m]
 constexpr double crossing = 1e-5;       // accuracy of the place where a curve crosses a seam [m]
 constexpr double along_edge = 0.002;    // a run closer to the boundary than this is the seam [m]
 constexpr double narrowest = 0.001;     // width of the narrowest tile that is never skipped [m]
@@ -45,7 +45,7 @@ std::vector<Vec3> densified(const Points3& points) {
     std::vector<Vec3> dense{Vec3(points.row(0))};
     for (Eigen::Index i = 1; i < points.rows(); ++i) {
         const Vec3 from = points.row(i - 1), to = points.row(i);
-        const int parts = std::max(1, static_cast<int>(std::ceil((to - from).norm() / step)));
+        const int parts = std::max(1, static_cast<int>(std::ceil((to - from).norm() / lookup_step)));
         for (int k = 1; k <= parts; ++k) dense.push_back(from + (to - from) * k / parts);
     }
     return dense;
@@ -113,13 +113,13 @@ std::vector<Vec3> points_to_look_up(Tiles& tiles, const Points3& curve) {
 }
 
 /// The length of a curve on tiles and off all tiles [m].
-struct Laid {
+struct LaidLine {
     double on = 0, off = 0;
 };
 
-Laid lay_line(Tiles& tiles, const NamedCurve& curve, const std::string& name, Envelope& envelope) {
+LaidLine lay_line(Tiles& tiles, const NamedCurve& curve, const std::string& name, Envelope& envelope) {
     const std::vector<Vec3> points = points_to_look_up(tiles, curve.points);
-    Laid laid;
+    LaidLine laid;
     std::vector<Vec3> run{points.front()};
     int tile = tiles.at(points.front());
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -155,7 +155,7 @@ std::vector<std::string> lay_lines(const CadModel& model, Envelope& envelope,
     for (const NamedCurve& curve : model.curves) {
         if (is_grain_line(curve, grain_layers)) continue;
         const std::string name = name_of(curve);
-        const Laid laid = lay_line(tiles, curve, name, envelope);
+        const LaidLine laid = lay_line(tiles, curve, name, envelope);
         if (laid.on == 0) {
             if (off++ == 0) first = name;
         } else if (laid.off > worth_saying) {

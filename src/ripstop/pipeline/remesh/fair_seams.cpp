@@ -59,7 +59,7 @@ class Places {
 };
 
 /// A tile with its layout, for its zigzags.
-struct Laid {
+struct LaidTile {
     Points2 flat;              ///< #V x 2; empty if the layout failed
     Points3 normals;           ///< #V x 3, at boundary vertices
     std::map<int, int> place;  ///< index in the boundary, by vertex
@@ -81,7 +81,7 @@ struct Frame {
     Vec2 flat_along, flat_left;
 };
 
-Frame frame_at(const Tile& tile, const Laid& laid, int vertex) {
+Frame frame_at(const Tile& tile, const LaidTile& laid, int vertex) {
     const int place = laid.place.at(vertex);
     Frame frame;
     frame.left = Vec3(laid.normals.row(vertex)).cross(along(tile, tile.mesh.positions, place)).normalized();
@@ -91,8 +91,8 @@ Frame frame_at(const Tile& tile, const Laid& laid, int vertex) {
     return frame;
 }
 
-Laid lay(const Tile& tile) {
-    Laid laid;
+LaidTile lay(const Tile& tile) {
+    LaidTile laid;
     const Flattening flattening = flatten_dirichlet(tile);
     if (!flattening.summary.usable() || flattening.positions.rows() != tile.mesh.vertex_count()) return laid;
     laid.flat = flattening.positions;
@@ -120,7 +120,7 @@ bool has_given_corners(const Tile& tile) {
 }
 
 /// The tile with its boundary moved by `moves`.
-Tile moved_tile(const Tile& tile, const Laid& laid, const Places& moves) {
+Tile moved_tile(const Tile& tile, const LaidTile& laid, const Places& moves) {
     const auto outline = static_cast<Eigen::Index>(tile.boundary.size());
     Points2 polygon(outline, 2);
     Points3 positions(outline, 3);
@@ -188,7 +188,7 @@ class Fairing {
         if (zigzags_.empty()) return {"--fair-seams: no edge zigzags, all tiles stay as they are"};
         drop_one_sided();
         for (const Zigzag& zigzag : zigzags_) {
-            Laid& laid = laid_[at(zigzag.tile)];
+            LaidTile& laid = laid_[at(zigzag.tile)];
             if (laid.flat.rows() == 0) laid = lay(tile(zigzag.tile));
             if (laid.flat.rows() == 0) failure_[at(zigzag.tile)] = "it was not laid flat";
         }
@@ -263,7 +263,7 @@ class Fairing {
 
     void add_moves(const Zigzag& zigzag, Places& moves) const {
         const Tile& mine = tile(zigzag.tile);
-        const Laid& laid = laid_[at(zigzag.tile)];
+        const LaidTile& laid = laid_[at(zigzag.tile)];
         const Points2 chain = laid.flat(zigzag.vertices, Eigen::all), fair = fair_points(chain, zigzag.closed);
         const std::size_t skip = zigzag.closed ? 0 : 1;
         for (std::size_t i = skip; i + skip < zigzag.vertices.size(); ++i) {
@@ -309,7 +309,7 @@ class Fairing {
     Envelope& envelope_;
     double tolerance_;
     std::vector<Zigzag> zigzags_;
-    std::vector<Laid> laid_;
+    std::vector<LaidTile> laid_;
     std::vector<std::string> failure_;
     std::map<std::size_t, Tile> made_;
 };

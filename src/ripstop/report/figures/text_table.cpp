@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
+#include "ripstop/base/text/utf8.h"
+
 namespace ripstop {
 namespace {
-
-bool starts_letter(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-}
 
 std::size_t width(const std::string& utf8) {
     return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), starts_letter));

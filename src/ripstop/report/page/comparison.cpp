@@ -17,8 +17,8 @@ namespace ripstop {
 namespace {
 
 constexpr double cell_margin = 28;
-constexpr double head = 64;       ///< head of the sheet
-constexpr double tile_head = 40;  ///< above the shapes of a tile
+constexpr double comparison_head = 64;  ///< head of the sheet
+constexpr double tile_head = 40;        ///< above the shapes of a tile
 constexpr double cell_width = 300;
 constexpr double shape_height = 220;
 constexpr double cell_head = 84;  ///< space above a shape for name, figures and verdict
@@ -132,7 +132,7 @@ std::string comparison_sheet(const std::vector<CutPlan>& plans) {
     const int rows = (static_cast<int>(plans.size()) + columns - 1) / columns;
     const double width = std::max(640.0, 2 * cell_margin + columns * cell_width);
     const double tile_height = tile_head + rows * (cell_head + shape_height + 16);
-    const double foot = head + static_cast<double>(tiles) * tile_height;
+    const double foot = comparison_head + static_cast<double>(tiles) * tile_height;
     const double height = foot + 84;
     const Tolerances& tolerances = plans.front().tolerances;
     const std::string size = svg_number(width) + "\" height=\"" + svg_number(height);
@@ -143,7 +143,7 @@ std::string comparison_sheet(const std::vector<CutPlan>& plans) {
                       svg_text({cell_margin, 40}, "Every method on the same cloth: " + plans.front().fabric.name,
                                {22, "start", "#1f2933", true});
     for (std::size_t t = 0; t < tiles; ++t) {
-        const double top = head + static_cast<double>(t) * tile_height;
+        const double top = comparison_head + static_cast<double>(t) * tile_height;
         const Vec2 room = largest_size(plans, t);
         const double scale = std::min((cell_width - 40) / room.x(), shape_height / room.y());
         svg += svg_text({cell_margin, top + 24}, plans.front().tiles[t].tile.name, {18, "start", "#1f2933", true}) +

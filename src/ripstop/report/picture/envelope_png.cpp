@@ -11,8 +11,8 @@ namespace {
 
 constexpr double page_width = 1600, side = 36;
 constexpr int view_side = 740;
-constexpr int pixels_per_unit = 2;
-constexpr std::size_t most_lines = 5, most_names = 10;
+constexpr int view_pixels_per_unit = 2;
+constexpr std::size_t most_lines_shown = 5, most_names = 10;
 
 /// The positions of the page's parts, from the top.
 struct Layout {
@@ -20,7 +20,7 @@ struct Layout {
 };
 
 Layout lay_out(const PageWords& words) {
-    const std::size_t lines = std::min(most_lines, std::max(words.why.size(), words.redesign.size()));
+    const std::size_t lines = std::min(most_lines_shown, std::max(words.why.size(), words.redesign.size()));
     Layout layout;
     layout.views = lines == 0 ? 100 : 134 + 14 * line_step * static_cast<double>(lines);
     layout.foot = layout.views + view_side + 34;
@@ -43,11 +43,12 @@ std::string head(const CutPlan& plan, const PageWords& words) {
     const bool is_redesigned = !words.redesign.empty();
     const double width = is_redesigned ? column : room;
     if (!words.why.empty())
-        svg += svg_text({side, 98}, "Why", title) + text_lines({side, 121}, plain(words.why), most_lines, width, text);
+        svg += svg_text({side, 98}, "Why", title) +
+               text_lines({side, 121}, plain(words.why), most_lines_shown, width, text);
     const double right = words.why.empty() ? side : side + column + 40;
     if (is_redesigned)
         svg += svg_text({right, 98}, "What to redesign", title) +
-               text_lines({right, 121}, plain(words.redesign), most_lines, column, text);
+               text_lines({right, 121}, plain(words.redesign), most_lines_shown, column, text);
     return svg;
 }
 
@@ -80,7 +81,7 @@ std::string names(const CutPlan& plan, const EnvelopeShape& shape, const Envelop
         const bool is_seen = place < view.cloth.size() && view.cloth[place] >= first && view.cloth[place] < next;
         first = next;
         if (tile.verdict.manufacturable() || !is_seen) continue;
-        const Vec2 at = corner + middle.head<2>() / pixels_per_unit;
+        const Vec2 at = corner + middle.head<2>() / view_pixels_per_unit;
         const std::string& name = tile.tile.name;
         constexpr double size = 15, longest = 220;
         const Vec2 half(std::min(longest, text_width(name, size, true)) / 2, 0.7 * size);
@@ -111,12 +112,12 @@ EnvelopeSights see_envelope(const CutPlan& plan, int threads, bool is_inflated) 
     EnvelopeSights sights{envelope_shape(plan, is_inflated), {}};
     const std::array directions{home_direction, Vec3(-home_direction.x(), home_direction.y(), -home_direction.z())};
     for (std::size_t k = 0; k < 2; ++k)
-        sights.views[k] = aimed_view(sights.shape, directions[k], pixels_per_unit * view_side);
+        sights.views[k] = aimed_view(sights.shape, directions[k], view_pixels_per_unit * view_side);
     const double scale = std::min(sights.views[0].pixels_per_metre, sights.views[1].pixels_per_metre);
     parallel_for(2, threads, [&](int i) {
         EnvelopeView& view = sights.views[static_cast<std::size_t>(i)];
         view.pixels_per_metre = scale;
-        paint_envelope(view, plan, sights.shape, pixels_per_unit);
+        paint_envelope(view, plan, sights.shape, view_pixels_per_unit);
     });
     return sights;
 }
@@ -130,13 +131,13 @@ std::string envelope_png(const CutPlan& plan, const EnvelopeSights& sights, cons
         const EnvelopeView& view = sights.views[is_back ? 1 : 0];
         const double gap = (page_width - 2 * view_side) / 4;
         const Vec2 corner(gap + (is_back ? page_width / 2 : 0), layout.views);
-        pixels.push_back({coloured(view, plan, map), corner, pixels_per_unit});
+        pixels.push_back({coloured(view, plan, map), corner, view_pixels_per_unit});
         svg += svg_text(corner + Vec2(view_side / 2.0, view_side + 18), is_back ? "from the back" : "from the front",
                         {13, "middle", page_soft});
         svg += names(plan, sights.shape, view, corner);
     }
     svg += map_legend({page_width / 2, layout.foot}, map);
-    svg += scale_bar({side, layout.foot + 34}, sights.views[0].pixels_per_metre / pixels_per_unit, 300);
+    svg += scale_bar({side, layout.foot + 34}, sights.views[0].pixels_per_metre / view_pixels_per_unit, 300);
     svg += key({page_width - 330, layout.foot + 18}, plan);
     const Eigen::Vector2i size(static_cast<int>(page_width), static_cast<int>(layout.height));
     return png_picture(page_svg(size, svg), pixels);

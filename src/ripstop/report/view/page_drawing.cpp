@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <string_view>
 
+#include "ripstop/base/text/utf8.h"
 #include "ripstop/report/view/page_colours.h"
 
 namespace ripstop {
 namespace {
-
-bool starts_letter(char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-}
 
 std::string swatch(const Vec2& at, std::uint16_t place) {
     return "<rect x=\"" + svg_number(at.x()) + "\" y=\"" + svg_number(at.y()) +

@@ -12,10 +12,6 @@ bool has_strains(const StrainMap& strain) {
     return strain.warp.size() > 0;
 }
 
-bool fails(const FlatTile& tile) {
-    return !tile.verdict.manufacturable();
-}
-
 bool has_load_tapes(const CutPlan& plan) {
     return plan.inflated && std::any_of(plan.inflated->tapes.begin(), plan.inflated->tapes.end(),
                                         [](const auto& tape) { return tape.kind == TapeKind::load; });
@@ -71,7 +67,8 @@ std::vector<std::string_view> maps_of(const CutPlan& plan, const std::vector<Str
 
 std::string_view first_map(const CutPlan& plan, const std::vector<StrainMap>& strains) {
     const std::vector<std::string_view> ids = maps_of(plan, strains);
-    const bool tiles_pass = std::none_of(plan.tiles.begin(), plan.tiles.end(), fails);
+    const bool tiles_pass = std::all_of(plan.tiles.begin(), plan.tiles.end(),
+                                        [](const FlatTile& tile) { return tile.verdict.manufacturable(); });
     const bool seams_pass = std::all_of(plan.walks.begin(), plan.walks.end(), [](const auto& walk) { return walk.ok; });
     std::string_view preferred = "warp";
     if (tiles_pass && !seams_pass) preferred = "mismatch";

@@ -20,22 +20,22 @@
 namespace ripstop {
 namespace {
 
-constexpr double pixels_per_unit = 2;
-constexpr double ring_margin = 16;                      ///< space for rings and lines beyond the piece
-constexpr double readable_size = 5, largest_size = 26;  ///< of letters [page units]
+constexpr double cloth_pixels_per_unit = 2;
+constexpr double ring_margin = 16;                          ///< space for rings and lines beyond the piece
+constexpr double readable_letter = 5, largest_letter = 26;  ///< of letters [page units]
 
 Pixels cloth_pixels(const PieceSight& sight, const PageView& view, const Vec2& upper_left, const Vec2& size) {
     const FlatTile& tile = sight.plan.tiles[sight.tile];
     Pixels pixels;
-    pixels.width = static_cast<int>(std::ceil(pixels_per_unit * size.x()));
-    pixels.height = static_cast<int>(std::ceil(pixels_per_unit * size.y()));
+    pixels.width = static_cast<int>(std::ceil(cloth_pixels_per_unit * size.x()));
+    pixels.height = static_cast<int>(std::ceil(cloth_pixels_per_unit * size.y()));
     pixels.colours.assign(static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height), 0xffffff);
     const std::vector<std::uint16_t> places = cloth_places(sight.plan, sight.map, sight.tile);
     for (std::size_t t = 0; t < places.size(); ++t) {
         std::array<Vec3, 3> corners;
         for (int k = 0; k < 3; ++k) {
             const int vertex = tile.tile.mesh.triangles(static_cast<Eigen::Index>(t), k);
-            const Vec2 at = pixels_per_unit * (view.at(tile.flattening.positions.row(vertex)) - upper_left);
+            const Vec2 at = cloth_pixels_per_unit * (view.at(tile.flattening.positions.row(vertex)) - upper_left);
             corners[static_cast<std::size_t>(k)] = Vec3(at.x(), at.y(), 0);
         }
         const std::uint32_t colour = page_colours()[places[t]];
@@ -74,8 +74,8 @@ std::string edge_band(const PieceSight& sight, const PageView& view) {
 }
 
 std::string label(const Label& label, const PageView& view) {
-    const double size = std::min(largest_size, 1.35 * label.height * view.scale);
-    if (size < readable_size) return {};
+    const double size = std::min(largest_letter, 1.35 * label.height * view.scale);
+    if (size < readable_letter) return {};
     const Vec2 at = view.at(label.middle);
     const std::string place = svg_pair(at);
     return "<text x=\"" + svg_number(at.x()) + "\" y=\"" + svg_number(at.y() + 0.36 * size) + "\" font-size=\"" +
@@ -183,7 +183,8 @@ PieceView piece_view(const PieceSight& sight, const Vec2& upper_left, const Vec2
     view.to_page.origin += middle - view.to_page.at((extent.lower + extent.upper) / 2);
     const Vec2 size = view.to_page.scale * extent.size();
     const Vec2 corner = (middle - size / 2).array().floor();
-    view.pixels.push_back({cloth_pixels(sight, view.to_page, corner, size + Vec2::Ones()), corner, pixels_per_unit});
+    view.pixels.push_back(
+        {cloth_pixels(sight, view.to_page, corner, size + Vec2::Ones()), corner, cloth_pixels_per_unit});
     view.svg = edge_band(sight, view.to_page);
     if (sight.piece) view.svg += piece_lines(*sight.piece, view.to_page);
     view.svg += proposed_seam(tile, view.to_page);

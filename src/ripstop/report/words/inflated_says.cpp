@@ -13,7 +13,7 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-std::string in_mm(double length) {
+std::string millimetres_text(double length) {
     return shown(length / millimetre, std::abs(length) < 9.95 * millimetre ? 1 : 0) + " mm";
 }
 
@@ -42,16 +42,17 @@ void say_cloth(const CutPlan& plan, Sentences& says) {
 
 void say_deviation(const Inflated& inflated, Sentences& says) {
     const double limit = deviation_limit(inflated), rms = inflated.off.rms, most = std::abs(inflated.off.max);
-    const std::string share = shown(deviation_share / percent, 1) + " % of its height (" + in_mm(limit) + ")",
-                      worst = in_mm(most) + (inflated.off.max < 0 ? " inside it" : " outside it");
+    const std::string share =
+                          shown(deviation_share / percent, 1) + " % of its height (" + millimetres_text(limit) + ")",
+                      worst = millimetres_text(most) + (inflated.off.max < 0 ? " inside it" : " outside it");
     if (rms > limit)
-        says.push_back("Inflated it is more than " + share + " off the drawn shape: " + in_mm(rms) +
+        says.push_back("Inflated it is more than " + share + " off the drawn shape: " + millimetres_text(rms) +
                        " (root mean square), at most " + worst + ".");
     else if (most > limit)
-        says.push_back("Inflated it is on the whole within " + share + " of the drawn shape, " + in_mm(rms) +
+        says.push_back("Inflated it is on the whole within " + share + " of the drawn shape, " + millimetres_text(rms) +
                        " off (root mean square), but up to " + worst + " in places.");
     else
-        says.push_back("Inflated it is everywhere within " + share + " of the drawn shape: " + in_mm(rms) +
+        says.push_back("Inflated it is everywhere within " + share + " of the drawn shape: " + millimetres_text(rms) +
                        " off (root mean square), at most " + worst + ".");
 }
 
@@ -60,8 +61,8 @@ void say_causes(const CutPlan& plan, Sentences& says) {
     const double limit = deviation_limit(inflated);
     if (inflated.causes) {
         const Causes& causes = *inflated.causes;
-        const std::string bare =
-            "cut without error from cloth that does not stretch it would be " + in_mm(causes.shape) + " off.";
+        const std::string bare = "cut without error from cloth that does not stretch it would be " +
+                                 millimetres_text(causes.shape) + " off.";
         if (!(causes.shape > limit))
             says.push_back("Gas pressure can hold this shape: " + bare);
         else if (is_corrected(plan) && inflated.off.moved_rms <= limit)
@@ -75,18 +76,19 @@ void say_causes(const CutPlan& plan, Sentences& says) {
             says.push_back("The effect of the patterns is not known: the shape they were corrected for is not stored.");
         else
             says.push_back(std::string("The patterns are ") + (causes.patterns > limit ? "wrong" : "right") +
-                           ": their errors move it by " + in_mm(causes.patterns) + ".");
+                           ": their errors move it by " + millimetres_text(causes.patterns) + ".");
         if (!is_corrected(plan))
-            says.push_back(causes.stretch > limit
-                               ? "Stretch of the cloth and the paths of its tapes move it by " + in_mm(causes.stretch) +
-                                     ": cut with --compensate."
-                               : "The stretch of cloth and tapes moves it by " + in_mm(causes.stretch) + ".");
+            says.push_back(causes.stretch > limit ? "Stretch of the cloth and the paths of its tapes move it by " +
+                                                        millimetres_text(causes.stretch) + ": cut with --compensate."
+                                                  : "The stretch of cloth and tapes moves it by " +
+                                                        millimetres_text(causes.stretch) + ".");
     }
     const auto best =
         std::find_if(plan.rounds.begin(), plan.rounds.end(), [](const auto& each) { return each.is_best; });
     if (plan.rounds.size() > 1 && best != plan.rounds.end())
-        says.push_back("Correcting the patterns brought it from " + in_mm(plan.rounds.front().off.moved_rms) + " to " +
-                       in_mm(best->off.moved_rms) + " from the drawn places (root mean square).");
+        says.push_back("Correcting the patterns brought it from " +
+                       millimetres_text(plan.rounds.front().off.moved_rms) + " to " +
+                       millimetres_text(best->off.moved_rms) + " from the drawn places (root mean square).");
 }
 
 void say_lift(const Inflated& inflated, Sentences& says) {

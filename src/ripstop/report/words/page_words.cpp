@@ -45,10 +45,6 @@ std::string counted(std::size_t number, const std::string& one) {
     return page_figure(static_cast<double>(number), 0) + " " + one + (number == 1 ? "" : "s");
 }
 
-bool fails(const FlatTile& tile) {
-    return !tile.verdict.manufacturable();
-}
-
 std::string headline(const CutPlan& plan, std::size_t tiles, std::size_t seams) {
     const std::size_t all = plan.tiles.size(), sewn = plan.walks.size();
     if (plan.manufacturable())
@@ -78,7 +74,7 @@ std::vector<Kind> kinds_of(const CutPlan& plan) {
     std::vector<Kind> kinds;
     for (const FlatTile& tile : plan.tiles)
         for (const Finding& finding : tile.verdict.findings) {
-            if (!fails(tile)) continue;
+            if (tile.verdict.manufacturable()) continue;
             auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.code == finding.code; });
             if (kind == kinds.end()) kind = kinds.insert(kinds.end(), Kind{finding.code, {}});
             kind->tiles.insert(&tile);
@@ -188,7 +184,8 @@ std::string finding_words(const std::string& code) {
 }
 
 PageWords page_words(const CutPlan& plan) {
-    const auto tiles = static_cast<std::size_t>(std::count_if(plan.tiles.begin(), plan.tiles.end(), fails));
+    const auto tiles = static_cast<std::size_t>(std::count_if(
+        plan.tiles.begin(), plan.tiles.end(), [](const FlatTile& tile) { return !tile.verdict.manufacturable(); }));
     const auto seams = static_cast<std::size_t>(
         std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return !walk.ok; }));
     PageWords words;
@@ -214,7 +211,7 @@ PageWords page_words(const CutPlan& plan) {
 }
 
 std::string tile_word(const FlatTile& tile) {
-    if (!fails(tile)) return "can be made";
+    if (tile.verdict.manufacturable()) return "can be made";
     return tile.verdict.findings.empty() ? "not judged" : "cannot be made as drawn";
 }
 
