@@ -12,6 +12,7 @@
 
 #include "ripstop/report/words/check_report.h"
 #include "ripstop/tile/make_tile.h"
+#include "support/checked_balloon.h"
 #include "support/envelopes.h"
 #include "support/shapes.h"
 
@@ -19,53 +20,7 @@ namespace ripstop {
 namespace check_envelope_test {
 
 using ::testing::HasSubstr;
-
-EnvelopeDesign small_balloon() {
-    EnvelopeDesign design;
-    design.gores = 12;
-    design.panels = 6;
-    design.volume = 600;
-    design.edge_length = 0.3;
-    return design;
-}
-
-/// The balloon with conforming meshes, and with each tile meshed independently.
-std::vector<std::vector<NamedMesh>> both_balloons() {
-    return {design_natural(small_balloon()), testing::meshed_apart(small_balloon(), 4, 2)};
-}
-
-constexpr std::size_t middle = 3 * 6 + 2;  // gore 4, panel 3: neighbours on all four sides
-
-EnvelopeCheck check(const std::vector<NamedMesh>& meshes) {
-    return check_envelope(testing::tiles_of(meshes));
-}
-
-/// The codes of the issues, each with the first tile it names.
-std::vector<std::string> named(const EnvelopeCheck& check) {
-    std::vector<std::string> codes;
-    for (const EnvelopeIssue& issue : check.issues)
-        codes.push_back(issue.code + " " + (issue.tiles.empty() ? std::string("-") : issue.tiles.front()));
-    return codes;
-}
-
-/// The codes of the notes, each with the first tile it names.
-std::vector<std::string> meant(const EnvelopeCheck& check) {
-    EnvelopeCheck as_issues;
-    as_issues.issues = check.meant;
-    return named(as_issues);
-}
-
-void move(TriangleMesh& mesh, const Vec3& by) {
-    mesh.positions.rowwise() += by.transpose();
-}
-
-Vec3 middle_of(const TriangleMesh& mesh) {
-    return mesh.positions.colwise().mean().transpose();
-}
-
-void scale_about(TriangleMesh& mesh, const Vec3& centre, double factor) {
-    mesh.positions = ((mesh.positions.rowwise() - centre.transpose()) * factor).rowwise() + centre.transpose();
-}
+using namespace checked_balloon;
 
 TEST(SoundEnvelope, IsSoundAndItsFiguresAreThoseOfTheDesign) {
     for (const std::vector<NamedMesh>& balloon : both_balloons()) {
@@ -87,91 +42,6 @@ TEST(SoundEnvelope, IsSoundAndItsFiguresAreThoseOfTheDesign) {
             EXPECT_FALSE(loop.outline);
         }
         EXPECT_EQ(result.sampling.size(), 132u);
-    }
-}
-
-TEST(ShiftedTile, IsNamedWithHowFar) {
-    for (std::vector<NamedMesh> balloon : both_balloons())
-        for (const double distance : {0.003, 0.05, 0.4}) {
-            const Vec3 by = distance * Vec3(0.6, -0.64, 0.48);
-            std::vector<NamedMesh> shifted = balloon;
-            move(shifted[middle].mesh, by);
-            const EnvelopeCheck result = check(shifted);
-            EXPECT_THAT(named(result), ::testing::ElementsAre("shifted " + balloon[middle].name)) << distance;
-            if (result.issues.empty()) continue;
-            // within the tolerance of a seam, because the neighbours determine its place
-            EXPECT_NEAR(result.issues[0].value, distance, 0.0005) << result.issues[0].message;
-            EXPECT_THAT(result.issues[0].message, HasSubstr("away from its place"));
-        }
-}
-
-TEST(ShiftedTile, IsNamedHoweverFarItWentSideways) {
-    for (const std::vector<NamedMesh>& balloon : both_balloons()) {
-        const Vec3 place = middle_of(balloon[middle].mesh);
-        const Vec3 sideways = Vec3(-place.y(), place.x(), 0).normalized();
-        for (const double distance :
-             {0.001, 0.002, 0.005, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.8, 1.0, 1.3, 1.6, 2.0, 2.3, 2.6, 3.0}) {
-            std::vector<NamedMesh> shifted = balloon;
-            move(shifted[middle].mesh, distance * sideways);
-            const EnvelopeCheck result = check(shifted);
-            EXPECT_THAT(named(result), ::testing::ElementsAre("shifted " + balloon[middle].name)) << distance;
-        }
-    }
-}
-
-TEST(ShiftedTile, AtTheMouthIsNamedToo) {
-    std::vector<NamedMesh> balloon = design_natural(small_balloon());
-    move(balloon[6].mesh, Vec3(0.01, 0.01, 0.02));
-    EXPECT_THAT(named(check(balloon)), ::testing::ElementsAre("shifted " + balloon[6].name));
-}
-
-TEST(ScaledTile, IsNamedWithTheRatio) {
-    for (std::vector<NamedMesh> balloon : both_balloons())
-        for (const double ratio : {1.01, 0.97, 1.25, 1000.0}) {
-            for (const bool about_itself : {true, false}) {
-                std::vector<NamedMesh> scaled = balloon;
-                scale_about(scaled[middle].mesh, about_itself ? middle_of(scaled[middle].mesh) : Vec3::Zero(), ratio);
-                const EnvelopeCheck result = check(scaled);
-                EXPECT_THAT(named(result), ::testing::ElementsAre("scaled " + balloon[middle].name))
-                    << ratio << about_itself;
-                if (result.issues.empty()) continue;
-                EXPECT_NEAR(result.issues.back().value, ratio, 1e-3 * ratio) << result.issues.back().message;
-            }
-        }
-}
-
-/// A strip from x0 to x1, 3 m wide, whose cross-section is a sine of height `rise`.
-NamedMesh strip(const std::string& name, double x0, double x1, double rise) {
-    TriangleMesh mesh = testing::rectangle(x1 - x0, 3, 8, 1);
-    for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v) {
-        const Vec3 p = mesh.positions.row(v);
-        mesh.positions.row(v) = Vec3(x0 + p.x(), rise * std::sin(std::numbers::pi * p.x() / (x1 - x0)), p.y());
-    }
-    return {name, mesh, {}};
-}
-
-TEST(ScaledTile, IsNoExplanationWhereItShrinksToASpeckOnAnEdge) {
-    // two pairs of neighbours, 8 m apart; the second pair has the same two edges
-    const EnvelopeCheck result =
-        check({strip("A", 0, 2, 0.3), strip("B", 2, 4, 0.5), strip("C", 10, 12, 0.5), strip("D", 10, 12, 0.1)});
-    EXPECT_GT(result.seams, 0);
-    for (const EnvelopeIssue& issue : result.issues) {
-        EXPECT_NE(issue.code, "scaled") << issue.message;
-        EXPECT_NE(issue.code, "shifted") << issue.message;
-        EXPECT_THAT(issue.message, ::testing::Not(HasSubstr("no seams")));
-        EXPECT_LT(issue.at.norm(), 13) << "in the envelope: " << issue.message;
-    }
-    EXPECT_THAT(meant(result), ::testing::ElementsAre("apart C"));
-}
-
-TEST(ScaledTile, IsNamedWhereItsUnitWasMistaken) {
-    for (const double ratio : {1 / 25.4, 1 / 304.8, 0.001, 25.4, 304.8}) {
-        std::vector<NamedMesh> balloon = design_natural(small_balloon());
-        scale_about(balloon[middle].mesh, Vec3::Zero(), ratio);
-        const EnvelopeCheck result = check(balloon);
-        EXPECT_THAT(named(result), ::testing::ElementsAre("scaled " + balloon[middle].name)) << ratio;
-        if (result.issues.empty()) continue;
-        EXPECT_NEAR(result.issues[0].value, ratio, 1e-3 * ratio);
     }
 }
 
@@ -457,41 +327,6 @@ TEST(Tolerance, IsProposedWhereMostEdgesMiss) {
     const EnvelopeCheck result = check(balloon);
     ASSERT_EQ(result.issues.size(), 1u);
     EXPECT_THAT(result.issues[0].message, HasSubstr("give --seam-tolerance"));
-}
-
-TEST(CheckText, SaysOnceWhatManyTilesHaveInCommon) {
-    std::vector<NamedMesh> balloon = design_natural(small_balloon());
-    const std::vector<NamedMesh> once = balloon;
-    for (int k = 0; k < 12; ++k) {
-        balloon.push_back({"stray" + std::to_string(k), testing::rectangle(0.5, 0.5, 4, 2), {}});
-        move(balloon.back().mesh, Vec3(50, 0, 2 * k));
-        balloon.push_back(once[static_cast<std::size_t>(k)]);
-        balloon.back().name = "twice" + std::to_string(k);
-    }
-    const EnvelopeCheck result = check(balloon);
-    EXPECT_EQ(result.issues.size(), 12u);
-    const std::string text = check_text(result, "balloon.obj", "m");
-    EXPECT_THAT(text, HasSubstr("tile twice0"));
-    EXPECT_THAT(text, HasSubstr("; and 11 more like this"));
-    EXPECT_THAT(text, ::testing::Not(HasSubstr("twice1 ")));
-    EXPECT_THAT(text,
-                HasSubstr("note           12 tiles (stray0, stray1, stray2, stray3, stray4, stray5 and 6 more) are "
-                          "in 12 parts that are sewn to nothing else; "));
-}
-
-TEST(CheckText, GivesNumbersAsADesignerReadsThem) {
-    // a gap of a third of a metre, one of a tenth of a nanometre, a tile 304.8 times too large; a small factor has
-    // six decimals
-    std::vector<NamedMesh> balloon = design_natural(small_balloon());
-    for (NamedMesh& tile : balloon) move(tile.mesh, Vec3(1.0 / 3, -1e-10, 2.0 / 3));
-    scale_about(balloon[middle].mesh, Vec3::Zero(), 304.8);
-    balloon.push_back(strip("stray", 30.0 / 7, 40.0 / 7, 0.1));
-    const std::string text = check_text(check(balloon), "balloon.obj", "m");
-    EXPECT_THAT(text, HasSubstr("times too large"));
-    EXPECT_THAT(text, HasSubstr("tile stray"));
-    EXPECT_THAT(text, HasSubstr(" m round (0.33, 0.00, "));
-    EXPECT_THAT(text, ::testing::Not(HasSubstr("-0.00")));
-    EXPECT_THAT(text, ::testing::Not(::testing::ContainsRegex("[0-9]\\.[0-9][0-9][0-9][0-9][0-9][0-9][0-9]")));
 }
 
 TEST(OddCorner, IsCountedWhereOnlyOneSideHasIt) {

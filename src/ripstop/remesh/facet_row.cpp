@@ -8,7 +8,7 @@
 namespace ripstop {
 namespace {
 
-constexpr double past_end = 1e-6;  // relative to an edge
+constexpr double past_end = 1e-6;  // how far past its ends an edge still counts, relative to its length
 constexpr int foot_steps = 12;
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr int deepest_curve = 16;             // nesting of joined curves
 constexpr double chord_error_share = 0.5e-3;  // share of the curve's size; half of the promise, because only midpoints
                                               // are tested
 constexpr int most_pieces = 256;              // for each span of a NURBS curve
-constexpr std::size_t most_points_sampled = 20000;
+constexpr std::size_t most_curve_points = 20000;
 constexpr double most_coordinate = 1e12;
 
 using Polyline = std::vector<Vec3>;
@@ -116,7 +116,7 @@ Polyline points_on(const Nurbs& nurbs) {
     const double tolerance = chord_error_share * box.diagonal().norm();
     const int first_knot = nurbs.order - 2;
     Polyline points = {nurbs.at(0, nurbs.knot(first_knot))};
-    for (int span = 0; span < nurbs.spans() && points.size() < most_points_sampled; ++span) {
+    for (int span = 0; span < nurbs.spans() && points.size() < most_curve_points; ++span) {
         const double from = nurbs.knot(first_knot + span), to = nurbs.knot(first_knot + span + 1);
         if (!(to > from)) continue;
         int pieces = 1;

@@ -14,7 +14,7 @@ namespace ripstop {
 namespace {
 
 constexpr double pixel = 0.0254 / 96;  // a CSS px [m]
-constexpr double printed_chord_error = 0.05 * millimetre;
+constexpr double sampling_error = 0.05 * millimetre;
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 LengthUnit unit_of(double metres) {
@@ -124,8 +124,8 @@ class ScaleReader {
 }  // namespace
 
 SvgSampling SvgScale::sampling() const {
-    if (units.empty()) return {printed_chord_error / millimetre, 1e-6};
-    return {printed_chord_error / units.front().unit.metres, 1e-3};
+    if (units.empty()) return {sampling_error / millimetre, 1e-6};
+    return {sampling_error / units.front().unit.metres, 1e-3};
 }
 
 SvgScale svg_scale(const SvgDocument& document, const SvgStyle& style) {

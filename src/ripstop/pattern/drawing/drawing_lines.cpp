@@ -14,14 +14,14 @@
 namespace ripstop {
 namespace {
 
-constexpr double same_place_drawn = 0.01 * millimetre;
+constexpr double drawn_precision = 0.01 * millimetre;
 constexpr double slit_reach = 0.05 * millimetre;  // distance of a notch's slit from the contour it starts at
 
 /// Lines drawn over each other have the same bounding box and length.
 using Key = std::tuple<std::string, double, double, double, double, double>;
 
 Key key_of(const DrawingSurvey& survey, const DrawnPath& path) {
-    const auto step = [&](double number) { return std::round(number * survey.metres_per_unit / same_place_drawn); };
+    const auto step = [&](double number) { return std::round(number * survey.metres_per_unit / drawn_precision); };
     const Vec2 lower = path.points.colwise().minCoeff(), upper = path.points.colwise().maxCoeff();
     return {path.layer,      step(lower.x()), step(lower.y()),
             step(upper.x()), step(upper.y()), step(line_length({path.points, {}, path.is_closed}))};
@@ -254,7 +254,7 @@ std::vector<const DrawnPath*> sound_lines(DrawingSurvey& survey) {
     std::map<std::string, Fault> without_length, twice;
     std::map<Key, std::vector<const DrawnPath*>> seen;
     std::vector<const DrawnPath*> sound;
-    const double tolerance = same_place_drawn / survey.metres_per_unit;
+    const double tolerance = drawn_precision / survey.metres_per_unit;
     const auto count = [&](std::map<std::string, Fault>& faults, const DrawnPath& path) {
         Fault& fault = faults[path.layer];
         if (fault.count++ == 0) fault.first = Vec2(path.points.row(0)) * survey.metres_per_unit;
