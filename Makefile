@@ -1,6 +1,6 @@
 # `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
 .PHONY: setup build demo test bench bench-solve bench-seams bench-inflate dress-seams robustness matched accuracy accuracy-check guide docs field sanitize \
-	install format check clean
+	install format check tidy clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
@@ -81,6 +81,10 @@ check:
 	python3 scripts/check_names.py src/ripstop
 	python3 scripts/check_headers.py .
 	python3 scripts/docs/check_links.py --sources .
+
+# The sources that differ from a commit, by clang-tidy: make tidy SINCE=HEAD~3
+tidy: build/.setup
+	scripts/check_tidy.sh $(SINCE)
 
 format:
 	scripts/check_format.sh --fix

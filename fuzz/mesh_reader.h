@@ -7,15 +7,12 @@
 #include <string_view>
 #include <utility>
 
+#include "require.h"
 #include "ripstop/base/error.h"
 #include "ripstop/io/mesh/mesh_file.h"
 #include "ripstop/mesh/change/mend.h"
 
 namespace ripstop::fuzzing {
-
-inline void require(bool holds) {
-    if (!holds) std::abort();
-}
 
 /// The maps of a mended mesh name existing vertices and triangles of the original.
 inline void require_maps(const TriangleMesh& mesh, const MendedMesh& mended) {

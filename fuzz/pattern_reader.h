@@ -6,15 +6,12 @@
 #include <string>
 #include <string_view>
 
+#include "require.h"
 #include "ripstop/base/error.h"
 #include "ripstop/pattern/drawing/check_drawing.h"
 #include "ripstop/report/words/drawing_report.h"
 
 namespace ripstop::fuzzing {
-
-inline void require(bool holds) {
-    if (!holds) std::abort();
-}
 
 inline bool is_place(const Vec2& at) {
     return at.allFinite() && at.cwiseAbs().maxCoeff() <= 1e9;

@@ -3,19 +3,13 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "require.h"
 #include "ripstop/base/error.h"
 #include "ripstop/io/json/pieces_json.h"
 #include "ripstop/io/svg/svg.h"
 
 using namespace ripstop;
-
-namespace {
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
-}  // namespace
+using fuzzing::require;
 
 /// Any bytes give pieces that can be written in full and read back unchanged, or an InputError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "require.h"
 #include "ripstop/base/error.h"
 #include "ripstop/io/json/project_json.h"
 #include "ripstop/model/plan/envelope_check.h"
@@ -11,12 +12,9 @@
 #include "ripstop/tile/make_tile.h"
 
 using namespace ripstop;
+using fuzzing::require;
 
 namespace {
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
 
 bool is_sound(const SeamType& type) {
     return !type.name.empty() && type.allowance >= 0 && type.allowance <= 1 + 1e-9 && type.rows >= 0;

@@ -3,18 +3,12 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "require.h"
 #include "ripstop/base/error.h"
 #include "ripstop/io/json/special_json.h"
 
 using namespace ripstop;
-
-namespace {
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
-}  // namespace
+using fuzzing::require;
 
 /// Any bytes give a special shape whose lengths and counts can be meshed, or an InputError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -11,8 +11,8 @@
 #include <map>
 #include <numbers>
 
+#include "cad/cad_files.h"
 #include "ripstop/io/mesh/mesh_file.h"
-#include "support/cad_files.h"
 #include "support/outside.h"
 
 namespace ripstop {

@@ -14,10 +14,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "cad/cad_files.h"
 #include "ripstop/base/error.h"
 #include "ripstop/io/mesh/mesh_file.h"
 #include "ripstop/pipeline/read/read_envelope.h"
-#include "support/cad_files.h"
 #include "support/outside.h"
 #include "support/program.h"
 #include "support/shared_data.h"
@@ -61,7 +61,8 @@ TEST(Cad, TheSameCubeInInchMillimetreAndMetreIsTheSameCube) {
             CadModel model = read_cad(file);
             ASSERT_TRUE(model.unit.has_value());
             EXPECT_EQ(model.unit->name, ours);
-            model = in_metres(std::move(model), model.unit->metres);
+            const double metres = model.unit->metres;
+            model = in_metres(std::move(model), metres);
             EXPECT_EQ(model.surfaces.size(), 6U);
             EXPECT_NEAR(area_of(model), 6, 1e-9);
             for (const NamedMesh& surface : model.surfaces) {
@@ -95,7 +96,8 @@ TEST(Cad, TheFacesOfRealFilesHaveTheAreaBoundaryAndBoxThatOpenCascadeSays) {
         SCOPED_TRACE(name);
         const testing::CadFigures figures = testing::step_figures(source.string());
         CadModel model = read_cad(source.string(), {.chord_error = 1e-5, .edge_length = 2e-3});
-        model = in_metres(std::move(model), model.unit.value_or(LengthUnit{}).metres);
+        const double metres = model.unit.value_or(LengthUnit{}).metres;
+        model = in_metres(std::move(model), metres);
         ASSERT_EQ(model.surfaces.size(), figures.faces.size());
         Vec3 low = model.surfaces[0].mesh.positions.row(0), high = low;
         for (std::size_t i = 0; i < figures.faces.size(); ++i) {

@@ -16,10 +16,18 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::Workshop;
 
-/// A workshop with `small.obj`, whose results take a moment to write.
+/// A workshop with `small.obj`, and with `large.obj`, whose pictures take seconds to write.
 class Processes : public ::testing::Test {
   protected:
-    Processes() { workshop.write_tiles("small.obj", {testing::flat_tile("A"), testing::bent_tile("B")}); }
+    Processes() {
+        workshop.write_tiles("small.obj", {testing::flat_tile("A"), testing::bent_tile("B")});
+        std::vector<NamedMesh> many;
+        for (char name = 'A'; name <= 'Z'; ++name) {
+            many.push_back(testing::bent_tile({name}));
+            many.back().mesh.positions.col(0).array() += 3 * (name - 'A');
+        }
+        workshop.write_tiles("large.obj", many);
+    }
     /// Runs a shell script in the workshop; `$RIPSTOP` is the program.
     CommandResult shell(const std::string& script) const {
         return testing::run_command("cd '" + workshop.path("") + "' && RIPSTOP='" RIPSTOP_PROGRAM "' bash -c '" +
@@ -31,7 +39,7 @@ class Processes : public ::testing::Test {
         CommandResult run;
         for (int attempt = 0; attempt < 10; ++attempt) {
             run = shell(
-                "rm -rf plan; set -m; $RIPSTOP flatten small.obj --unit m --quiet --pictures -o plan & run=$!;"
+                "rm -rf plan; set -m; $RIPSTOP flatten large.obj --unit m --quiet --pictures -o plan & run=$!;"
                 "until compgen -G \"plan.partial-*/*\" >/dev/null || ! kill -0 $run 2>/dev/null; do :; done;"
                 "kill -" +
                 signal + " $run; wait $run; echo ended $?");
@@ -65,7 +73,7 @@ TEST_F(Processes, RemoveWhatAKilledOneLeft) {
     EXPECT_THAT(killed.output, HasSubstr("ended 137"));
     EXPECT_THAT(workshop.names(), ::testing::Contains(HasSubstr("plan.partial-")));
     EXPECT_EQ(workshop.ripstop("flatten small.obj --unit m --quiet -o plan").code, 0);
-    EXPECT_THAT(workshop.names(), ElementsAre("plan", "small.obj"));
+    EXPECT_THAT(workshop.names(), ElementsAre("large.obj", "plan", "small.obj"));
 }
 
 TEST_F(Processes, WriteIntoTheFolderTheyStandIn) {
@@ -115,7 +123,7 @@ TEST_F(Processes, SayThatAFileGrewBeyondItsLimit) {
     const CommandResult run = shell("ulimit -f 1; $RIPSTOP flatten small.obj --unit m --quiet -o plan; echo code $?");
     EXPECT_THAT(run.output, HasSubstr("File too large"));
     EXPECT_THAT(run.output, HasSubstr("code 3"));
-    EXPECT_THAT(workshop.names(), ElementsAre("small.obj"));
+    EXPECT_THAT(workshop.names(), ElementsAre("large.obj", "small.obj"));
 }
 
 TEST_F(Processes, OfWhichTwoWriteOneFolderOneWinsAndTheOtherIsTold) {
@@ -127,7 +135,7 @@ TEST_F(Processes, OfWhichTwoWriteOneFolderOneWinsAndTheOtherIsTold) {
             "b=$?; wait $a; echo codes $? $b; ls race/flat | tr \"\\n\" \" \"");
         EXPECT_THAT(run.output,
                     AnyOf(HasSubstr("codes 0 3\nA.obj B.obj sewing.json"), HasSubstr("codes 3 0\nC.obj sewing.json")));
-        EXPECT_THAT(workshop.names(), ElementsAre("other.obj", "race", "small.obj"));
+        EXPECT_THAT(workshop.names(), ElementsAre("large.obj", "other.obj", "race", "small.obj"));
         std::filesystem::remove_all(workshop.path("race"));
     }
 }

@@ -2,6 +2,7 @@
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
+import { after } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import assert from 'node:assert/strict';
 
@@ -21,15 +22,36 @@ const quiet = [
 export const withWebGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 export const withoutWebGL = ['--disable-3d-apis'];
 
-// Opens a report, passes it to `use`, and requires that it writes nothing to the console and requests nothing.
-export async function opened(file, use, { flags = withWebGL, viewport = { width: 1400, height: 900 } } = {}) {
-    const browser = await chromium.launch({
-        executablePath: process.env.RIPSTOP_CHROMIUM,
-        headless: true,
-        args: [...quiet, ...flags],
-    });
+// One browser for all tests of a file that want the same flags.
+const browsers = new Map();
+async function browserWith(flags) {
+    const key = flags.join(' ');
+    if (!browsers.has(key))
+        browsers.set(
+            key,
+            await chromium.launch({
+                executablePath: process.env.RIPSTOP_CHROMIUM,
+                headless: true,
+                args: [...quiet, ...flags],
+            }),
+        );
+    return browsers.get(key);
+}
+after(() => Promise.all([...browsers.values()].map((browser) => browser.close())));
+
+// A new page for `use`, with nothing kept from the pages before it.
+async function inPage(flags, wants, use) {
+    const context = await (await browserWith(flags)).newContext(wants);
     try {
-        const page = await browser.newPage({ viewport, reducedMotion: 'reduce' });
+        await use(await context.newPage());
+    } finally {
+        await context.close();
+    }
+}
+
+// Opens a report, passes it to `use`, and requires that it writes nothing to the console and requests nothing.
+export const opened = (file, use, { flags = withWebGL, viewport = { width: 1400, height: 900 } } = {}) =>
+    inPage(flags, { viewport, reducedMotion: 'reduce' }, async (page) => {
         const complaints = [],
             requests = [];
         page.on('console', (message) => {
@@ -46,27 +68,26 @@ export async function opened(file, use, { flags = withWebGL, viewport = { width:
         await use(page);
         assert.deepEqual(complaints, []);
         assert.deepEqual(requests, [address]);
-    } finally {
-        await browser.close();
-    }
-}
-
-export async function withoutScripts(file, use) {
-    const browser = await chromium.launch({
-        executablePath: process.env.RIPSTOP_CHROMIUM,
-        headless: true,
-        args: quiet,
     });
-    try {
-        const page = await browser.newPage({ javaScriptEnabled: false });
+
+export const withoutScripts = (file, use) =>
+    inPage([], { javaScriptEnabled: false }, async (page) => {
         await page.goto(pathToFileURL(file).href);
         await use(page);
-    } finally {
-        await browser.close();
-    }
-}
+    });
 
-export const rested = (page) => page.waitForTimeout(500);
+// Waits three frames: within two of them a change of the state or of the pointer is followed.
+export const followed = (page) =>
+    page.evaluate(async () => {
+        const frame = () => new Promise((drawn) => requestAnimationFrame(drawn));
+        for (let i = 0; i < 3; ++i) await frame();
+    });
+
+// Waits until what was done is drawn: a change keeps the canvas busy until its picture rests.
+export async function rested(page) {
+    await followed(page);
+    await page.waitForFunction(() => document.querySelector('canvas.envelope').ariaBusy !== 'true');
+}
 
 // The place of the canvas on the page.
 export async function canvasBox(page) {

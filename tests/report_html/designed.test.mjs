@@ -10,6 +10,7 @@ import {
     farthestApart,
     fixedPicture,
     fixSize,
+    followed,
     meanDifference,
     mostApart,
     opened,
@@ -88,7 +89,7 @@ test('lights up both mates of a seam that is clicked', options, () =>
         let found = false;
         for (let dx = 0; dx < width / 4 && !found; dx += 4) {
             await page.mouse.move(centre[0] + dx, centre[1] + 9);
-            await page.waitForTimeout(60);
+            await followed(page);
             found = (await tip.innerText()).includes('Seam');
             if (found) await page.mouse.click(centre[0] + dx, centre[1] + 9);
         }
@@ -106,7 +107,7 @@ test('tells strain where the pointer is', options, () =>
     opened(file, async (page) => {
         const { centre } = await canvasBox(page);
         await page.mouse.move(centre[0] + 5, centre[1] + 5);
-        await page.waitForTimeout(200);
+        await followed(page);
         assert.match(await page.locator('.tip').innerText(), /G\d\dP\d\d[^]*warp [+−]?\d+\.\d\d\s%[^]*shear/);
     }),
 );

@@ -4,7 +4,7 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
-import { assertAccessible, meanDifference, opened, rested, thumbnail, withoutWebGL } from './browser.mjs';
+import { assertAccessible, followed, meanDifference, opened, rested, thumbnail, withoutWebGL } from './browser.mjs';
 import { reports } from './reports.mjs';
 
 const file = reports.inflated(),
@@ -68,7 +68,7 @@ test('finds what is clicked where it is shown', options, () =>
         await rested(page);
         const box = await page.locator('canvas.envelope').boundingBox();
         await page.mouse.move(box.x + 0.53 * box.width, box.y + 0.45 * box.height);
-        await page.waitForTimeout(200);
+        await followed(page);
         assert.match(
             await page.locator('.tip').innerText(),
             /in flight [+−]?[\d.]+\smm off, [\d.]+\sN\/m, (taut|wrinkled|slack)/,

@@ -1,5 +1,6 @@
 // Decides when WebGL draws: only after a change; coarsely during motion, with four times the pixels at rest. If even
-// that is slow, as without a graphics card, more coarsely.
+// that is slow, as without a graphics card, more coarsely. The canvas is `aria-busy` from a change to the picture at
+// rest.
 
 // `onCoarse(isCoarse)` is called before each picture; `step.now`, if set, before each picture during motion.
 export function makeFrames(renderer, scene, camera, onCoarse) {
@@ -15,6 +16,7 @@ export function makeFrames(renderer, scene, camera, onCoarse) {
         const ratio = Math.min(3, window.devicePixelRatio * share);
         if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
         renderer.render(scene, camera);
+        renderer.domElement.ariaBusy = String(isMoving);
     };
     const draw = (now) => {
         waiting = false;
@@ -28,10 +30,12 @@ export function makeFrames(renderer, scene, camera, onCoarse) {
     const request = () => {
         if (!waiting) requestAnimationFrame(draw);
         waiting = true;
+        renderer.domElement.ariaBusy = 'true';
     };
     // For changes without motion: switching to coarse pixels and back would take longer.
     const refresh = () => {
         if (isMoving) return request();
+        renderer.domElement.ariaBusy = 'true';
         requestAnimationFrame(() => !waiting && !isMoving && render(2));
     };
     return { step, request, refresh, drawNow: () => render(2) };

@@ -1,4 +1,4 @@
-#include "support/cad_files.h"
+#include "cad/cad_files.h"
 
 #ifdef RIPSTOP_CAD_PROGRAM
 

@@ -1,0 +1,12 @@
+#!/bin/sh
+# What clang-tidy says of the sources that differ from a commit (default: origin/main), with the checks of .clang-tidy.
+# `scripts/check_tidy.sh HEAD~3`. Some twenty seconds a source, so the change alone is looked at.
+set -eu
+cd "$(dirname "$0")/.."
+command -v clang-tidy > /dev/null || { echo "check_tidy: clang-tidy is missing (Debian: clang-tidy)" >&2; exit 1; }
+since=${1:-origin/main}
+sources=$(git diff --name-only --diff-filter=d "$since" -- 'src/*.cpp' 'apps/*.cpp' 'tests/*.cpp' 'bench/*.cpp')
+[ -n "$sources" ] || { echo "check_tidy: no source differs from $since"; exit 0; }
+# The dev preset compiles each source alone, as clang-tidy needs it.
+cmake --preset dev -Wno-dev > /dev/null
+echo "$sources" | xargs -n 1 -P "$(nproc)" clang-tidy -p build/dev --quiet
