@@ -1,5 +1,5 @@
 # `make demo` and `make test` do everything on a fresh Debian 12 machine, packages included.
-.PHONY: setup build demo test bench bench-solve bench-seams bench-inflate dress-seams robustness matched accuracy accuracy-check guide docs field sanitize \
+.PHONY: setup build demo test bench bench-solve bench-seams bench-inflate dress-seams robustness matched accuracy accuracy-check guide docs field sanitize races same-bytes \
 	install format check tidy clean
 PRESET ?= release
 JOBS ?= $(shell nproc)
@@ -70,10 +70,25 @@ setup:
 build/.setup: scripts/setup.sh scripts/packages.txt apps/rhino/package-lock.json apps/report/package-lock.json tests/dxf/package-lock.json
 	$(MAKE) setup
 
+# The tests, with the library under AddressSanitizer and UndefinedBehaviorSanitizer.
 sanitize: build/.setup
-	cmake --preset asan -Wno-dev
-	cmake --build build/asan -j $(JOBS)
-	ctest --test-dir build/asan -j $(JOBS) --output-on-failure --timeout 900
+	cmake --preset $(PRESET) -Wno-dev
+	cmake --build build/release -j $(JOBS) --target sanitized
+	ctest --test-dir build/release -C sanitized -L sanitized -j $(JOBS) --output-on-failure
+
+# The tests of several threads, with the library under ThreadSanitizer.
+races: build/.setup
+	cmake --preset $(PRESET) -Wno-dev
+	cmake --build build/release -j $(JOBS) --target races
+	ctest --test-dir build/release -C races -L races --output-on-failure
+
+# The same bytes from a build by clang, without optimisation.
+same-bytes: build/.setup
+	cmake --preset $(PRESET) -Wno-dev
+	cmake --build build/release -j $(JOBS) --target ripstop-program
+	cmake --preset clang -Wno-dev
+	cmake --build build/clang -j $(JOBS) --target ripstop-program
+	python3 tests/anywhere/compare.py build/release/ripstop build/clang/ripstop . ../shared/data
 
 check:
 	scripts/check_format.sh

@@ -1,4 +1,4 @@
-// What libraries do not give back at the end is none of our leaks: the CAD kernels, and fontconfig, whose patterns LeakSanitizer
+// Memory that libraries never free is not a leak of ours: the CAD kernels, and fontconfig, whose patterns LeakSanitizer
 // cannot follow. It asks the program for these by name; builds without it never call them.
 extern "C" const char* __lsan_default_options();
 extern "C" const char* __lsan_default_options() {

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Holds headers to standing alone and names to one meaning, without the minutes that a compiler takes for it:
+"""Checks that headers are self-contained and that names are unique, without the minutes that a compiler takes:
 
 - a header that names a type of another header or of the standard library includes it, itself or through what it includes;
-- no class or enum of namespace ripstop is defined twice, in headers or in sources, unless in an unnamed namespace. Two of
-  one name with two layouts link, and the program is then wrong without a word.
+- no class or enum of namespace ripstop is defined twice, in headers or in sources, unless in an unnamed namespace. Two
+  classes of one name link silently, and the program then misbehaves if their layouts differ.
 
 Prints every breach with file and line; exits 1 if there is any.
 
@@ -19,7 +19,7 @@ NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"
 INCLUDE = re.compile(r'^\s*#include [<"]([^>"]+)[>"]', re.M)
 OPENS = re.compile(r"(?:inline\s+)?namespace\b([^;{]*)$|(?:template\s*<.*>\s*)?(?:struct|class|union|enum(?:\s+class|\s+struct)?)"
                    r"\s+(?:\[\[\w+\]\]\s*)?([\w:]*\w)\s*(?:final\s*)?(?::[^:;{][^;{]*)?$", re.S)
-STANDARD = {  # what of std is where; several where any of them does
+STANDARD = {  # the headers that declare each name of std; any of them is enough
     "vector": "vector", "string": "string", "to_string": "string", "string_view": "string_view string", "array": "array",
     "optional": "optional", "nullopt": "optional", "function": "functional", "span": "span", "map": "map", "set": "set",
     "unordered_map": "unordered_map", "unordered_set": "unordered_set", "variant": "variant", "tuple": "tuple",

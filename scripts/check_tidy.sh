@@ -1,6 +1,6 @@
 #!/bin/sh
-# What clang-tidy says of the sources that differ from a commit (default: origin/main), with the checks of .clang-tidy.
-# `scripts/check_tidy.sh HEAD~3`. Some twenty seconds a source, so the change alone is looked at.
+# Runs clang-tidy, with the checks of .clang-tidy, on the sources that differ from a commit (default: origin/main), such
+# as `scripts/check_tidy.sh HEAD~3`. It takes about twenty seconds per source, so it checks changed sources only.
 set -eu
 cd "$(dirname "$0")/.."
 command -v clang-tidy > /dev/null || { echo "check_tidy: clang-tidy is missing (Debian: clang-tidy)" >&2; exit 1; }

@@ -137,8 +137,8 @@ void add_remark(ConvertedModel& model, const EdgeSizes& sizes, const std::vector
     if (chord_error > sizes.chord_error)
         model.remarks.push_back("--chord asks for at most " + format_fixed(sizes.chord_error * said.scale, 3) +
                                 said.unit +
-                                " off the CAD's surfaces, which no finer mesh would give: they are faulty, or their "
-                                "edges lie apart; repair them in the CAD");
+                                " off the CAD's surfaces, which no mesh can reach: they are faulty, or their edges "
+                                "do not meet; repair them in the CAD");
     if (plain)
         model.remarks.push_back(
             "the surfaces were meshed by Open CASCADE, with poor triangles, because no other mesher can fill one; "
@@ -150,12 +150,12 @@ void add_bound(ConvertedModel& model, const Bounded& bounded) {
     if (bounded.border > 1)
         model.remarks.push_back("the faces have so many edges that the edges are divided " +
                                 format_fixed(bounded.border, 1) +
-                                " times as coarsely as their bend requires (a turn of 2.8 degrees); " + finer);
+                                " times more coarsely than their curvature requires (a turn of 2.8 degrees); " + finer);
     if (bounded.faces == 0) return;
     const std::string faces = bounded.faces == 1 ? "1 face has" : std::to_string(bounded.faces) + " faces have";
     model.remarks.push_back(
         faces + " triangles up to " + format_fixed(bounded.longer, 1) +
-        " times as long inside as their bend requires (a turn of 2.8 degrees), because that would take more than " +
+        " times longer inside than their curvature requires (a turn of 2.8 degrees), to avoid more than " +
         format_fixed(most_of_face, 0) + " triangles in a face or " + format_fixed(most_of_all, 0) + " in all; " +
         (bounded.border > 1 ? "" : "their edges are not affected; ") + finer);
 }

@@ -82,16 +82,15 @@ int main(int argc, char** argv) {
     // If the caller was killed, nobody waits for the meshes.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
-    CLI::App app("Meshes the surfaces of STEP, IGES and BREP files for ripstop, which calls it by itself.",
-                 "ripstop-cad");
+    CLI::App app("Meshes the surfaces of STEP, IGES and BREP files; ripstop runs it when needed.", "ripstop-cad");
     app.set_version_flag("--version", std::string("ripstop-cad ") + ripstop::version);
     Arguments given;
     app.add_option("INPUT", given.input, "A .step, .stp, .iges, .igs, .brep, .brp or .converted file")->required();
     app.add_option("OUTPUT", given.output, "The meshes, as ripstop reads them")->required();
-    app.add_option("--chord", given.chord, "How far the surface may lie off its triangles, as 0.2mm");
-    app.add_option("--edge", given.edge, "How long edges are at most, as 100mm");
-    app.add_option("--tolerance", given.tolerance, "Faces are sewn where their edges lie within this length (0.5mm)");
-    app.add_option("--metres-per-unit", given.metres_per_unit, "Of the file's numbers, whatever the file says");
+    app.add_option("--chord", given.chord, "Largest distance of the surface from its triangles, such as 0.2mm");
+    app.add_option("--edge", given.edge, "Largest edge length, such as 100mm");
+    app.add_option("--tolerance", given.tolerance, "Faces whose edges are this close are sewn (default 0.5mm)");
+    app.add_option("--metres-per-unit", given.metres_per_unit, "Overrides the unit of the file");
     try {
         app.parse(argc, argv);
         return run(given);

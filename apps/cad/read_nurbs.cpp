@@ -79,7 +79,7 @@ Handle(Geom_BSplineSurface) surface_of(const json& entry, double scale) {
     const int rows = entry.at("count_u").get<int>(), columns = entry.at("count_v").get<int>();
     const json& points = entry.at("points");
     if (rows < 2 || columns < 2 || points.size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns))
-        throw InputError("a NURBS surface has another number of points than it says");
+        throw InputError("a NURBS surface does not have the number of points that it states");
     TColgp_Array2OfPnt poles(1, rows, 1, columns);
     TColStd_Array2OfReal weights(1, rows, 1, columns);
     for (int i = 0; i < rows; ++i)

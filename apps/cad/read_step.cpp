@@ -36,8 +36,7 @@ namespace {
 
 constexpr int deepest_assembly = 64;
 constexpr const char* without_names =
-    "Open CASCADE's reader with names breaks down on this file, so it was read without the names, layers and colours "
-    "in it";
+    "Open CASCADE crashes on this file when it reads names, so the file was read without names, layers and colours";
 
 std::string utf8(const TCollection_ExtendedString& text) {
     std::string bytes(static_cast<std::size_t>(text.LengthOfCString()) + 1, '\0');

@@ -65,7 +65,7 @@ void add_wires(const TopoDS_Shape& shape, const std::string& name, const Attribu
         add_curve(points, name, attributes, drawing);
     }
     if (TopExp_Explorer(shape, TopAbs_VERTEX, TopAbs_EDGE).More())
-        drawing.rest.unread.push_back({name, "Point", "points are no surface", attributes});
+        drawing.rest.unread.push_back({name, "Point", "points are not a surface", attributes});
 }
 
 void require_coordinates(const TopoDS_Shape& shape, const std::string& place) {

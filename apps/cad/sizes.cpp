@@ -102,7 +102,7 @@ Bounded bound(const std::vector<TopoDS_Face>& faces, const MeshingOptions& asked
         result.triangles = std::accumulate(counts.begin(), counts.end(), 0.0);
         if (result.triangles > most_triangles)
             throw InputError("so fine a mesh would have " + std::to_string(std::lround(result.triangles / 1e6)) +
-                             " million triangles, at most 10 million are made; ask for less with --chord or --edge");
+                             " million triangles, the limit is 10 million; give a larger --chord or --edge");
         return result;
     }
     const double pieces = Borders(faces, face_sizes, sizes).pieces();

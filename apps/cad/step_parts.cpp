@@ -67,7 +67,7 @@ void close_holes(const Interface_InterfaceModel& model, Drawing& drawing) {
     for (const auto& [kind, count] : unknown)
         kinds += (kinds.empty() ? " (" : ", ") + std::to_string(count) + " " + kind;
     drawing.rest.remarks.push_back((holes == 1 ? "1 item" : std::to_string(holes) + " items") +
-                                   " beside the shapes left out, of kinds that Open CASCADE does not know" + kinds +
+                                   " other than shapes left out, of types that Open CASCADE does not know" + kinds +
                                    (kinds.empty() ? "" : ")"));
 }
 

@@ -95,7 +95,7 @@ void require_whole_iges(const std::filesystem::path& file) {
 
 void require_whole_brep(const std::filesystem::path& file) {
     // The reference to the whole shape, `+1 0`, follows the last list of parts, which ends with an asterisk. The
-    // kernel reads for ever behind the end of a truncated file.
+    // kernel reads for ever past the end of a truncated file.
     std::ifstream in(file, std::ios::binary);
     const auto [last, before] = last_lines(in);
     if (!std::regex_match(last, std::regex("[-+ie][0-9]+ [0-9]+")) || !before.ends_with('*'))

@@ -1,6 +1,6 @@
-// What openNURBS gives of a Rhino file, for ripstop: `node convert.mjs FILE.3dm OUTPUT`. OUTPUT is a converted model (see
-// src/ripstop/io/cad/converted.h): a line of JSON, then the meshes; an object that is NURBS has them under `brep` beside the
-// meshes Rhino had stored of its faces.
+// Extracts the surfaces of a Rhino file with openNURBS: `node convert.mjs FILE.3dm OUTPUT`. OUTPUT is a converted model
+// (see src/ripstop/io/cad/converted.h): a line of JSON, then the meshes. An object made of NURBS has them under `brep`,
+// besides the meshes of its faces that Rhino stored.
 import fs from 'node:fs';
 import rhino3dm from 'rhino3dm';
 
@@ -116,7 +116,7 @@ function brepOf(brep, place) {
   };
 }
 
-/** How far a stored mesh may lie off its surface, from how much its triangles turn at their edges: h t / 8. */
+/** Estimates the distance of a stored mesh from its surface: h t / 8, with the turn t between triangles of height h. */
 function chordError({points, triangles}) {
   const minus = (a, b) => a.map((x, i) => x - b[i]);
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];

@@ -23,9 +23,8 @@ std::string built_with() {
                                                : "\nbuilt without CGAL: tiles keep their meshes");
 }
 
-/// What was printed is a result: where it did not arrive, the run has failed. A reader that closed the pipe has read
-/// what it
-/// wanted (`ripstop check balloon.obj | head -1`).
+/// Printed output is a result, so the run fails if it cannot be written. A closed pipe is not a failure: the reader has
+/// read what it wanted (`ripstop check balloon.obj | head -1`).
 int arrived(int code) {
     if (std::fflush(stdout) != 0) output_error() = errno;
     if (output_error() == 0 || output_error() == EPIPE) return code;
@@ -53,7 +52,7 @@ int main(int argc, char** argv) {
         "  ripstop check envelope.obj                   what was read from a model, and what is wrong with it\n"
         "  ripstop flatten envelope.obj -o cut-plan     the patterns and the report\n"
         "  ripstop export cut-plan --dialect gerber     the same patterns for another cutter\n"
-        "`ripstop COMMAND --help` tells the options of each.\n\n"
+        "`ripstop COMMAND --help` lists the options of a command.\n\n"
         "Exit codes: 0 all manufacturable, 1 some not (all files written), 2 usage, 3 unusable input, 4 our fault.");
     cli::add_flatten(app);
     cli::add_check(app);

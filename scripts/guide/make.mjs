@@ -57,7 +57,7 @@ function run(folder, line, path) {
     return { code: shell.status, text: shell.stdout };
 }
 
-// Every command block with its output; adds faults to `faults`.
+// Runs every command block and returns its output; adds faults to `faults`.
 function runAll(blocks, folder, faults) {
     const bin = join(folder, '.bin');
     mkdirSync(bin);

@@ -53,7 +53,7 @@ TEST(DoubledTiles, AreNotSaidToHaveNoSeamsBesideTheSeamsAsGiven) {
     EXPECT_GT(result.seams, 0);
     EXPECT_THAT(named(result), ::testing::ElementsAre("doubled under"));
     ASSERT_THAT(meant(result), ::testing::ElementsAre("unsewn -"));
-    EXPECT_THAT(result.meant[0].message, HasSubstr("once the faults are mended"));
+    EXPECT_THAT(result.meant[0].message, HasSubstr("after the faults are corrected"));
     EXPECT_THAT(result.meant[0].message, ::testing::Not(HasSubstr("there are no seams")));
 }
 
@@ -259,8 +259,8 @@ TEST(Unit, IsProposedWhereTheSizeIsNoBalloons) {
         EXPECT_THAT(small.issues[0].message, HasSubstr("with --unit m it would measure"));
         EXPECT_FALSE(small.seams_sought) << "edges of some mm mean nothing against a tolerance of 0.5 mm";
         const std::string text = check_text(small, "small.obj", "mm");
-        EXPECT_THAT(text, HasSubstr("\nseams          not looked for"));
-        EXPECT_THAT(text, HasSubstr("\nopen edges     not looked for\nloose ends     not looked for\n"));
+        EXPECT_THAT(text, HasSubstr("\nseams          not searched for"));
+        EXPECT_THAT(text, HasSubstr("\nopen edges     not searched for\nloose ends     not searched for\n"));
         EXPECT_THAT(text, ::testing::Not(HasSubstr("closed")));
         EXPECT_THAT(text, ::testing::Not(HasSubstr(" part")));
         EXPECT_THAT(check_json(small, "small.obj", "mm"), HasSubstr("\"loops\": null"));
@@ -276,7 +276,7 @@ TEST(Unit, InDoubtHidesNoSeams) {
     EXPECT_EQ(result.seams, 72 + 60);
     EXPECT_EQ(result.parts, 1);
     EXPECT_EQ(result.loops.size(), 2u) << "mouth and crown";
-    EXPECT_THAT(check_text(result, "gores.obj", "in"), ::testing::Not(HasSubstr("not looked for")));
+    EXPECT_THAT(check_text(result, "gores.obj", "in"), ::testing::Not(HasSubstr("not searched for")));
 }
 
 TEST(LooseTiles, AreOneNoteWhereNothingIsSewnAndNoneWhereThereIsOneTile) {
@@ -297,7 +297,8 @@ TEST(StrayTile, IsANoteForItMayBeMeant) {
     EXPECT_TRUE(result.sound());
     EXPECT_THAT(meant(result), ::testing::ElementsAre("apart vent"));
     EXPECT_THAT(result.notes, ::testing::Contains(HasSubstr("tile vent at (")));
-    EXPECT_THAT(result.notes, ::testing::Contains(HasSubstr(" m is sewn to nothing; if that is not meant, bring it")));
+    EXPECT_THAT(result.notes,
+                ::testing::Contains(HasSubstr(" m is sewn to nothing; if that is not intended, move it")));
 }
 
 TEST(StrayTile, ThatCameAwayFromItsPlaceLeavesAHoleWhichIsAnIssue) {

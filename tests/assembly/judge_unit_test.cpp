@@ -54,7 +54,7 @@ TEST(Unit, IsWorthALookWhereFeetWouldGiveABalloon) {
     const auto doubt = doubt_unit(panels, read_in("cm"));
     ASSERT_TRUE(doubt);
     EXPECT_FALSE(doubt->is_wrong);
-    EXPECT_THAT(doubt->sentence, HasSubstr("half of its tiles less than 50 mm, twice a seam allowance of an inch; "
+    EXPECT_THAT(doubt->sentence, HasSubstr("half of its tiles are below 50 mm, twice a seam allowance of an inch; "
                                            "with --unit m it would measure 21.00 m"));
 }
 

@@ -130,7 +130,7 @@ TEST(CadPoles, AreAsNearToTheirTrianglesAsAsked) {
         SCOPED_TRACE(static_cast<int>(known.solid));
         const double chord_error = 2e-3;
         const CadModel model = solid_of(scratch, known.solid, {.chord_error = chord_error});
-        EXPECT_THAT(model.remarks, Each(::testing::Not(HasSubstr("no finer mesh"))));
+        EXPECT_THAT(model.remarks, Each(::testing::Not(HasSubstr("no mesh can reach"))));
         EXPECT_EQ(together(model).open, 0);
         double greatest = 0;
         for (const NamedMesh& surface : model.surfaces)

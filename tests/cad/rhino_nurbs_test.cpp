@@ -9,6 +9,7 @@
 
 #include "ripstop/io/mesh/mesh_file.h"
 #include "support/outside.h"
+#include "support/sanitized.h"
 #include "support/shared_data.h"
 
 namespace ripstop {
@@ -44,6 +45,7 @@ std::map<std::string, double> areas(const CadModel& model) {
 }
 
 TEST_F(RhinoNurbs, BrepsSurfacesAndExtrusionsOfEveryVersionHaveTheirExactAreas) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     for (const int version : {4, 5, 6, 7, 8}) {
         SCOPED_TRACE(version);
         const CadModel model = read("all", version);
@@ -90,6 +92,7 @@ TEST_F(RhinoNurbs, BlocksStandInTheirPlacesAndMirroredOnesKeepTheirOutside) {
 }
 
 TEST_F(RhinoNurbs, RealFilesGiveTheirSurfaces) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     RIPSTOP_REQUIRE_SHARED(folder, "rhino");
     const CadModel box = read_model(folder / "object_UserStrings.3dm", {.mesher = RIPSTOP_CAD_PROGRAM});
     ASSERT_EQ(box.surfaces.size(), 6U);

@@ -82,7 +82,7 @@ TEST(Allowances, ExportAndNestTellAPlanWhoseCutLineHasLostItsOpening) {
     EXPECT_EQ(workshop.ripstop("nest plan -o marker").code, 1);
     const ProgramRun validated = workshop.ripstop("validate lost/envelope.dxf");
     EXPECT_EQ(validated.code, 1) << validated.out;
-    EXPECT_THAT(validated.out, HasSubstr("lost where two allowances run together"));
+    EXPECT_THAT(validated.out, HasSubstr("lost because two allowances merge"));
 }
 
 TEST(Allowances, OfAKeyholeAndARingKeepTheirOpenings) {

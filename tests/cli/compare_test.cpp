@@ -5,6 +5,7 @@
 
 #include "ripstop/flatten/method.h"
 #include "support/program.h"
+#include "support/sanitized.h"
 
 namespace ripstop {
 namespace compare_test {
@@ -16,6 +17,7 @@ using ::testing::StartsWith;
 using testing::Workshop;
 
 TEST(CompareCommand, HasARowForEveryMethodAndEndsWith0ThoughSomeFail) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     const Workshop workshop;
     workshop.write_tiles("tile.obj", {testing::curved_tile()});
     const ProgramRun run = workshop.ripstop("compare tile.obj --unit m");
@@ -45,6 +47,7 @@ TEST(CompareCommand, SaysInJsonWhatTheReportOfEachMethodSays) {
 }
 
 TEST(CompareCommand, DrawsASheetThatAnIndependentRendererOpens) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     const Workshop workshop;
     workshop.write_tiles("tiles.obj", {testing::bent_tile("a"), testing::curved_tile("b <&>")});
     const ProgramRun run = workshop.ripstop("compare tiles.obj --unit m --sheet sheet.svg");

@@ -141,11 +141,11 @@ TEST_F(ExitCode, Is3ForABadProjectFile) {
     expect_bad(R"({"units": "mm"})", "project.json");
     expect_bad(R"({"fabric": "silk"})", "no fabric \"silk\"");
     expect_bad(R"({"tiles": [{"name": "plane", "warp": {"direction": [0, 0, 0]}}]})", "the warp has no direction");
-    expect_bad(R"({"tiles": [{"name": "plane", "warp": {"direction": [0, 0, 1]}}]})", "stands upright on the tile");
+    expect_bad(R"({"tiles": [{"name": "plane", "warp": {"direction": [0, 0, 1]}}]})", "is perpendicular to the tile");
 }
 
 TEST_F(ExitCode, Is3WhereThePlanCannotBePut) {
-    expect_refused(3, "flatten envelope.obj -o missing/plan", "is no directory; make it first");
+    expect_refused(3, "flatten envelope.obj -o missing/plan", "is not a directory; make it first");
     expect_refused(3, "flatten envelope.obj -o envelope.obj", "envelope.obj: is a file");
     expect_refused(3, "flatten envelope.obj -o ''", "has no name");
     expect_refused(3, "flatten envelope.obj -o .", "is not empty");
@@ -168,14 +168,14 @@ TEST_F(ExitCode, Is3WhereADirectoryIsNotEmptyUnlessForced) {
 
 TEST_F(ExitCode, Is3WhereStandardOutputTakesNothing) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-    const std::string program = "cd '" + workshop.path("") + "' && " RIPSTOP_PROGRAM;
+    const std::string program = "cd '" + workshop.path("") + "' && " + testing::tested_program();
     EXPECT_EQ(testing::run_command("(" + program + " methods > /dev/full)").code, 3);
     EXPECT_EQ(testing::run_command("(" + program + " flatten envelope.obj -o plan --json > /dev/full)").code, 3);
 }
 
 TEST_F(ExitCode, DoesNotDependOnWhetherTheProgressIsRead) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-    const std::string program = "cd '" + workshop.path("") + "' && " RIPSTOP_PROGRAM;
+    const std::string program = "cd '" + workshop.path("") + "' && " + testing::tested_program();
     EXPECT_EQ(testing::run_command("(" + program + " flatten envelope.obj -o plan 2> /dev/full)").code, 0);
     EXPECT_EQ(testing::run_command("(" + program + " flatten none.obj -o other 2> /dev/full)").code, 3);
 }

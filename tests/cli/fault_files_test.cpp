@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Fault{"cm_read_as_m.obj", 1, "with --unit cm it would measure 3.00 m, with in 7.62 m"},
                       Fault{"repeated_corner.obj", 0, "1 of 1 tile manufacturable"},
                       Fault{"zero_area_triangle.obj", 0,
-                            "1 vertex joined with another in the same place: in T, near (0.0000, 1.0000, 0.0000)"},
+                            "1 vertex merged with another in the same place: in T, near (0.0000, 1.0000, 0.0000)"},
                       Fault{"unwelded_tip.obj", 0,
                             "2 vertices that each triangle of a tip had for itself welded: in G"}),
     [](const auto& fault) {

@@ -91,7 +91,7 @@ TEST(WhatMayBeMeant, IsWrongForCheckAndFlattenUntilItIsAccepted) {
     const std::string sentence = "a tile is missing at (2.00, 1.00, 1.50) m: the loose edges of ";
     EXPECT_THAT(refused.check.out, HasSubstr("WRONG          " + sentence));
     EXPECT_THAT(refused.flatten.out, HasSubstr("  " + sentence));
-    EXPECT_THAT(refused.flatten.out, HasSubstr("; if the opening is meant, --accept missing_tile\n"));
+    EXPECT_THAT(refused.flatten.out, HasSubstr("; if the opening is intended, give --accept missing_tile\n"));
     auto report = nlohmann::json::parse(workshop.read("plan/report.json"));
     ASSERT_EQ(report["envelope"]["findings"].size(), 1U);
     EXPECT_EQ(report["envelope"]["findings"][0]["code"], "missing_tile");

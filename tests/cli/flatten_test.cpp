@@ -70,8 +70,8 @@ TEST(FlattenCommand, SaysWhatSizeFollowsWhereNoUnitIsGiven) {
     const Workshop workshop;
     workshop.write_tiles("envelope.obj", {testing::flat_tile()});
     EXPECT_THAT(workshop.ripstop("flatten envelope.obj -o a").err,
-                HasSubstr("taken as metres, which makes the envelope 2 x 1 x 0 m"));
-    EXPECT_THAT(workshop.ripstop("flatten envelope.obj -o b --unit m").err, Not(HasSubstr("taken as metres")));
+                HasSubstr("so metres are assumed: the envelope measures 2 x 1 x 0 m"));
+    EXPECT_THAT(workshop.ripstop("flatten envelope.obj -o b --unit m").err, Not(HasSubstr("metres are assumed")));
 }
 
 TEST(FlattenCommand, PrintsTheReportsBytesForMachines) {

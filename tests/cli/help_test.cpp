@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "support/program.h"
+#include "support/sanitized.h"
 
 namespace ripstop {
 namespace help_test {
@@ -56,7 +57,7 @@ TEST(Help, IsNoWiderThanAPageAndHasNoColoursInAPipe) {
     }
 }
 
-/// The lines of the help that begin with two blanks and `ripstop`, without the remarks behind them.
+/// The lines of the help that begin with two blanks and `ripstop`, without the remarks after them.
 std::vector<std::string> examples_of(const std::string& help) {
     static const std::regex line("\n  ripstop ([^\n]*)"), remark("(  |  +#).*$");
     std::vector<std::string> examples;
@@ -67,6 +68,7 @@ std::vector<std::string> examples_of(const std::string& help) {
 
 // The examples of `lift` need a drawing made by hand; its own tests make one.
 TEST(Help, GivesExamplesThatRun) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     for (const std::string command : commands) {
         if (command == "lift" || command == "completion" || command == "manual") continue;
         const Workshop workshop;
@@ -94,15 +96,15 @@ TEST(Help, GivesExamplesThatRun) {
 
 /// The output on a terminal, with these variables set.
 std::string on_terminal(const Workshop& workshop, const std::string& variables, const std::string& arguments) {
-    const CommandResult run =
-        testing::run_command("cd '" + workshop.path("") + "' && env -u NO_COLOR -u CLICOLOR_FORCE " + variables +
-                             " script -qec '" RIPSTOP_PROGRAM " " + arguments + "' /dev/null < /dev/null");
+    const CommandResult run = testing::run_command(
+        "cd '" + workshop.path("") + "' && env -u NO_COLOR -u CLICOLOR_FORCE " + variables + " script -qec '" +
+        testing::tested_program() + " " + arguments + "' /dev/null < /dev/null");
     return run.output;
 }
 
 std::string in_pipe(const Workshop& workshop, const std::string& variables, const std::string& arguments) {
     return testing::run_command("cd '" + workshop.path("") + "' && env -u NO_COLOR -u CLICOLOR_FORCE " + variables +
-                                " " RIPSTOP_PROGRAM " " + arguments)
+                                " " + testing::tested_program() + " " + arguments)
         .output;
 }
 
@@ -133,6 +135,7 @@ TEST(Colours, AreShownOnATerminalThatHasThem) {
 }
 
 TEST(Progress, IsABarWithTheTimeLeftOnATerminalAndWipedAtTheEnd) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     if (std::system("command -v script > /dev/null") != 0) GTEST_SKIP() << "no script to make a terminal";
     const Workshop workshop;
     ASSERT_EQ(workshop.ripstop("design natural --gores 12 --panels 6 --edge 600mm --volume 300 -o envelope.obj").code,

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"
+#include "support/sanitized.h"
 
 namespace ripstop {
 namespace inflate_test {
@@ -49,6 +50,7 @@ TEST(InflateCommand, PutsTheFlightIntoReportPageAndShape) {
 }
 
 TEST(InflateCommand, FindsTheSameInOneSectorAndInTheWhole) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     const Workshop workshop;
     make_plan(workshop);
     const Json sector = Json::parse(workshop.ripstop("inflate plan --tapes meridians --json --quiet").out)["inflated"];
@@ -62,6 +64,7 @@ TEST(InflateCommand, FindsTheSameInOneSectorAndInTheWhole) {
 }
 
 TEST(FlattenCommand, CompensatesUntilTheEnvelopeIsAsDrawn) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     const Workshop workshop;
     make_plan(workshop, "--compensate --tapes meridians");
     const Json report = Json::parse(workshop.read("plan/report.json"));

@@ -111,7 +111,7 @@ TEST_F(LiftCommand, TellsThePiecesOfAnotherPlanApart) {
     draw_on("other/cut/tiles/G04P02.svg", "drawn.svg");
     const ProgramRun run = workshop.ripstop("lift plan drawn.svg -o art.obj");
     EXPECT_EQ(run.code, 3);
-    EXPECT_THAT(run.err, HasSubstr("it holds none of the plan's pieces, only G04P02"));
+    EXPECT_THAT(run.err, HasSubstr("contains none of the plan's pieces, only G04P02"));
 }
 
 TEST_F(LiftCommand, SaysWhichCutLinesAreNoPieces) {
@@ -152,7 +152,7 @@ TEST_F(LiftCommand, ExportTakesTheFormatThatItsOptionsAreFor) {
     EXPECT_EQ(workshop.files("frames").count("envelope.dxf"), 0U);
     const ProgramRun unheeded = workshop.ripstop("export plan --dialect clo --format svg -o no");
     EXPECT_EQ(unheeded.code, 2);
-    EXPECT_THAT(unheeded.err, HasSubstr("--dialect means nothing for svg: it is for dxf"));
+    EXPECT_THAT(unheeded.err, HasSubstr("--dialect does not apply to svg, only to dxf"));
     EXPECT_EQ(workshop.ripstop("export plan --paper a4 --format dxf -o no").code, 2);
     EXPECT_EQ(workshop.ripstop("export plan --date 2026-11-22 --format svg,hpgl -o no").code, 2);
     EXPECT_EQ(workshop.ripstop("flatten small.obj --unit m --paper a4 --format dxf -o no").code, 2);

@@ -55,8 +55,8 @@ TEST(DesignCommand, WritesTheTilesThatFlattenReads) {
     const ProgramRun run =
         workshop.ripstop("design natural --gores 3 --panels 2 --edge 1m --volume 600 -o envelope.obj");
     EXPECT_EQ(run.code, 0) << run.err;
-    EXPECT_THAT(run.out, StartsWith("6 tiles, 2 panels a gore"));
-    EXPECT_THAT(run.out, HasSubstr("(a sphere with them: right)"));
+    EXPECT_THAT(run.out, StartsWith("6 tiles, 2 panels per gore"));
+    EXPECT_THAT(run.out, HasSubstr("right for a sphere"));
     EXPECT_THAT(workshop.names(), ElementsAre("envelope.obj"));
     std::ifstream in(workshop.path("envelope.obj"), std::ios::binary);
     std::vector<std::string> names;
@@ -88,7 +88,7 @@ TEST(DesignCommand, RefusesWhatMakesNoEnvelopeAndWritesNothing) {
              std::pair{"--volume -1", "the volume is -1 m3; it must be greater than 0 m3"},
              std::pair{"--volume nan", "the volume is nan m3"},
              std::pair{"--edge 3", "--edge: \"3\" is not a length; write a number with its unit"},
-             std::pair{"--edge 1mm", "million triangles; give one that asks for at most"},
+             std::pair{"--edge 1mm", "million triangles, the limit is 20; give longer edges"},
              std::pair{"--triangles -5", "the number of triangles a tile is -5; it must lie between"},
              std::pair{"--panel-height 0m", "--panel-height: 0m is too little; give a length above 0"},
              std::pair{"--crown 50m", "the opening must be narrower than"},
@@ -121,7 +121,7 @@ TEST(DesignCommand, ReplacesAFileOnlyWhenForced) {
 TEST(DesignCommand, SaysBeforeItStartsThatTheFileCannotBePut) {
     const Workshop workshop;
     EXPECT_THAT(workshop.ripstop("design natural -o missing/envelope.obj").err,
-                HasSubstr("is no folder; make it first"));
+                HasSubstr("is not a folder; make it first"));
     EXPECT_THAT(workshop.ripstop("design natural --force -o .").err, HasSubstr(".: is a folder; name the file"));
     EXPECT_THAT(workshop.names(), IsEmpty());
 }

@@ -5,6 +5,7 @@
 
 #include "support/program.h"
 #include "support/raster.h"
+#include "support/sanitized.h"
 #include "support/shared_data.h"
 
 namespace ripstop {
@@ -49,6 +50,7 @@ TEST(PicturesOfFlatten, OfOneTileHaveTheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(PicturesOfFlatten, OfADressShowEachPanelAndTheWorstSeams) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     RIPSTOP_REQUIRE_SHARED(dress, "dress/dress_knife_drape_3d.obj");
     const Workshop workshop;
     const ProgramRun run =

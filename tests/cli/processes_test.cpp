@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "support/program.h"
+#include "support/sanitized.h"
 
 namespace ripstop {
 namespace processes_test {
@@ -30,8 +31,8 @@ class Processes : public ::testing::Test {
     }
     /// Runs a shell script in the workshop; `$RIPSTOP` is the program.
     CommandResult shell(const std::string& script) const {
-        return testing::run_command("cd '" + workshop.path("") + "' && RIPSTOP='" RIPSTOP_PROGRAM "' bash -c '" +
-                                    script + "'");
+        return testing::run_command("cd '" + workshop.path("") + "' && RIPSTOP='" + testing::tested_program() +
+                                    "' bash -c '" + script + "'");
     }
     /// Starts a run with slow pictures, sends it a signal once its partial folder exists, and prints how it ended. On a
     /// busy machine the signal may come after the end: then it is tried again.
@@ -51,6 +52,7 @@ class Processes : public ::testing::Test {
 };
 
 TEST_F(Processes, LeaveNothingBehindOnASignal) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     const std::vector<std::pair<std::string, int>> ends{{"INT", 130}, {"TERM", 143}, {"HUP", 129}};
     for (const auto& [signal, code] : ends) {
         const CommandResult run = end_while_writing(signal);

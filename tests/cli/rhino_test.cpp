@@ -16,6 +16,7 @@
 #include "ripstop/io/mesh/obj.h"
 #include "support/program.h"
 #include "support/rhino.h"
+#include "support/sanitized.h"
 
 namespace ripstop {
 namespace rhino_test {
@@ -166,6 +167,7 @@ void expect_same(const Json& a, const Json& b, const std::string& place) {
 }
 
 TEST(RhinoFlatten, GivesTheCutPlanOfItsObjTwinInEveryVersion) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     RIPSTOP_REQUIRE_RHINO();
     const Workshop workshop;
     const std::vector<NamedMesh> tiles = gore();

@@ -9,6 +9,7 @@
 #include "ripstop/io/mesh/obj.h"
 #include "support/mesh_text.h"
 #include "support/program.h"
+#include "support/sanitized.h"
 #include "support/shapes.h"
 
 namespace ripstop {
@@ -60,6 +61,7 @@ TEST(WrongUnit, EndsWith1AndTheUnitIsNamedFirst) {
 }
 
 TEST(WrongUnit, OfMillimetresAsMetresIsSaidBeforeThePaperRunsOut) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     const Workshop workshop;
     workshop.write_tiles("balloon.obj", small_balloon(), 1000);
     const Ends ends = both_end(workshop, "balloon.obj --unit m", 1, "dxf,pdf");
@@ -108,7 +110,7 @@ TEST(FarOrigin, GivesThePatternsOfTheSameEnvelopeAtTheOrigin) {
     const auto here = workshop.files("plan/flat");
     const ProgramRun far = workshop.ripstop("flatten there.obj" + options);
     EXPECT_EQ(far.code, code);
-    EXPECT_THAT(far.err, HasSubstr("Note: the model lies 5024938 m from the origin; all places are given from "
+    EXPECT_THAT(far.err, HasSubstr("Note: the model lies 5024938 m from the origin; all positions are relative to "
                                    "(500000, 5000000, 0) m"));
     const auto there = workshop.files("plan/flat");
     ASSERT_EQ(here.size(), there.size());
@@ -149,12 +151,13 @@ TEST(FarOrigin, OfSinglePrecisionIsToldWhatItLost) {
     stl("far.stl", {2000, 1000, 0});
     EXPECT_THAT(
         both_end(workshop, "far.stl --unit m", 0).flatten.err,
-        HasSubstr("Note: coordinates are stored in single precision: 0.061 mm of rounding at this distance from "
+        HasSubstr("Note: coordinates are stored in single precision: 0.061 mm of rounding error at this distance from "
                   "the origin"));
     stl("map.stl", {500000, 500000, 0});
     const Ends ends = both_end(workshop, "map.stl --unit m", 1);
-    EXPECT_THAT(ends.check.out, HasSubstr("WRONG          coordinates are stored in single precision: 15.6 mm of "
-                                          "rounding at this distance from the origin, more than the seam tolerance"));
+    EXPECT_THAT(ends.check.out,
+                HasSubstr("WRONG          coordinates are stored in single precision: 15.6 mm of "
+                          "rounding error at this distance from the origin, more than the seam tolerance"));
     EXPECT_EQ(Json::parse(workshop.read("plan/report.json"))["envelope"]["findings"][0]["code"], "precision");
 }
 

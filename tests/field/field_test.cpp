@@ -1,4 +1,5 @@
 #include "field/field_case.h"
+#include "support/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@ TEST(Field, HasAtLeastTwoThousandCases) {
 
 /// A fixed sample of `make field`: a few cases of each family, in different variants.
 TEST(Field, HoldsInASampleOfEveryFamily) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     std::map<std::string, int> seen;
     std::map<std::string, int> counts;
     for (const Case& each : field_cases()) ++counts[each.family];

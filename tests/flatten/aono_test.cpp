@@ -51,8 +51,7 @@ TEST(Aono, SaysWhereTheNetBreaksDown) {
     const Tile tile = make_tile("sphere", testing::cap(2.6, 16));
     const Flattening flat = flatten_aono(tile);
     EXPECT_EQ(flat.summary.termination, Termination::stagnated) << flat.summary.text();
-    EXPECT_NE(flat.summary.reason.find("the net breaks down: threads come to lie along one another, first at ("),
-              std::string::npos)
+    EXPECT_NE(flat.summary.reason.find("the net breaks down: threads coincide, first at ("), std::string::npos)
         << flat.summary.text();
     EXPECT_TRUE(flat.positions.allFinite());
 }

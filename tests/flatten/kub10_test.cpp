@@ -52,7 +52,7 @@ TEST(Kub10, LaysAFoldedTileTriangleByTriangleAndSaysSo) {
     const TriangleMesh mesh =
         testing::grid(12, 6, [](double u, double v) { return Vec3(2 * std::abs(u - 0.5), v, u - 0.5); });
     const Flattening flat = flatten_kub10(make_tile("folded", mesh));
-    EXPECT_NE(flat.summary.reason.find("laid on from their neighbours"), std::string::npos) << flat.summary.text();
+    EXPECT_NE(flat.summary.reason.find("placed from their neighbours"), std::string::npos) << flat.summary.text();
     EXPECT_EQ(count_flipped(mesh.triangles, flat.positions), 0);
 }
 

@@ -15,6 +15,7 @@
 #include "ripstop/mesh/boundary.h"
 #include "ripstop/tile/make_tile.h"
 #include "support/fabrics.h"
+#include "support/sanitized.h"
 #include "support/shapes.h"
 
 namespace ripstop {
@@ -217,6 +218,7 @@ double zigzag(const Tile& tile, const Points2& flat) {
 }
 
 TEST(SeamExact, CutLineIsSmoothWhereCurvatureIsNegativeAndOnBothSidesOfATorus) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     const auto smooth = [](const TriangleMesh& mesh, const Vec3& warp) {
         const Tile tile = make_tile("tile", mesh, {.warp = warp});
         EXPECT_LT(zigzag(tile, flatten_seam_exact(tile, isotropic).positions) / degree, 0.1);

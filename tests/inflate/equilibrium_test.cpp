@@ -10,6 +10,7 @@
 #include "ripstop/pipeline/read/read_envelope.h"
 #include "support/balloons.h"
 #include "support/envelopes.h"
+#include "support/sanitized.h"
 
 namespace ripstop {
 namespace equilibrium_test {
@@ -92,6 +93,7 @@ TEST(Equilibrium, CarriesTheVolumeTimesTheRiseLessItsWeight) {
 }
 
 TEST(Equilibrium, OfOneSectorIsThatOfTheWholeEnvelope) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     for (const EnvelopeDesign& design : {smooth, lobed}) {
         const SewnEnvelope sector = sewn_balloon(design, true), whole = sewn_balloon(design, false);
         EXPECT_EQ(sector.sectors, 8);

@@ -139,7 +139,7 @@ TEST(Sew, UnequalSidesBecomeEase) {
 TEST(Sew, TJunctionsAndNeighboursMeshedDifferentlyLeaveNoGap) {
     const std::vector<std::pair<const char*, Envelope>> envelopes = {
         {"bricks", make_envelope(brick_wall(4, 5), {})},
-        {"meshed apart", make_envelope(meshed_apart(small, 3), {.seam_tolerance = 0.02})}};
+        {"meshed separately", make_envelope(meshed_apart(small, 3), {.seam_tolerance = 0.02})}};
     for (const auto& [name, envelope] : envelopes) {
         const CutPlan plan = flatten_envelope(envelope, nylon());
         const SewnEnvelope sewn = sew(plan);

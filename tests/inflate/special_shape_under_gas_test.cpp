@@ -11,6 +11,7 @@
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "ripstop/pipeline/flight/inflate_plan.h"
 #include "ripstop/pipeline/read/read_envelope.h"
+#include "support/sanitized.h"
 
 namespace ripstop {
 namespace special_shape_under_gas_test {
@@ -27,6 +28,7 @@ CutPlan cut_example() {
 }
 
 TEST(SpecialShapeUnderGas, IsSewnInflatedAndToldWhatItCanHold) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     const CutPlan plan = cut_example();
     EXPECT_GE(plan.tiles.size(), 200U);
     for (const SeamWalk& walk : plan.walks) EXPECT_LT(walk.drift_max, 1e-4 * walk.length);
@@ -47,6 +49,7 @@ TEST(SpecialShapeUnderGas, IsSewnInflatedAndToldWhatItCanHold) {
 }
 
 TEST(SpecialShapeUnderGas, ComesToOneStateFromSeveralStarts) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     const CutPlan plan = cut_example();
     InflateOptions options;
     options.sewing.symmetry = no_symmetry(plan);

@@ -43,7 +43,7 @@ TEST(Converted, ReadsBackTheSameBitsAndWords) {
                      {"empty", "Brep", {}, {}}};
     model.objects[0].faces[0].area = 0.1;
     model.curves = {{"GRAIN", (Points3(2, 3) << 0, 0, 0, 0, 0, 1).finished(), {{"layer", "WARP"}}}};
-    model.unread = {{"p", "Point", "points are no surface", {}}};
+    model.unread = {{"p", "Point", "points are not a surface", {}}};
     model.unit = LengthUnit{"in", 0.0254};
     model.layers = {"skin", "WARP"};
     model.remarks = {"one \"remark\"\nof two lines"};

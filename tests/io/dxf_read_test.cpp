@@ -148,7 +148,7 @@ TEST(ReadDxf, NamesWhatItDoesNotRead) {
 }
 
 TEST(ReadDxf, RefusesWithTheLineWhatItCannotUse) {
-    EXPECT_THAT(refusal("hello\nworld\n"), HasSubstr("a.dxf:1: \"hello\" where a group code belongs"));
+    EXPECT_THAT(refusal("hello\nworld\n"), HasSubstr("a.dxf:1: \"hello\" in place of a group code"));
     EXPECT_THAT(refusal("AutoCAD Binary DXF\r\n\x1a"), HasSubstr("a binary DXF"));
     EXPECT_THAT(refusal("AC1015 something"), HasSubstr("a DWG"));
     EXPECT_THAT(refusal(groups("0 SECTION 2 ENTITIES 0 LINE")), HasSubstr("ends without EOF"));
@@ -158,7 +158,7 @@ TEST(ReadDxf, RefusesWithTheLineWhatItCannotUse) {
     EXPECT_THAT(refusal(drawing("0 LINE 8 A 10 1e300 20 0")), HasSubstr("within 1e9"));
     EXPECT_THAT(refusal(drawing("0 INSERT 8 A 2 NONE 10 0 20 0")), HasSubstr("expected a block of the file"));
     EXPECT_THAT(refusal(drawing("0 INSERT 8 A 2 B", "0 SECTION 2 BLOCKS 0 BLOCK 2 B 0 INSERT 2 B 0 ENDBLK 0 ENDSEC")),
-                HasSubstr("one in itself"));
+                HasSubstr("a block contains itself"));
     EXPECT_THAT(refusal(drawing("0 INSERT 8 A 2 B 70 30000 71 30000 44 1 45 1",
                                 "0 SECTION 2 BLOCKS 0 BLOCK 2 B 0 ENDBLK 0 ENDSEC")),
                 HasSubstr("points; explode them"));

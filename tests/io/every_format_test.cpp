@@ -11,6 +11,7 @@
 #include "ripstop/base/error.h"
 #include "ripstop/io/mesh/mesh_file.h"
 #include "support/refusal.h"
+#include "support/sanitized.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"
 
@@ -167,6 +168,7 @@ TEST_P(EveryFormat, DoesNotCareForTheLocale) {
 }
 
 TEST_P(EveryFormat, ReadsAMillionTrianglesInASecond) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     const int side = sanitized ? 100 : 708;  // 2 x 708² = 1,002,528 triangles
     const TriangleMesh mesh = testing::saddle(1, 3, side);
     const std::string bytes = written({{"large", mesh, std::nullopt}});

@@ -73,7 +73,7 @@ TEST(FabricJson, RefusesWhatItDoesNotKnow) {
     EXPECT_THAT(refusal(fabric(R"(, "mass_kg_per_m2": null)")),
                 HasSubstr("mass_kg_per_m2 is \"null\", expected a number"));
     EXPECT_THAT(refusal(fabric(R"(, "description": 1)")), HasSubstr("description is \"1\", expected a text"));
-    EXPECT_THAT(refusal(fabric(R"(, "name": "again")")), HasSubstr("the key \"name\" stands twice"));
+    EXPECT_THAT(refusal(fabric(R"(, "name": "again")")), HasSubstr("the key \"name\" occurs twice"));
     EXPECT_THAT(refusal(R"({"name": "mine"})"), HasSubstr("the key warp_stiffness_n_per_m is missing"));
     EXPECT_THAT(refusal(R"({"warp_stiffness_n_per_m": 1})"), HasSubstr("the key name is missing"));
 }

@@ -219,17 +219,17 @@ TEST(ObjRefusal, NamesFileLineFaultAndRemedy) {
     EXPECT_THAT(refusal("v nan 0 0\n"), HasSubstr(":1: found \"nan\""));
     EXPECT_THAT(refusal("v 0 -inf 0\n"), HasSubstr(":1: found \"-inf\""));
     EXPECT_THAT(refusal("v 1e400 0 0\n"), HasSubstr(":1: found \"1e400\""));
-    EXPECT_THAT(refusal("v 1e13 0 0\n"), HasSubstr(":1: the coordinate \"1e13\" is too far out"));
+    EXPECT_THAT(refusal("v 1e13 0 0\n"), HasSubstr(":1: the coordinate \"1e13\" is too large"));
     EXPECT_THAT(refusal("\n\nv 0 0\n"), HasSubstr(":3: a coordinate is missing"));
-    EXPECT_THAT(refusal(square + "f 1 2 5\n"), HasSubstr(":5: a face names vertex 5, expected one of the 4"));
-    EXPECT_THAT(refusal(square + "f 1 2 -5\n"), HasSubstr(":5: a face names vertex -5, expected one of the 4"));
-    EXPECT_THAT(refusal(square + "f 0 1 2\n"), HasSubstr(":5: a face names vertex 0, expected one of the 4"));
+    EXPECT_THAT(refusal(square + "f 1 2 5\n"), HasSubstr(":5: a face refers to vertex 5, expected one of the 4"));
+    EXPECT_THAT(refusal(square + "f 1 2 -5\n"), HasSubstr(":5: a face refers to vertex -5, expected one of the 4"));
+    EXPECT_THAT(refusal(square + "f 0 1 2\n"), HasSubstr(":5: a face refers to vertex 0, expected one of the 4"));
     EXPECT_THAT(refusal(square + "f 1/1 2/1 3/1\n"),
-                HasSubstr(":5: a face names texture coordinate 1, expected one of the 0"));
+                HasSubstr(":5: a face refers to texture coordinate 1, expected one of the 0"));
     EXPECT_THAT(refusal(square + "f 1 2 x\n"), HasSubstr(":5: found \"x\" as a corner of a face"));
     EXPECT_THAT(refusal(square + "f 1 2 3.5\n"), HasSubstr(":5: found \"3.5\" as a corner"));
     EXPECT_THAT(refusal(square + "f 1 2 99999999999999999999\n"), HasSubstr(":5: found \"99999999999999999999\""));
-    EXPECT_THAT(refusal(square + "f 1 2 5000000000\n"), HasSubstr(":5: a face names vertex 5000000000"));
+    EXPECT_THAT(refusal(square + "f 1 2 5000000000\n"), HasSubstr(":5: a face refers to vertex 5000000000"));
     EXPECT_THAT(refusal(square + "f 1/1/1/1 2 3\n"),
                 HasSubstr(":5: found \"1/1/1/1\" as a corner of a face, expected at most three"));
     for (const char* face : {"f 1 2", "f 1", "f 1 1 1 1", "f 1 2 1", "f 1 2 3 2", "f 1 2 3 3 2", "f 2 1 2 3"})
@@ -272,7 +272,7 @@ TEST(ObjFaces, ThatFoldAreTheFaultOfTheirSurfaceAlone) {
     const std::string two = "v 2 1 0\nv 2 2 0\no good\nf 1 2 3\no bad\n";
     for (const auto& [face, what] :
          {std::pair("f 1 3 2 4", "folder/hull.obj:10: a face with 4 corners folds over itself"),
-          std::pair("f 1 2 3 1 5 6", "folder/hull.obj:10: a face with 6 corners visits one of them twice")}) {
+          std::pair("f 1 2 3 1 5 6", "folder/hull.obj:10: a face with 6 corners uses one of them twice")}) {
         const CadModel model = model_of(square + two + face + "\n");
         ASSERT_EQ(model.surfaces.size(), 2u);
         EXPECT_EQ(model.surfaces[0].fault, "");

@@ -73,7 +73,8 @@ TEST(OffBinary, CutShortAnywhereIsRefused) {
     const std::string bytes = binary("OFF", 0);
     for (std::size_t length = 0; length < bytes.size(); ++length)
         EXPECT_NE(refusal(bytes.substr(0, length)), "accepted") << length;
-    EXPECT_THAT(refusal(bytes.substr(0, 30)), HasSubstr("hull.off: byte 27: the file ends here"));
+    EXPECT_THAT(refusal(bytes.substr(0, 30)),
+                HasSubstr("hull.off: byte 27: the file ends before all the vertices and faces"));
 }
 
 TEST(OffRefusal, NamesPlaceFaultAndRemedy) {
@@ -91,8 +92,8 @@ TEST(OffRefusal, NamesPlaceFaultAndRemedy) {
                 HasSubstr(":3: found \"0 0 0 1\", expected a vertex with two texture"));
     EXPECT_THAT(refusal(four), HasSubstr(":6: the file ends here, expected 1 faces"));
     EXPECT_THAT(refusal(four + "3 0 1\n"), HasSubstr(":7: a corner is missing"));
-    EXPECT_THAT(refusal(four + "3 0 1 4\n"), HasSubstr(":7: a face names vertex 4, expected one of the 4"));
-    EXPECT_THAT(refusal(four + "3 0 1 -1\n"), HasSubstr(":7: a face names vertex -1"));
+    EXPECT_THAT(refusal(four + "3 0 1 4\n"), HasSubstr(":7: a face refers to vertex 4, expected one of the 4"));
+    EXPECT_THAT(refusal(four + "3 0 1 -1\n"), HasSubstr(":7: a face refers to vertex -1"));
     EXPECT_THAT(refusal(four + "2 0 1\n"),
                 HasSubstr("1 face with fewer than three different corners left out, the first in line 7"));
     EXPECT_THAT(refusal(four + "99 0 1\n"), HasSubstr(":7: found \"99\", expected the number of a face's corners"));

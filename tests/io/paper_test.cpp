@@ -22,7 +22,7 @@ TEST(Paper, IsKnownByNameOrByTheWidthOfTheRoll) {
     EXPECT_TRUE(paper_named("roll").is_roll);
     EXPECT_EQ(paper_named("914mm").height, 0.914);
     EXPECT_THAT(refusal("a9"),
-                HasSubstr("no paper \"a9\"; known: roll, a4, a3, a2, a1, a0, letter, tabloid, or how wide"));
+                HasSubstr("no paper \"a9\"; known: roll, a4, a3, a2, a1, a0, letter, tabloid, or the width of a roll"));
     EXPECT_THAT(refusal(""), HasSubstr("known: roll"));
     EXPECT_THAT(refusal("914"), HasSubstr("--paper"));
     EXPECT_THAT(refusal("9mm"), HasSubstr("200 mm to 5 m"));

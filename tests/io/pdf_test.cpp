@@ -13,6 +13,7 @@
 #include "support/outside.h"
 #include "support/pattern_pieces.h"
 #include "support/raster.h"
+#include "support/sanitized.h"
 
 namespace ripstop {
 namespace pdf_test {
@@ -228,6 +229,7 @@ TEST(Pdf, GivesEqualPiecesOnePattern) {
 }
 
 TEST(Pdf, ListsAThousandPieces) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     RIPSTOP_REQUIRE_POPPLER();
     const PrintedFile file(pdf(testing::many_pieces(1000)));
     const std::string info = file.told_by("pdfinfo");

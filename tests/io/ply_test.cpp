@@ -79,7 +79,7 @@ TEST(PlyWarp, IsThatOfEachTriangleOfASurface) {
         EXPECT_EQ(surfaces.at(0).warp, expected);
         EXPECT_EQ(surfaces.at(1).warp.rows(), 0);
         EXPECT_THAT(refusal(ascii(header, square + "3 0 1 2 1 0 0.5 -2\n3 0 2 3 1 0 0 0\n")),
-                    HasSubstr(":19: a face of hull_1 has the warp 0 0 0 where others have a direction"));
+                    HasSubstr(":19: a face of hull_1 has the warp 0 0 0 but others have a direction"));
     }
 }
 
@@ -100,7 +100,7 @@ TEST(PlyUnit, IsThatOfTheComment) {
     EXPECT_FALSE(model_of(ascii(rest, square + "3 0 1 2\n")).unit);
     const CadModel model = model_of(ascii("comment unit cubits\n" + rest, square + "3 0 1 2\n"));
     EXPECT_FALSE(model.unit);
-    EXPECT_THAT(model.remarks, ElementsAre(StartsWith("folder/hull.ply:3: the unit of the file is not taken")));
+    EXPECT_THAT(model.remarks, ElementsAre(StartsWith("folder/hull.ply:3: the file's unit is ignored")));
 }
 
 /// Every type, and an element and a list without meaning here, in either byte order.
@@ -158,18 +158,18 @@ TEST(PlyRefusal, NamesPlaceFaultAndRemedy) {
     const auto with_face = [](const std::string& face) {
         return refusal(ascii(vertices + "element face 1\n" + list, square + face));
     };
-    EXPECT_THAT(with_face("3 0 1 4\n"), HasSubstr("hull.ply:14: a face names vertex 4, expected one of the 4"));
-    EXPECT_THAT(with_face("3 0 1 -1\n"), HasSubstr(":14: a face names vertex -1"));
+    EXPECT_THAT(with_face("3 0 1 4\n"), HasSubstr("hull.ply:14: a face refers to vertex 4, expected one of the 4"));
+    EXPECT_THAT(with_face("3 0 1 -1\n"), HasSubstr(":14: a face refers to vertex -1"));
     EXPECT_THAT(
         with_face("3 0 1 1\n"),
         HasSubstr("hull.ply: no face (1 face with fewer than three different corners left out, the first in line 14)"));
-    EXPECT_THAT(with_face("3 0 1 .5\n"), HasSubstr(":14: found a number that is no whole one"));
+    EXPECT_THAT(with_face("3 0 1 .5\n"), HasSubstr(":14: a corner of a face is not a whole number"));
     EXPECT_THAT(with_face("3 0 1\n"), HasSubstr(":14: the line is too short"));
-    EXPECT_THAT(with_face("3 0 1 2 3\n"), HasSubstr(":14: found \"3\" behind the last property"));
+    EXPECT_THAT(with_face("3 0 1 2 3\n"), HasSubstr(":14: found \"3\" after the last property"));
     EXPECT_THAT(with_face("99999 0 1 2\n"), HasSubstr(":14: a list of 99999 numbers, more than the line has"));
     EXPECT_THAT(with_face("2 0 1\n"), HasSubstr("hull.ply: no face (1 face with fewer than three"));
     EXPECT_THAT(with_face(""), HasSubstr(":13: the file ends here, expected 1 lines of \"face\""));
-    EXPECT_THAT(with_face("3 0 1 2\n3 0 1 2\n"), HasSubstr(":15: found \"3 0 1 2\" behind the last element"));
+    EXPECT_THAT(with_face("3 0 1 2\n3 0 1 2\n"), HasSubstr(":15: found \"3 0 1 2\" after the last element"));
     EXPECT_THAT(refusal(ascii(vertices + "element face 1\n" + list, "nan 0 0\n")), HasSubstr(":10: found \"nan\""));
     EXPECT_THAT(refusal(ascii("element vertex 1\nproperty float x\n", "0\n")),
                 HasSubstr("the vertices have no x, y and z"));
@@ -188,8 +188,7 @@ TEST(PlyRefusal, NamesTheLineOfTheHeader) {
     EXPECT_THAT(refusal("ply\nelement face -1\n"), HasSubstr(":2: found the count \"-1\" of the element \"face\""));
     EXPECT_THAT(refusal("ply\nproperty int a\n"), HasSubstr(":2: a property before the first element"));
     EXPECT_THAT(refusal("ply\nelement a 1\nproperty half b\n"), HasSubstr(":3: found the type \"half\""));
-    EXPECT_THAT(refusal("ply\nelement a 1\nproperty list float int b\n"),
-                HasSubstr(":3: a list counted in a floating"));
+    EXPECT_THAT(refusal("ply\nelement a 1\nproperty list float int b\n"), HasSubstr(":3: a list length of floating"));
     EXPECT_THAT(refusal("ply\nelement a 1\nproperty int\n"), HasSubstr(":3: a property without a name"));
     EXPECT_THAT(refusal("ply\nrubbish\n"), HasSubstr(":2: found \"rubbish\", expected format, comment"));
 }
@@ -198,7 +197,7 @@ TEST(PlyRefusal, ComesBeforeAnyAllocationByTheCountsOfTheHeader) {
     const std::string most = "18446744073709551615";
     EXPECT_THAT(refusal("ply\nformat binary_little_endian 1.0\nelement nothing " + most + "\nelement vertex " + most +
                         "\nproperty char x\nproperty char y\nproperty char z\nend_header\n"),
-                HasSubstr("the file ends here"));
+                HasSubstr("the file ends before all the elements"));
     EXPECT_THAT(refusal("ply\nformat binary_big_endian 1.0\nelement tristrips 1\nproperty list uint int vertex_index\n"
                         "end_header\n\xFF\xFF\xFF\xFF"),
                 HasSubstr("a list of 4294967295 numbers, but 0 bytes are left"));

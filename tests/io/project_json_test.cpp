@@ -52,8 +52,8 @@ TEST(ProjectJson, RefusesWhatASchemaCannotSay) {
     EXPECT_THAT(refusal(R"({"seams": [{"free": "a", "type": "glue"}]})"),
                 HasSubstr("seams: 1: no seam type \"glue\"; known: flat-felled, french"));
     EXPECT_THAT(refusal(R"({"seam_types": [{"name": "a", "allowance_mm": 1}, {"name": "a", "allowance_mm": 2}]})"),
-                HasSubstr("seam_types: 2: the type \"a\" stands twice"));
-    EXPECT_THAT(refusal(R"({"unit": "m", "unit": "mm"})"), HasSubstr("the key \"unit\" stands twice"));
+                HasSubstr("seam_types: 2: the type \"a\" occurs twice"));
+    EXPECT_THAT(refusal(R"({"unit": "m", "unit": "mm"})"), HasSubstr("the key \"unit\" occurs twice"));
     EXPECT_THAT(refusal("{\"unit\": \"m\"\n\"fabric\": 1}"), StartsWith("plan.json:2: not JSON from"));
 }
 

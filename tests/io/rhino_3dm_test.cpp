@@ -198,7 +198,7 @@ TEST(Rhino3dm, NamesWhatItCannotRead) {
     EXPECT_EQ(model.unread[0].type, "Extrusion");
     EXPECT_THAT(model.unread[0].reason, HasSubstr("mesh it in Rhino"));
     EXPECT_EQ(model.unread[1].type, "PointCloud");
-    EXPECT_THAT(model.remarks, ElementsAre("left out, being no surfaces: 1 Point, 1 TextDot"));
+    EXPECT_THAT(model.remarks, ElementsAre("left out because they are not surfaces: 1 Point, 1 TextDot"));
 }
 
 TEST(Rhino3dm, SaysWhatToDoWithAFileOfAnotherKind) {
@@ -215,7 +215,7 @@ TEST(Rhino3dm, JoinsTheVerticesOfAnUnweldedMeshAndSaysSo) {
     ASSERT_EQ(model.surfaces.size(), 1u);
     EXPECT_EQ(model.surfaces[0].name, "Default") << "the only surface on its layer is called like it";
     EXPECT_EQ(model.surfaces[0].mesh.vertex_count(), 4) << "two of six are doubled, one is not used";
-    EXPECT_THAT(model.remarks, ElementsAre(HasSubstr("2 vertices in one place with another were joined")));
+    EXPECT_THAT(model.remarks, ElementsAre(HasSubstr("2 vertices were merged with others in the same place")));
 }
 
 TEST(Rhino3dm, SplitsAQuadSoThatBothTrianglesFaceOneWayAndLeavesOutFacesOfTwoCorners) {
@@ -256,13 +256,13 @@ TEST(Rhino3dm, RefusesABlockThatSaysItUnpacksToMoreThanItCan) {
     const std::uint32_t vertices = 300000000, size = vertices * 12U;
     std::memcpy(bytes.data() + counts, &vertices, 4);
     std::memcpy(bytes.data() + block, &size, 4);
-    EXPECT_THAT(refusal(bytes), HasSubstr("3600000000 bytes said to be packed into "));
+    EXPECT_THAT(refusal(bytes), HasSubstr("3600000000 bytes supposedly packed into "));
 }
 
 TEST(Rhino3dm, RefusesVerticesThatAreNotWhatTheirChecksumSays) {
     std::string bytes = content(RIPSTOP_SOURCE_DIR "/fuzz/corpus/rhino_3dm/mesh_v2.3dm");
     bytes[place_of(bytes, 1.123456789F)] ^= 1;
-    EXPECT_THAT(refusal(bytes), HasSubstr("a block that is not what its checksum says"));
+    EXPECT_THAT(refusal(bytes), HasSubstr("a block that does not match its checksum"));
 }
 
 TEST(Rhino3dm, RefusesABlockThatHoldsItself) {
@@ -275,7 +275,7 @@ TEST(Rhino3dm, RefusesABlockThatHoldsItself) {
         if (bytes[at - 17] == 0x10) places.push_back(at - 16);
     ASSERT_EQ(places.size(), 2u);
     for (std::size_t k = 0; k < 16; ++k) bytes[places[0] + k] = bytes[places[1] + k];
-    EXPECT_THAT(refusal(bytes), HasSubstr("the block holds itself"));
+    EXPECT_THAT(refusal(bytes), HasSubstr("the block contains itself"));
 }
 
 void expect_as_rhino_says(const std::string& file) {

@@ -85,11 +85,12 @@ TEST(SewingJson, RefusesAnythingElseAndSaysWhere) {
     };
     EXPECT_THAT(refusal("[]"), HasSubstr("sewing.json"));
     EXPECT_THAT(refusal("{\"schema\": \"1.1\"}"), HasSubstr("input is missing"));
-    EXPECT_THAT(refusal(without("\"schema\":\"1.1\"", "\"schema\":\"9\"")), HasSubstr("another version"));
+    EXPECT_THAT(refusal(without("\"schema\":\"1.1\"", "\"schema\":\"9\"")), HasSubstr("a different version"));
     EXPECT_THAT(refusal(without("\"tile\":", "\"tile\":99,\"x\":")), HasSubstr("tile is out of range"));
     EXPECT_THAT(refusal(without("\"edges\":[", "\"edges\":[1,")), HasSubstr("differ in number"));
     EXPECT_THAT(refusal(without("\"edges\":[", "\"edges\":[-1,")), HasSubstr("edges is out of range"));
-    EXPECT_THAT(refusal(without("\"tape_factors\":[", "\"tape_factors\":[1,")), HasSubstr("not one a seam"));
+    EXPECT_THAT(refusal(without("\"tape_factors\":[", "\"tape_factors\":[1,")),
+                HasSubstr("differ in number from the seams"));
     EXPECT_THAT(refusal(whole.substr(0, whole.size() / 2)), HasSubstr("sewing.json"));
 }
 

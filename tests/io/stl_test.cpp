@@ -127,7 +127,7 @@ TEST(StlRefusal, NamesPlaceFaultAndRemedy) {
     std::array<float, 9> far = half;
     far[4] = 1e13F;
     EXPECT_THAT(refusal(binary("x", {half, far})),
-                HasSubstr("hull.stl: byte 162: the coordinate 9999999827968 is too far"));
+                HasSubstr("hull.stl: byte 162: the coordinate 9999999827968 is too large"));
 }
 
 TEST(StlWriter, IsReadAlikeByAnIndependentReader) {

@@ -68,7 +68,7 @@ TEST(SvgElements, TakePerCentOfTheViewport) {
     expect_box(read_body("<svg width='50%' height='20'><rect width='50%' height='50%'/></svg>"), {0, 0, 50, 10});
     const PatternDrawing unknown = read("<svg width='100%'><rect width='50%' height='9'/></svg>");
     EXPECT_TRUE(unknown.paths.empty());
-    EXPECT_THAT(unread_of(unknown), HasSubstr("rect has width=\"50%\", which is not known here"));
+    EXPECT_THAT(unread_of(unknown), HasSubstr("rect has width=\"50%\", which cannot be computed"));
     EXPECT_FALSE(check_drawing(unknown).sound());
 }
 
@@ -126,7 +126,7 @@ TEST(SvgElements, NameUsesThatLeadNowhereOrRoundInACircle) {
     EXPECT_TRUE(found.paths.empty());
     std::string all;
     for (const UnreadEntity& entity : found.unread) all += unread_text(entity, 1e-3) + "\n";
-    EXPECT_THAT(all, HasSubstr("use refers to what it stands in itself"));
+    EXPECT_THAT(all, HasSubstr("use refers to an element that contains it"));
     EXPECT_THAT(all, HasSubstr("use refers to \"other.svg#c\", which is not in the file"));
     EXPECT_FALSE(check_drawing(found).sound());
     // Ten levels with ten uses each would be 10^10 elements.
@@ -191,7 +191,7 @@ TEST(SvgElements, WithoutTheirGroupStandWhereItDoesNotMoveThem) {
     expect_box(read_body("<g display='contents' transform='scale(2)'><rect width='3' height='4'/></g>"), {0, 0, 3, 4});
     EXPECT_TRUE(read_body("<rect display='contents' width='3' height='4'/>").paths.empty());
     EXPECT_THAT(unread_of(read_body("<svg display='contents'><rect width='3' height='4'/></svg>")),
-                HasSubstr("svg is its contents alone, which is not followed; ungroup it"));
+                HasSubstr("svg has display: contents, which is not supported here; ungroup it"));
 }
 
 TEST(SvgElements, TurnAboutTheirOrigin) {
@@ -201,7 +201,7 @@ TEST(SvgElements, TurnAboutTheirOrigin) {
     expect_box(read_body(turned + "top left'/>"), {-20, 10, 0, 50});
     expect_box(read_body(turned + "center;transform-box:fill-box'/>"), {20, -10, 40, 30});
     expect_box(read_body(turned + "right;transform-box:fill-box'/>"), {40, -30, 60, 10});
-    EXPECT_THAT(unread_of(read_body(turned + "2ex'/>")), HasSubstr("is turned about an origin that is not known here"));
+    EXPECT_THAT(unread_of(read_body(turned + "2ex'/>")), HasSubstr("has a transform origin that is not supported"));
 }
 
 TEST(SvgElements, WithoutAreaOfTheirViewBoxAreNotDrawn) {
@@ -218,10 +218,10 @@ TEST(SvgElements, OfASymbolStandAtItsPlace) {
 
 TEST(SvgElements, WithStylesThatAreNotFollowedAreNamed) {
     EXPECT_THAT(unread_of(read_body("<path d='M0 0h9' style='display:var(--k)'/>")),
-                HasSubstr("path has display=\"var(--k)\", which is not known here"));
+                HasSubstr("path has display=\"var(--k)\", which is not supported"));
     EXPECT_THAT(unread_of(read_body("<style>g { &amp; path { display: none } }</style>")),
                 HasSubstr("style rule (& path) is not understood"));
-    EXPECT_THAT(unread_of(read_body("<a><a><path d='M0 0h9'/></a></a>")), HasSubstr("a stands in another a, where"));
+    EXPECT_THAT(unread_of(read_body("<a><a><path d='M0 0h9'/></a></a>")), HasSubstr("a is inside another a"));
 }
 
 TEST(SvgElements, OfASwitchAreThoseThatABrowserTakes) {
@@ -262,14 +262,14 @@ TEST(SvgElements, ThatCannotBeCarriedAreNamedWithTheirPlace) {
         "30deg'/>");
     std::string all;
     for (const UnreadEntity& entity : found.unread) all += unread_text(entity, 1e-3) + "\n";
-    EXPECT_THAT(all, HasSubstr("line 2: 1 image on layer photo at (1.00, -2.00) mm not looked at"));
-    EXPECT_THAT(all, HasSubstr("line 3: 1 textPath not looked at"));
-    EXPECT_THAT(all, HasSubstr("1 foreignObject not looked at"));
+    EXPECT_THAT(all, HasSubstr("line 2: 1 image on layer photo at (1.00, -2.00) mm not checked"));
+    EXPECT_THAT(all, HasSubstr("line 3: 1 textPath not checked"));
+    EXPECT_THAT(all, HasSubstr("1 foreignObject not checked"));
     EXPECT_THAT(all, HasSubstr("path with dashes is read as a whole line"));
     EXPECT_THAT(all, HasSubstr("path is read without its filter"));
     EXPECT_THAT(all, HasSubstr("path is read without its markers"));
-    EXPECT_THAT(all, HasSubstr("path is read though nothing is seen of it"));
-    EXPECT_THAT(all, HasSubstr("path is moved by the style rotate, which is not followed"));
+    EXPECT_THAT(all, HasSubstr("path is read although it is invisible"));
+    EXPECT_THAT(all, HasSubstr("path is moved by the style rotate, which is not supported"));
     EXPECT_EQ(found.paths.size(), 4U) << "all but the one that is moved";
 }
 

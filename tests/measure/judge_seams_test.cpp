@@ -64,7 +64,7 @@ TEST(JudgeSeams, ASeamBeyondToleranceMakesThePlanUnmanufacturableThoughEachTileI
     ASSERT_EQ(plan.findings.size(), 1u);
     const Finding& finding = plan.findings.front();
     EXPECT_EQ(finding.code, "seam");
-    EXPECT_THAT(finding.message, HasSubstr("the edge of right is 1.40 mm longer than that of left"));
+    EXPECT_THAT(finding.message, HasSubstr("the edge of right is 1.40 mm longer than the edge of left"));
     EXPECT_NEAR(finding.value, 1.4, 1e-9);
     EXPECT_NEAR(finding.limit, 1, 1e-9);
     EXPECT_NEAR(finding.at.x(), 1, 1e-12);

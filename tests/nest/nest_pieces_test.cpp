@@ -151,9 +151,9 @@ TEST(NestPieces, RefusesByNameWhatDoesNotFitAndLaysTheRest) {
     const Markers markers = nest_pieces(set, options);
     ASSERT_EQ(markers.refusals.size(), 2u);
     EXPECT_EQ(markers.refusals[0].piece, "wide");
-    EXPECT_THAT(markers.refusals[0].reason, HasSubstr("is 1600 mm wide across the warp, the roll 1500 mm"));
+    EXPECT_THAT(markers.refusals[0].reason, HasSubstr("is 1600 mm wide across the warp, the roll is 1500 mm"));
     EXPECT_EQ(markers.refusals[1].piece, "long");
-    EXPECT_THAT(markers.refusals[1].reason, HasSubstr("is 7000 mm long, the cloth without a join 6000 mm"));
+    EXPECT_THAT(markers.refusals[1].reason, HasSubstr("is 7000 mm long, the cloth without a join is 6000 mm"));
     EXPECT_EQ(faults_of(set, markers, options.gap), "");
     EXPECT_NEAR(markers.markers.at(0).length, 1, 1e-9);
     EXPECT_NEAR(markers.markers.at(0).utilisation(), 1, 1e-9);
@@ -168,8 +168,9 @@ TEST(NestPieces, RefusesWhatFitsOnlyALengthThatEndsAndSaysSo) {
     const Markers markers = nest_pieces(set, options);
     ASSERT_EQ(markers.refusals.size(), 1u);
     EXPECT_EQ(markers.refusals[0].quantity, 3);
-    EXPECT_THAT(markers.refusals[0].reason,
-                HasSubstr("is 6050 mm long; the lengths of 7000 mm end and those of 3000 mm go on"));
+    EXPECT_THAT(
+        markers.refusals[0].reason,
+        HasSubstr("is 6050 mm long; it fits lengths of 7000 mm, which run out, but not the last length of 3000 mm"));
     options.part_lengths = {3, 7};
     EXPECT_THAT(nest_pieces(set, options).refusals, IsEmpty());
 }

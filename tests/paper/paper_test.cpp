@@ -12,6 +12,7 @@
 #include "ripstop/pipeline/flatten/flatten_envelope.h"
 #include "ripstop/pipeline/read/read_envelope.h"
 #include "ripstop/tile/make_tile.h"
+#include "support/sanitized.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"
 
@@ -95,6 +96,7 @@ TEST(PaperOnRealInput, SkirtIsBelowThePublishedFlattening) {
 }
 
 TEST(PaperOnRealInput, DressPanelsComeOutWithoutAFlip) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     RIPSTOP_REQUIRE_SHARED(file, "dress/dress_knife_drape_3d.obj");
     const CutPlan ours = plan_of(file, "paper");
     const CutPlan drawn = plan_of(file, "given");
@@ -108,6 +110,7 @@ TEST(PaperOnRealInput, DressPanelsComeOutWithoutAFlip) {
 }
 
 TEST(PaperOnRealInput, PlanarPanelsComeBackCongruentAndSpikesAreReported) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     RIPSTOP_REQUIRE_SHARED(file, "dress/dress_knife_design_stage_3d.obj");
     const CutPlan plan = plan_of(file, "paper");
     int congruent = 0, reported = 0;

@@ -129,7 +129,7 @@ TEST(CheckDrawing, NamesAContourWithNothingInIt) {
     const DrawingCheck check =
         check_drawing(drawing_of({closed("CUT", square({0, 0}, 300)), closed("CUT", points({{500, 0}, {900, 0}}))}));
     EXPECT_EQ(codes(check), (std::vector<std::string>{"crossing"}));
-    EXPECT_THAT(message(check, "crossing"), HasSubstr("runs there and back from (500.00, 0.00) mm"));
+    EXPECT_THAT(message(check, "crossing"), HasSubstr("runs from (500.00, 0.00) mm and back"));
 }
 
 TEST(CheckDrawing, NamesPiecesThatOverlapAndByHowMuch) {
@@ -174,7 +174,8 @@ TEST(CheckDrawing, TellsAHoleFromAPieceByWhatIsDrawnInIt) {
     drawing.paths.pop_back();
     DrawingCheck check = check_drawing(drawing);
     EXPECT_EQ(codes(check), (std::vector<std::string>{"overlap"}));
-    EXPECT_THAT(message(check, "overlap"), HasSubstr("A and B overlap: the one at (100.00, 100.00) mm lies within"));
+    EXPECT_THAT(message(check, "overlap"),
+                HasSubstr("A and B overlap: the one at (100.00, 100.00) mm is inside the other"));
     drawing.texts.pop_back();
     drawing.paths.push_back(open("GRAIN", points({{110, 110}, {150, 110}})));
     EXPECT_EQ(codes(check_drawing(drawing)), (std::vector<std::string>{"overlap"}));
@@ -237,7 +238,7 @@ TEST(CheckDrawing, NamesAnOpeningOfTheSewLineThatNothingCuts) {
             const DrawingCheck check = check_drawing(drawing_of({drawn("CUT", cut_of(piece)), drawn("SEW", sew)}));
             if (slit == 0) continue;  // it touches itself, which is reported
             EXPECT_EQ(codes(check), (std::vector<std::string>{"opening"})) << slit;
-            EXPECT_THAT(message(check, "opening"), HasSubstr("nothing on layer CUT is cut between")) << slit;
+            EXPECT_THAT(message(check, "opening"), HasSubstr("nothing on layer CUT is cut in between")) << slit;
         }
     const PatternPiece ring = testing::cut_piece(testing::open_ring(6.2, 0.025));
     EXPECT_TRUE(check_drawing(drawing_of({drawn("CUT", ring.cut_line), drawn("SEW", ring.sew_line)})).sound());
@@ -322,7 +323,7 @@ TEST(CheckDrawing, MeasuresAcrossTheGrainForTheRoll) {
     const DrawingCheck check =
         check_drawing(drawing_of({piece, open("GRAIN", points({{2000, 400}, {2000, 900}}))}), roll);
     EXPECT_EQ(codes(check), (std::vector<std::string>{"roll"}));
-    EXPECT_THAT(message(check, "roll"), HasSubstr("4000.0 mm across the grain do not fit on a roll of 1500.0 mm"));
+    EXPECT_THAT(message(check, "roll"), HasSubstr("4000.0 mm across the grain, too wide for a roll of 1500.0 mm"));
 }
 
 TEST(CheckDrawing, ExpectsEachBlockToBeAPiece) {
@@ -386,8 +387,8 @@ TEST(CheckDrawing, MeasuresTheSideThatTwoPiecesShare) {
             check_drawing(drawing_of({closed("CUT", square({0, 0}, 300)), closed("CUT", square({x, y}, 300))})),
             "common_side");
     };
-    EXPECT_THAT(shared(300, 0), HasSubstr("have 300.0 mm of their outlines in common"));
-    EXPECT_THAT(shared(300, 100), HasSubstr("have 200.0 mm of their outlines in common"));
+    EXPECT_THAT(shared(300, 0), HasSubstr("share 300.0 mm of their outlines"));
+    EXPECT_THAT(shared(300, 100), HasSubstr("share 200.0 mm of their outlines"));
     EXPECT_EQ(shared(300, 300), "none") << "a corner";
     EXPECT_EQ(shared(300.1, 0), "none") << "as a cutter leaves between them";
 }

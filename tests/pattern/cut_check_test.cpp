@@ -143,7 +143,7 @@ TEST(CutCheck, GivesTheWiderOfTwoAllowancesWhatTheNarrowerLeaves) {
 TEST(CutCheck, FindsTheOpeningThatAUnionLost) {
     PatternPiece piece = testing::cut_piece(testing::square_keyhole(0.03, 0.3, 0.025));
     piece.met.clear();
-    EXPECT_THAT(faults_of(piece), ::testing::Contains(HasSubstr("allowed, over")))
+    EXPECT_THAT(faults_of(piece), ::testing::Contains(HasSubstr("has an allowance of")))
         << "nothing says that less was taken";
     piece.cut_line.resize(4, 2);
     piece.cut_line << -0.025, -0.025, 0.825, -0.025, 0.825, 0.825, -0.025, 0.825;
@@ -159,9 +159,9 @@ TEST(CutCheck, FindsClothThatIsMissing) {
     PatternPiece narrow = piece;
     narrow.cut_line.col(0) = narrow.cut_line.col(0).cwiseMin(0.81);
     EXPECT_THAT(faults_of(narrow),
-                ::testing::ElementsAre(HasSubstr("edge 2 (hem) has 10 mm of cloth beyond it where 25")));
+                ::testing::ElementsAre(HasSubstr("edge 2 (hem) has an allowance of 10 mm instead of 25")));
     narrow.cut_line.col(0) = narrow.cut_line.col(0).cwiseMin(0.79);
-    EXPECT_THAT(faults_of(narrow), ::testing::Contains(HasSubstr("the sew line runs out of the cut line by 10.0 mm")));
+    EXPECT_THAT(faults_of(narrow), ::testing::Contains(HasSubstr("the sew line leaves the cut line by 10.0 mm")));
     PatternPiece turned = piece;
     turned.cut_line = piece.cut_line.colwise().reverse().eval();
     EXPECT_THAT(faults_of(turned), ::testing::Contains(HasSubstr("clockwise")));

@@ -75,7 +75,7 @@ TEST(GrainLine, IsNamedWhereItDoesNotHelp) {
     model.curves.push_back(on_layer("artwork", {9, 9, 9}, {9, 9, 8}));
     const std::vector<std::string> remarks = lay_grain_lines(model);
     ASSERT_EQ(remarks.size(), 3U);
-    EXPECT_THAT(remarks[0], HasSubstr("tile left has a grain line before it"));
+    EXPECT_THAT(remarks[0], HasSubstr("tile left already has a grain line"));
     EXPECT_THAT(remarks[1], HasSubstr("lies on no tile"));
     EXPECT_THAT(remarks[2], HasSubstr("ends where it starts"));
     EXPECT_EQ(model.surfaces[0].attributes.at("warp").substr(0, 3), "0.5") << "the first is kept";

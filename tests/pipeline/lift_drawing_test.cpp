@@ -122,7 +122,7 @@ TEST_P(LiftDrawing, WantsToKnowWhichOfEqualPiecesItIs) {
         plan.lift(drawing);
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("left, right and does not say of which"));
+        EXPECT_THAT(error.what(), HasSubstr("fits several pieces: left, right"));
     }
     const LiftedLines lifted = plan.lift(drawing, "right_file");
     ASSERT_EQ(lifted.curves.size(), 1U);

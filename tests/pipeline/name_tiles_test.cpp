@@ -67,7 +67,9 @@ TEST(NameTiles, RefusesASourceThatIsNotThere) {
         name_tiles(model, project_of(R"([{"name": "A", "source": "shell"}])"));
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("\"shell\" but an object that cannot be read: mesh it first"));
+        EXPECT_THAT(
+            error.what(),
+            HasSubstr("no surface of the file is called \"shell\", only an object that cannot be read: mesh it first"));
     }
 }
 
@@ -90,7 +92,7 @@ TEST(NameTiles, RefusesTwoNamesForASurfaceAndANameForTwo) {
     EXPECT_THAT(refusal(R"([{"name": "A", "source": "envelope_00"}, {"name": "B", "at": [0.5, 0.5, 0]}])"),
                 HasSubstr("the surface \"envelope_00\" is called \"A\" by another entry"));
     EXPECT_THAT(refusal(R"([{"name": "envelope_01", "source": "envelope_00"}])"),
-                HasSubstr("tile \"envelope_01\": another surface of the file is called so"));
+                HasSubstr("tile \"envelope_01\": another surface of the file has the same name"));
 }
 
 }  // namespace name_tiles_test

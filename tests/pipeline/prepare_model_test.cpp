@@ -33,8 +33,8 @@ CadModel square_with_a_pole(double apart) {
 TEST(MendSurfaces, TakesWarpsAndDrawnPositionsAlong) {
     CadModel model = square_with_a_pole(0);
     EXPECT_THAT(mend_surfaces(model, 0.0005),
-                ElementsAre("1 vertex joined with another in the same place: in S, near (0.0000, 1.0000, 0.0000)",
-                            "1 triangle without area taken out: in S, near (0.0000, 1.0000, 0.0000)"));
+                ElementsAre("1 vertex merged with another in the same place: in S, near (0.0000, 1.0000, 0.0000)",
+                            "1 triangle without area removed: in S, near (0.0000, 1.0000, 0.0000)"));
     const NamedMesh& mended = model.surfaces[0];
     EXPECT_EQ(mended.mesh.vertex_count(), 4);
     ASSERT_TRUE(mended.drawn);
@@ -67,7 +67,7 @@ TEST(MendSurfaces, KeepsATipThatIsDrawnApart) {
     // two triangles joined at one point only are no tile; with their common edge they are one
     CadModel halves = gore(0);
     EXPECT_THAT(mend_surfaces(halves, 0.0005),
-                ElementsAre("1 vertex joined with another in the same place: in G, near (0.0000, 8.0000, 0.0000)"));
+                ElementsAre("1 vertex merged with another in the same place: in G, near (0.0000, 8.0000, 0.0000)"));
     // with more cloth below, the copies are a tip
     const auto with_body = [&](double apart) {
         CadModel model = gore(apart);
@@ -83,7 +83,7 @@ TEST(MendSurfaces, KeepsATipThatIsDrawnApart) {
     };
     CadModel tip = with_body(0);
     EXPECT_THAT(mend_surfaces(tip, 0.0005),
-                ElementsAre("1 vertex that each triangle of a tip had for itself welded: in G, near (0.0000, 8.0000, "
+                ElementsAre("1 vertex of tips, separate for each triangle, welded: in G, near (0.0000, 8.0000, "
                             "0.0000)"));
     CadModel drawn_apart = with_body(0.1);
     EXPECT_THAT(mend_surfaces(drawn_apart, 0.0005), IsEmpty());

@@ -13,6 +13,7 @@
 #include "ripstop/pipeline/read/seam_doubts.h"
 #include "ripstop/remesh/remesh_disk.h"
 #include "ripstop/tile/make_tile.h"
+#include "support/sanitized.h"
 #include "support/shapes.h"
 
 namespace ripstop {
@@ -92,6 +93,7 @@ double open_share(int sides, bool is_round) {
 }
 
 TEST(RoundPool, IsCutAsWideAboveAsBelowWhateverItsSides) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     for (const int sides : {6, 10, 11, 12, 13, 14, 16, 24, 32, 48})
         for (const RemeshMode mode : {RemeshMode::automatic, RemeshMode::never})
             for (const bool floor_first : {true, false}) {

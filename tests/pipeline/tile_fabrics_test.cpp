@@ -56,9 +56,10 @@ TEST(TileFabrics, OfTheEnvelopeAreNotTheTilesOwn) {
 
 TEST(TileFabrics, AreARemarkWhereTheFileNamesAnUnknownOne) {
     Envelope envelope{{sheet("a", {{"fabric", "silk"}}), sheet("b", {{"fabric", "silk"}}), sheet("c")}};
-    EXPECT_THAT(give_fabrics(envelope, std::nullopt, fabric_named("nylon")),
-                ElementsAre("tile a and 1 more should be of the fabric \"silk\", which is not known: taken as nylon; "
-                            "define it under \"materials\" in a project file"));
+    EXPECT_THAT(
+        give_fabrics(envelope, std::nullopt, fabric_named("nylon")),
+        ElementsAre("tile a and 1 more should have the fabric \"silk\", which is unknown; nylon is used instead; "
+                    "define it under \"materials\" in a project file"));
     EXPECT_THAT(fabrics(envelope), ElementsAre("-", "-", "-"));
 }
 

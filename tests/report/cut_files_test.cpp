@@ -68,7 +68,7 @@ TEST(PieceSet, IsRefusedWhereItSaysWhatNoPieceHas) {
     set = sound;
     set.pieces[1].notches.emplace_back();
     set.pieces[1].notches[0].outward = Vec2(2, 0);
-    EXPECT_THAT(refusal(set), HasSubstr("outward has not the length 1"));
+    EXPECT_THAT(refusal(set), HasSubstr("outward is not a unit vector"));
     set = sound;
     set.pieces[1].pattern = "nobody";
     EXPECT_THAT(refusal(set), HasSubstr("no piece with a pattern of its own is called nobody"));

@@ -149,7 +149,7 @@ TEST(PlanDirectory, LeavesNothingHalfWrittenWhereItFails) {
 
 TEST(PlanDirectory, SaysWhyItCannotBeWritten) {
     const testing::ScratchDirectory scratch;
-    EXPECT_THAT(refusal(scratch.path("missing/plan")), HasSubstr("is no directory; make it first"));
+    EXPECT_THAT(refusal(scratch.path("missing/plan")), HasSubstr("is not a directory; make it first"));
     testing::write_text(scratch.path("file"), "mine");
     EXPECT_THAT(refusal(scratch.path("file/plan")), HasSubstr("cannot be written"));
     EXPECT_THAT(refusal("/proc/plan"), HasSubstr("cannot be written"));

@@ -24,10 +24,10 @@ class InflatedSays : public ::testing::Test {
 
 TEST_F(InflatedSays, StatesTheLimitAndWhetherTheShapeIsWithinIt) {
     EXPECT_EQ(says()[0],
-              "Inflated it is everywhere within 0.3 % of its height (30 mm) of the drawn shape: 10 mm off (root "
+              "Inflated, it is everywhere within 0.3 % of its height (30 mm) of the drawn shape: 10 mm off (root "
               "mean square), at most 20 mm inside it.");
     inflated.off.max = 0.040;
-    EXPECT_THAT(says()[0], HasSubstr("on the whole within 0.3 % of its height (30 mm)"));
+    EXPECT_THAT(says()[0], HasSubstr("it is within 0.3 % of its height (30 mm) of the drawn shape overall"));
     EXPECT_THAT(says()[0], HasSubstr("up to 40 mm outside it in places"));
     inflated.off.rms = 0.031;
     EXPECT_THAT(says()[0], HasSubstr("more than 0.3 % of its height (30 mm) off the drawn shape: 31 mm"));
@@ -39,15 +39,16 @@ TEST_F(InflatedSays, TellsApartWhatGasCannotHoldAndWhatIsWrongWithThePatterns) {
     EXPECT_THAT(says(), Contains("The stretch of cloth and tapes moves it by 8.0 mm."));
     inflated.causes = Causes{0.050, 0.008, 0.002};
     EXPECT_THAT(says(),
-                Contains("This shape cannot be held by gas pressure: even cut without error from cloth that does "
-                         "not stretch it would be 50 mm off."));
+                Contains("This shape cannot be held by gas pressure: even if cut without error from cloth that does "
+                         "not stretch, it would be 50 mm off."));
     EXPECT_THAT(says(), Contains(HasSubstr("The patterns are right")));
     inflated.causes = Causes{0.001, 0.008, 0.045};
     EXPECT_THAT(says(), Contains(HasSubstr("Gas pressure can hold this shape")));
     EXPECT_THAT(says(), Contains("The patterns are wrong: their errors move it by 45 mm."));
     inflated.causes = Causes{0.001, 0.080, 0.002};
-    EXPECT_THAT(says(),
-                Contains("Stretch of the cloth and the paths of its tapes move it by 80 mm: cut with --compensate."));
+    EXPECT_THAT(
+        says(),
+        Contains("The stretch of the cloth and the paths of the tapes move it by 80 mm: cut with --compensate."));
 }
 
 TEST_F(InflatedSays, DrawsTheLineAtTheLimitItself) {
@@ -77,21 +78,20 @@ TEST_F(InflatedSays, SaysNothingOfCausesThatWereNotLookedFor) {
 }
 
 TEST_F(InflatedSays, NamesWhatIsTooWeakElseWhatComesNearest) {
-    EXPECT_THAT(says(),
-                Contains("Strong enough; the least margin: wires, factor 7.10 where 2.25 is required (wire 1)."));
+    EXPECT_THAT(says(), Contains("Strong enough; smallest margin: wires, factor 7.10, required 2.25 (wire 1)."));
     inflated.safety[1].factor = 4.9;
-    EXPECT_THAT(says(), Contains("Too weak: load tapes, factor 4.90 where 5 is required (seam S1)."));
+    EXPECT_THAT(says(), Contains("Too weak: load tapes, factor 4.90, required 5 (seam S1)."));
     EXPECT_THAT(says(), Not(Contains(HasSubstr("Strong enough"))));
 }
 
 TEST_F(InflatedSays, TellsTheLiftInKilograms) {
-    EXPECT_THAT(
-        says(),
-        Contains("At 100 C inside and 15 C outside, 0 m up, it lifts 1000 kg besides its own weight (9807 N)."));
+    EXPECT_THAT(says(), Contains("At 100 C inside and 15 C outside, at an altitude of 0 m, it lifts 1000 kg (9807 N) "
+                                 "in addition to its own weight."));
     inflated.lift = -98.0665;
     EXPECT_THAT(says(),
-                ElementsAre(HasSubstr("It does not stand: at 100 C inside and 15 C outside, 0 m up, the gas does not "
-                                      "carry the cloth, 10.0 kg are missing.")));
+                ElementsAre(HasSubstr(
+                    "It does not stand: at 100 C inside and 15 C outside, at an altitude of 0 m, the gas does not "
+                    "carry it, 10.0 kg are missing.")));
 }
 
 TEST_F(InflatedSays, WarnsFirstOfWhatIsNotAtRestStableOrBalanced) {
@@ -124,7 +124,7 @@ TEST_F(InflatedSays, TellsEachCompensationOnItsOwn) {
 }
 
 TEST_F(InflatedSays, MentionsWrinklesWhereThereAreSome) {
-    EXPECT_THAT(says(), Contains("Of the cloth 5.0 % is wrinkled and 1.0 % slack."));
+    EXPECT_THAT(says(), Contains("5.0 % of the cloth is wrinkled, 1.0 % is slack."));
     inflated.wrinkled = inflated.slack = 0.001;
     EXPECT_THAT(says(), Not(Contains(HasSubstr("wrinkled"))));
 }

@@ -101,9 +101,9 @@ TEST(MarkerTable, TellsClothAndRefusals) {
     set.pieces.push_back(testing::rectangle_piece("too wide as well", 1, 2));
     const std::string text = marker_table(laid(set));
     EXPECT_THAT(text, HasSubstr("isotropic  blue/white     1500       3"));
-    EXPECT_THAT(text, HasSubstr("not laid: 4 x too wide is 2000 mm wide across the warp, the roll 1500 mm"));
+    EXPECT_THAT(text, HasSubstr("not laid: 4 x too wide is 2000 mm wide across the warp, the roll is 1500 mm"));
     EXPECT_THAT(text, HasSubstr("not laid: 1 x too wide as well is 2000 mm"));
-    EXPECT_THAT(text, HasSubstr("\nnot laid in all: 5 of 13 pieces\n"));
+    EXPECT_THAT(text, HasSubstr("\nnot laid in total: 5 of 13 pieces\n"));
     const Json json = Json::parse(marker_json(set, laid(set), {}));
     ASSERT_EQ(json["refused"].size(), 2u);
     EXPECT_EQ(json["refused"][0]["quantity"], 4);

@@ -17,6 +17,7 @@
 #include "support/inflated.h"
 #include "support/outside.h"
 #include "support/raster.h"
+#include "support/sanitized.h"
 #include "support/seams.h"
 
 namespace ripstop {
@@ -92,6 +93,7 @@ TEST(PngPictures, HaveTheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(PngPictures, OfTheEnvelopeOpenWithTheMapThePageOpensWith) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     const Pictures poor = pictures_of(testing::two_tile_plan());
     EXPECT_EQ(poor.at("envelope.png"), poor.at("envelope-warp.png"));
     const Pictures sewn = pictures_of(testing::sewn_plan());
@@ -104,6 +106,7 @@ TEST(PngPictures, OfTheEnvelopeOpenWithTheMapThePageOpensWith) {
 }
 
 TEST(PngPictures, ShowTheClothInTheColourOfItsStrain) {
+    RIPSTOP_TOO_LONG_SANITIZED();
     // Both views have their middles, and cloth there, at 400 and 1200. The stops of the legend are at -1, -1/2, 0,
     // 1/2 and 1 of the end of the scale, which is the largest value, rounded up, or the limit of 2 % if that is
     // exceeded.

@@ -40,7 +40,7 @@ TEST(SeamsSummary, CountsTheSeamsAndNamesTheWorst) {
     const std::string text = seams_summary(testing::sewn_plan());
     EXPECT_THAT(text,
                 HasSubstr("2 of 3 seams agree; worst: mismatch +2.000 mm, +0.2000 % (S2), drift 2.000 mm (S2)\n"));
-    EXPECT_THAT(text, HasSubstr("  seam S2: the edge of high is 2.00 mm longer than that of left"));
+    EXPECT_THAT(text, HasSubstr("  seam S2, 1000 mm long: the edge of high is 2.00 mm longer than the edge of left"));
     EXPECT_THAT(tiles_table(testing::sewn_plan()), HasSubstr("2 of 3 seams agree"));
     EXPECT_THAT(seams_summary(testing::two_tile_plan()), IsEmpty());
     EXPECT_THAT(seams_summary(testing::sewn_plan(), 0), HasSubstr("and 1 more"));

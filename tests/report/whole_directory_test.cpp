@@ -77,7 +77,7 @@ TEST(WholeDirectory, IsOfTheFirstRunWhereAnotherFinishesMeanwhile) {
             testing::write_text((fs::create_directory(dir), dir + "/plan"), "fast");
         };
         EXPECT_THAT(refusal([&] { write_whole_directory(dir, false, ours, slow); }),
-                    HasSubstr("another run has written into it meanwhile"));
+                    HasSubstr("another run has written into it in the meantime"));
         EXPECT_EQ(testing::content(dir + "/plan"), "fast");
         EXPECT_THAT(names(dir), ElementsAre("plan"));
         EXPECT_EQ(refusal([&] { write_whole_directory(dir, true, ours, slow); }), "accepted");

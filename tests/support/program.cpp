@@ -1,6 +1,7 @@
 #include "support/program.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -12,10 +13,16 @@ namespace ripstop::testing {
 
 namespace fs = std::filesystem;
 
+const std::string& tested_program() {
+    static const char* const other = std::getenv("RIPSTOP_TESTED_PROGRAM");
+    static const std::string program = other == nullptr ? RIPSTOP_PROGRAM : other;
+    return program;
+}
+
 ProgramRun Workshop::ripstop(const std::string& arguments) const {
     const std::string out = output_.path("out"), err = output_.path("err");
-    const CommandResult result = run_command("cd '" + path("") + "' && '" RIPSTOP_PROGRAM "' " + arguments + " >'" +
-                                             out + "' 2>'" + err + "' </dev/null; echo $?");
+    const CommandResult result = run_command("cd '" + path("") + "' && '" + tested_program() + "' " + arguments +
+                                             " >'" + out + "' 2>'" + err + "' </dev/null; echo $?");
     return {result.output.empty() ? -1 : std::stoi(result.output), content(out), content(err)};
 }
 

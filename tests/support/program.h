@@ -9,6 +9,9 @@
 
 namespace ripstop::testing {
 
+/// The program that the tests run: the built one, or that of the environment variable RIPSTOP_TESTED_PROGRAM.
+const std::string& tested_program();
+
 /// The result of a run of the built program.
 struct ProgramRun {
     int code = -1;

@@ -102,9 +102,10 @@ TEST(ClothWarp, TurnsWithinTheTriangles) {
 TEST(ClothWarp, IsSaidInTheTilesSource) {
     const TriangleMesh tube = testing::round_tube(1, 2, 12, 2), sheet = testing::rectangle(2, 1, 4, 2);
     EXPECT_EQ(make_tile("t", sheet).grain.source, "longest axis");
-    EXPECT_EQ(make_tile("t", tube).grain.source, "longest axis, laid along the cloth as the tile runs round");
+    EXPECT_EQ(make_tile("t", tube).grain.source,
+              "longest axis, laid along the cloth because the tile goes right round");
     EXPECT_EQ(make_tile("t", tube, {.warp = Vec3::UnitX()}).grain.source,
-              "given, laid along the cloth as the tile runs round");
+              "given, laid along the cloth because the tile goes right round");
     EXPECT_EQ(make_tile("t", tube, {.warp = Vec3::UnitZ()}).grain.source, "given");
 }
 
@@ -116,7 +117,8 @@ TEST(ClothWarp, TurnedFromTheLongestAxisTurnsOnTheClothOfATube) {
         EXPECT_NEAR(
             std::atan2(before(0, t) * after(1, t) - before(1, t) * after(0, t), before.col(t).dot(after.col(t))),
             30 * degree, 1e-12);
-    EXPECT_EQ(turned.grain.source, "longest axis turned by 30 degrees, laid along the cloth as the tile runs round");
+    EXPECT_EQ(turned.grain.source,
+              "longest axis turned by 30 degrees, laid along the cloth because the tile goes right round");
 }
 
 TEST(ClothWarp, OfTrianglesMayRunRoundATube) {

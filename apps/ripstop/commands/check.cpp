@@ -51,12 +51,12 @@ void add_check(CLI::App& app) {
     add_accept_option(*command, given->input);
     add_remesh_option(*command, given->input);
     command->add_flag("--json", given->json, "Print one JSON object on stdout instead of the text");
-    command->add_flag("--quiet", given->quiet, "Print nothing; the exit code tells");
+    command->add_flag("--quiet", given->quiet, "Print nothing; the exit code is the result");
     command->footer(
         "Examples:\n"
         "  ripstop check envelope.obj --unit m\n"
         "  ripstop check envelope.obj --unit m --seam-tolerance 1mm     edges drawn less exactly\n"
-        "  ripstop check envelope.obj --unit m --accept missing_tile    its openings are meant\n"
+        "  ripstop check envelope.obj --unit m --accept missing_tile    its openings are intended\n"
         "  ripstop check envelope.obj --unit m --json                   for a script\n\n"
         "Exit codes: 0 sound, 1 something is wrong, 2 usage, 3 unusable input.");
     command->callback([given] {

@@ -110,7 +110,7 @@ void add_compare(CLI::App& app) {
         ->add_option("--sheet", given->sheet,
                      "An SVG to write: all the flat shapes with their colour maps, of 24 tiles at most")
         ->type_name("FILE");
-    command->add_flag("--force", given->force, "Replace the sheet where it exists");
+    command->add_flag("--force", given->force, "Replace the sheet if it exists");
     command
         ->add_option("-j,--jobs", given->jobs, "Threads; 0: one per core; more than one makes the seconds less exact")
         ->capture_default_str()

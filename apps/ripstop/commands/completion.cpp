@@ -210,7 +210,7 @@ std::string fish(const CommandText& program) {
 void add_completion(CLI::App& app) {
     auto shell = std::make_shared<std::string>();
     CLI::App* command = app.add_subcommand(
-        "completion", "Print a script that makes a shell complete commands, options and their words");
+        "completion", "Print a script with which a shell completes commands, options and their values");
     command->add_option("SHELL", *shell, "bash, zsh or fish")
         ->required()
         ->type_name("WORD")

@@ -34,7 +34,7 @@ double positive_length(const std::string& text, const std::string& option) {
 void print_summary(const DesignSummary& summary) {
     const NaturalShape& shape = summary.shape;
     const int handles_closed = summary.euler + summary.openings;
-    print("{} tiles, {} panels a gore, {} triangles; Euler number {} with {} openings (a sphere with them: {})\n",
+    print("{} tiles, {} panels per gore, {} triangles; Euler number {} with {} openings, {} for a sphere\n",
           summary.tiles, summary.panels, summary.triangles, summary.euler, summary.openings,
           handles_closed == 2 ? "right" : "WRONG");
     print("                    as drawn   equilibrium\n");
@@ -46,7 +46,7 @@ void print_summary(const DesignSummary& summary) {
           shape.load, shape.crown_pressure, shape.imbalance);
     print("panels {:.3f} m high, up to {:.3f} m wide; edges {:.3f} to {:.3f} m, smallest angle {:.1f} degrees\n",
           summary.panel_height, summary.panel_width, summary.edge_min, summary.edge_max, summary.angle_min / degree);
-    print("triangles turn by up to {:.2f} degrees an edge, {:.2f} mm off the surface\n", summary.turn_max / degree,
+    print("triangles turn by up to {:.2f} degrees at an edge, {:.2f} mm off the surface\n", summary.turn_max / degree,
           summary.chord_error / millimetre);
 }
 
@@ -69,25 +69,25 @@ void run(DesignArguments given) {
 }
 
 void add_division_and_mesh(CLI::App& natural, DesignArguments& given) {
-    natural.add_option("--gores", given.design.gores, "How many gores go round")
+    natural.add_option("--gores", given.design.gores, "Number of gores")
         ->capture_default_str()
         ->type_name("N")
         ->group("Division");
     auto* panels =
-        natural.add_option("--panels", given.design.panels, "How many panels a gore has, from the mouth to the crown")
+        natural.add_option("--panels", given.design.panels, "Number of panels per gore, from the mouth to the crown")
             ->capture_default_str()
             ->type_name("N")
             ->group("Division");
     natural
         .add_option("--panel-height", given.panel_height,
-                    "Instead of --panels: the greatest height of a panel, as 1450mm")
+                    "Instead of --panels: the largest height of a panel, such as 1450mm")
         ->excludes(panels)
         ->type_name("LENGTH")
         ->group("Division");
     auto* edge = natural.add_option("--edge", given.edge, "Length of a triangle's edge (default 150mm)")
                      ->type_name("LENGTH")
                      ->group("Mesh");
-    natural.add_option("--triangles", given.triangles, "Instead of --edge: about so many triangles a tile")
+    natural.add_option("--triangles", given.triangles, "Instead of --edge: approximate number of triangles per tile")
         ->excludes(edge)
         ->type_name("N")
         ->group("Mesh");
@@ -98,7 +98,7 @@ void add_shape_and_load(CLI::App& natural, DesignArguments& given) {
         ->capture_default_str()
         ->type_name("M3")
         ->group("Shape");
-    natural.add_option("--mouth", given.design.mouth_ratio, "Radius of the mouth over the largest radius; 0: closed")
+    natural.add_option("--mouth", given.design.mouth_ratio, "Radius of the mouth relative to the largest; 0: closed")
         ->capture_default_str()
         ->type_name("RATIO")
         ->group("Shape");
@@ -130,31 +130,31 @@ void add_shape_and_load(CLI::App& natural, DesignArguments& given) {
 }  // namespace
 
 void add_design(CLI::App& app) {
-    CLI::App* shapes = app.add_subcommand("design", "Write an envelope to work on, by its shape");
+    CLI::App* shapes = app.add_subcommand("design", "Design an envelope and write it to a file");
     shapes->require_subcommand(1);
     shapes->footer(
         "Examples:\n  ripstop design natural -o envelope.obj\n"
         "  ripstop design special shape.json -o bear.obj\n"
-        "`ripstop design natural --help` and `ripstop design special --help` tell their options.");
+        "`ripstop design natural --help` and `ripstop design special --help` list their options.");
     auto given = std::make_shared<DesignArguments>();
     CLI::App* natural = shapes->add_subcommand(
-        "natural", "Write the natural shape of a hot-air balloon, which has no hoop tension, in gores of panels");
+        "natural", "Write the natural shape of a hot-air balloon, without hoop tension, in gores and panels");
     natural
         ->add_option(
             "-o,--output", given->file,
-            "The file to write, in metres, by its extension: .obj, .ply, .stl, .off; tile G01P01 is gore 1, panel 1 "
-            "from the mouth (OFF keeps no names)")
+            "The file to write, in metres; its extension chooses the format: .obj, .ply, .stl, .off; tile G01P01 is "
+            "gore 1, panel 1 from the mouth (OFF has no names)")
         ->type_name("FILE")
         ->required();
     add_division_and_mesh(*natural, *given);
     add_shape_and_load(*natural, *given);
-    natural->add_flag("--force", given->force, "Replace the file where it exists");
+    natural->add_flag("--force", given->force, "Replace the file if it exists");
     natural->footer(
         "Examples:\n"
         "  ripstop design natural -o envelope.obj\n"
         "  ripstop design natural --gores 12 --panels 6 --volume 600 -o small.obj\n"
         "  ripstop design natural --panel-height 1450mm --lobes 12 -o lobed.ply\n\n"
-        "Exit codes: 0 written, 2 usage, 3 a shape or a file that cannot be.");
+        "Exit codes: 0 written, 2 usage, 3 no such shape exists, or the file cannot be written.");
     natural->callback([given] { run(*given); });
     add_design_special(*shapes);
 }

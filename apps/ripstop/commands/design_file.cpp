@@ -13,7 +13,7 @@ void require_design_file(const std::filesystem::path& file, bool force) {
     if (std::filesystem::exists(file) && !force)
         throw InputError(file.string() + ": exists; give another name, or --force to replace it");
     if (const auto folder = std::filesystem::absolute(file).parent_path(); !std::filesystem::is_directory(folder))
-        throw InputError(file.string() + ": cannot be written: " + folder.string() + " is no folder; make it first");
+        throw InputError(file.string() + ": cannot be written: " + folder.string() + " is not a folder; make it first");
 }
 
 void write_design_file(const std::filesystem::path& file, const std::vector<NamedMesh>& tiles) {

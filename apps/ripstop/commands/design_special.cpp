@@ -40,10 +40,10 @@ void print_summary(const SpecialShape& shape, const std::vector<NamedMesh>& tile
           summary.openings, summary.openings == 1 ? "" : "s", handles, handles == 1 ? "" : "s");
     print("area {:.2f} m2, volume {:.2f} m3, height {:.3f} m\n", summary.area, summary.volume, summary.height);
     if (summary.openings > 0)
-        print("mouth {:.3f} m round, as a circle of {:.3f} m across\n", summary.rim, summary.rim / std::numbers::pi);
+        print("mouth {:.3f} m around, like a circle {:.3f} m across\n", summary.rim, summary.rim / std::numbers::pi);
     print("tiles up to {:.3f} m long and {:.3f} m wide; edges {:.3f} to {:.3f} m, smallest angle {:.1f} degrees\n",
           summary.tile_length, summary.tile_width, summary.edge_min, summary.edge_max, summary.angle_min / degree);
-    print("triangles turn by up to {:.2f} degrees an edge, {:.2f} mm off the surface\n", summary.turn_max / degree,
+    print("triangles turn by up to {:.2f} degrees at an edge, {:.2f} mm off the surface\n", summary.turn_max / degree,
           summary.chord_error / millimetre);
 }
 
@@ -72,11 +72,11 @@ void add_design_special(CLI::App& shapes) {
         ->required();
     special
         ->add_option("-o,--output", given->file,
-                     "The file to write, in metres, by its extension: .obj, .ply, .stl, .off; tile BODY-S03R02 is "
-                     "primitive BODY, sector 3, ring 2 (OFF keeps no names)")
+                     "The file to write, in metres; its extension chooses the format: .obj, .ply, .stl, .off; tile "
+                     "BODY-S03R02 is primitive BODY, sector 3, ring 2 (OFF has no names)")
         ->type_name("FILE")
         ->required();
-    special->add_flag("--force", given->force, "Replace the file where it exists");
+    special->add_flag("--force", given->force, "Replace the file if it exists");
     special->footer(
         "SHAPE of a sphere in 8 sectors by 4 rings, open at the bottom:\n"
         "  {\"edge_mm\": 250, \"mouth_height_mm\": -2700, \"primitives\": [{\"name\": \"BODY\",\n"
@@ -84,7 +84,7 @@ void add_design_special(CLI::App& shapes) {
         "Examples:\n"
         "  ripstop design special shape.json -o bear.obj\n"
         "  ripstop design special shape.json --force -o bear.ply\n\n"
-        "Exit codes: 0 written, 2 usage, 3 a shape or a file that cannot be.");
+        "Exit codes: 0 written, 2 usage, 3 the shape or the file cannot be made.");
     special->callback([given] { run(*given); });
 }
 

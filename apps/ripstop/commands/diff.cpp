@@ -17,10 +17,10 @@ void add_diff(CLI::App& app) {
         bool json = false;
     };
     auto given = std::make_shared<DiffArguments>();
-    CLI::App* command = app.add_subcommand("diff", "Say what changed between two cut plans, piece by piece");
+    CLI::App* command = app.add_subcommand("diff", "Show what changed between two cut plans, piece by piece");
     command->add_option("BEFORE", given->before, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
     command->add_option("AFTER", given->after, "The folder of a later revision")->type_name("DIR")->required();
-    command->add_option("--tolerance", given->tolerance, "Lengths that differ by no more are the same")
+    command->add_option("--tolerance", given->tolerance, "Lengths that differ by at most this count as equal")
         ->capture_default_str()
         ->type_name("LENGTH");
     command->add_flag("--json", given->json, "Print one JSON object on stdout instead of the table");

@@ -12,7 +12,7 @@
 namespace ripstop::cli {
 namespace {
 
-// // A signal handler may do little more than write to a pipe; a thread reads it.
+// A signal handler may do little more than write to a pipe; a thread reads it.
 std::array<int, 2> told{-1, -1};
 
 void tell_thread(int signal) {

@@ -73,9 +73,9 @@ ExitCode run(ExportArguments given) {
 void add_export(CLI::App& app) {
     auto given = std::make_shared<ExportArguments>();
     CLI::App* command =
-        app.add_subcommand("export", "Write the pieces of a cut plan as other cut files, without solving again");
+        app.add_subcommand("export", "Write the pieces of a cut plan in other formats, without flattening again");
     command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
-    command->add_option("-o,--output", given->output, "The folder to write (default PLAN/cut-…, after what is in it)")
+    command->add_option("-o,--output", given->output, "The folder to write (default PLAN/cut-…, named by format)")
         ->type_name("DIR");
     add_format_options(*command, given->files, "--dialect");
     command
@@ -83,14 +83,14 @@ void add_export(CLI::App& app) {
                      "Only pieces of this name; * and ? stand for other letters; may be repeated")
         ->type_name("NAME")
         ->allow_extra_args(false);
-    command->add_flag("--force", given->force, "Replace the folder where it is not empty");
-    command->add_flag("--quiet", given->quiet, "Say nothing where all is well");
+    command->add_flag("--force", given->force, "Replace the folder if it is not empty");
+    command->add_flag("--quiet", given->quiet, "Print nothing unless something is wrong");
     command->footer(
         "Examples:\n"
         "  ripstop export cut-plan --dialect aama                     for garment CAD\n"
         "  ripstop export cut-plan --format pdf --paper a4            paper templates on sheets\n"
         "  ripstop export cut-plan --format hpgl --tile 'G01P*' -o gore-1\n\n"
-        "Exit codes: 0 written, 1 written, but a cut line does not go round its sew line, 2 usage, 3 unusable input.");
+        "Exit codes: 0 written, 1 written, but a cut line is wrong, 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

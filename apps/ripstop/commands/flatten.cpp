@@ -46,7 +46,7 @@ void print_assumed_size(const Envelope& envelope) {
         for (Eigen::Index v = 0; v < tile.mesh.positions.rows(); ++v) box.extend(Vec3(tile.mesh.positions.row(v)));
     const Vec3 size = box.sizes();
     tell(fmt::format(
-        "No unit given: taken as metres, which makes the envelope {:.4g} x {:.4g} x {:.4g} m (--unit changes it)\n",
+        "No unit given, so metres are assumed: the envelope measures {:.4g} x {:.4g} x {:.4g} m (--unit changes it)\n",
         size.x(), size.y(), size.z()));
 }
 
@@ -117,7 +117,7 @@ Job flatten_job(const FlattenArguments& given) {
     Job job = job_of(given.input);
     job.method = method_of(given.input);
     if (given.compensate && !job.method.starts_with("seam-"))
-        throw CLI::ValidationError("--compensate", "only the methods seam-… cut cloth for a strain, not " + job.method);
+        throw CLI::ValidationError("--compensate", "only the methods seam-… compensate for strain, not " + job.method);
     job.compensate = given.compensate;
     job.flight = [&given](const Flight& flight) { return flight_of(given.flight, flight); };
     job.propose = given.propose == "all"    ? ProposeScope::all
@@ -182,8 +182,8 @@ void add_flatten(CLI::App& app) {
     command->add_option("-o,--output", given->directory, "The folder to write; must not exist or be empty")
         ->type_name("DIR")
         ->required();
-    command->add_flag("--force", given->force, "Replace the folder where it is not empty");
-    command->add_option("-j,--jobs", given->jobs, "Threads; 0: one per core; the result is the same")
+    command->add_flag("--force", given->force, "Replace the folder if it is not empty");
+    command->add_option("-j,--jobs", given->jobs, "Threads, without effect on the result; 0: one per core")
         ->capture_default_str()
         ->type_name("N")
         ->check(within(0, 1024));
@@ -196,14 +196,14 @@ void add_flatten(CLI::App& app) {
         "map, the piece of each pattern (tiles cut alike share one), the 24 worst of the seams that fail");
     command
         ->add_option("--propose", given->propose,
-                     "For tiles that cannot be made, try the seams that help: auto (where few kinds fail), all, none")
+                     "Try seams that would help tiles that cannot be made: auto (if few kinds fail), all, none")
         ->capture_default_str()
         ->type_name("WORD")
         ->check(one_of({"auto", "all", "none"}))
         ->group("Flattening");
     command
         ->add_flag("--propose-merges", given->propose_merges,
-                   "Try every two neighbours as one tile and list those that could be made; flattens once more a seam")
+                   "Try every two neighbours as one tile and list those that could be made; one flattening per seam")
         ->group("Flattening");
     command
         ->add_flag("--compensate", given->compensate,

@@ -19,7 +19,7 @@ std::vector<std::string> names_of(const CLI::App& app) {
     return names;
 }
 
-/// Throws a usage error if a word is no command of the preceding ones.
+/// Throws a usage error if a word is not a subcommand of the words before it.
 std::string page_of(const CLI::App& program, const std::vector<std::string>& words) {
     const CLI::App* command = &program;
     std::string path = program.get_name();
@@ -39,7 +39,7 @@ std::string page_of(const CLI::App& program, const std::vector<std::string>& wor
 
 void add_help(CLI::App& app) {
     auto words = std::make_shared<std::vector<std::string>>();
-    CLI::App* command = app.add_subcommand("help", "Print what a command does, as its --help");
+    CLI::App* command = app.add_subcommand("help", "Print the help of a command, like its --help");
     command->add_option("COMMAND", *words, "The command; none: the program")
         ->type_name("WORD:{" + fmt::format("{}", fmt::join(names_of(app), ",")) + "}");
     command->footer(

@@ -64,17 +64,17 @@ void add_inflate(CLI::App& app) {
     auto given = std::make_shared<InflateArguments>();
     CLI::App* command = app.add_subcommand("inflate", "Sew the pieces, inflate them, compare with the drawn shape");
     command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
-    command->add_option("--project", given->project, "JSON whose `flight` says how it flies (docs/project.md)")
+    command->add_option("--project", given->project, "JSON whose key `flight` describes the flight (docs/project.md)")
         ->type_name("FILE");
     add_flight_options(*command, given->flight);
-    command->add_flag("--whole", given->whole, "Compute the whole envelope, also where its sectors are equal");
+    command->add_flag("--whole", given->whole, "Compute the whole envelope even if its sectors are equal");
     command->add_flag("--sensitivity", given->sensitivity,
                       "Also inflate with stiffer and softer cloth, longer and shorter tapes, hotter and colder air");
-    command->add_option("-j,--jobs", given->jobs, "Threads; 0: one per core; the result is the same")
+    command->add_option("-j,--jobs", given->jobs, "Threads, without effect on the result; 0: one per core")
         ->capture_default_str()
         ->type_name("N")
         ->check(within(0, 1024));
-    command->add_flag("--json", given->json, "Print the report with what was found on stdout instead of the table");
+    command->add_flag("--json", given->json, "Print the updated report.json on stdout instead of the table");
     command->add_flag("--quiet", given->quiet, "No table, no progress");
     command->add_flag("--reproducible", given->reproducible, "Leave the seconds out of report.json");
     command->footer(
@@ -82,7 +82,7 @@ void add_inflate(CLI::App& app) {
         "Examples:\n"
         "  ripstop inflate cut-plan                                    load tapes as the seam types say\n"
         "  ripstop inflate cut-plan --tapes meridians --inside 110     tapes up the envelope, hotter air\n"
-        "  ripstop inflate cut-plan --tapes meridians --sensitivity    and how sure that is\n\n"
+        "  ripstop inflate cut-plan --tapes meridians --sensitivity    and how sensitive the result is\n\n"
         "Exit codes: 0 flies as drawn and is strong enough, 1 does not (all is written), 2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);

@@ -20,7 +20,7 @@ void add_inspect(CLI::App& app) {
     };
     auto given = std::make_shared<InspectArguments>();
     CLI::App* command =
-        app.add_subcommand("inspect", "Say what a file holds: unit, layers, surfaces, curves and what is not read");
+        app.add_subcommand("inspect", "Show what a file contains: unit, layers, surfaces, curves, unread objects");
     command->add_option("INPUT", given->file, "The file, in any format that is read")->type_name("FILE")->required();
     add_meshing_options(*command, given->chord, given->edge, given->tiles_are);
     command->add_flag("--json", given->json, "Print one JSON object on stdout instead of the text");

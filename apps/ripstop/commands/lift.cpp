@@ -56,9 +56,8 @@ void tell_strangers(const LiftArguments& given, const LiftedLines& lifted) {
     const std::string text = fmt::format("{}{}", fmt::join(first, ", "), all.size() > most ? ", …" : "");
     if (lifted.pieces == 0)
         throw InputError(
-            fmt::format("{}: it holds none of the plan's pieces{}; expected their closed cut lines in true shape and "
-                        "size, neither rotated nor mirrored, with lines drawn on them; draw on a file of this plan's "
-                        "cut/",
+            fmt::format("{}: contains none of the plan's pieces{}; expected their closed cut lines at true size, "
+                        "neither rotated nor mirrored, with lines drawn on them; draw on a file of this plan's cut/",
                         given.drawing.string(), all.empty() ? "" : ", only " + text));
     if (!all.empty())
         tell(fmt::format("Warning: {} cut line{} no piece of the plan, and the lines drawn there are left out: {}\n",
@@ -107,12 +106,12 @@ ExitCode run(const LiftArguments& given) {
 void add_lift(CLI::App& app) {
     auto given = std::make_shared<LiftArguments>();
     CLI::App* command = app.add_subcommand(
-        "lift", "Bring what was drawn on flat pieces back into space, as curves on the tiles, for the model");
+        "lift", "Carry lines drawn on flat pieces back to the tiles in space, as curves for the model");
     command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
     command->add_option("DRAWING", given->drawing, "A DXF or SVG of its pieces with lines drawn on them")
         ->type_name("FILE")
         ->required();
-    command->add_option("-o,--output", given->output, "The OBJ to write: a polyline (l) a line")
+    command->add_option("-o,--output", given->output, "The OBJ to write: one polyline (l) per line")
         ->type_name("FILE")
         ->required();
     command
@@ -124,7 +123,7 @@ void add_lift(CLI::App& app) {
         ->capture_default_str()
         ->type_name("UNIT")
         ->check(known_unit());
-    command->add_flag("--force", given->force, "Replace the file where it exists");
+    command->add_flag("--force", given->force, "Replace the file if it exists");
     command->footer(
         "Examples (after lines were drawn on the layer artwork, in Inkscape or a CAD program):\n"
         "  ripstop lift cut-plan cut-plan/cut/tiles/G01P05.svg --layer artwork -o artwork.obj\n"

@@ -107,11 +107,11 @@ std::string manual(const CommandText& program) {
            ".SH EXIT STATUS\n.TP\n0\nEvery tile and seam can be made.\n.TP\n1\nSome cannot; all files are written all "
            "the same.\n.TP\n2\nThe command line is wrong.\n.TP\n3\nThe input cannot be used; the message says which "
            "file and object, what was expected and what to do.\n.TP\n4\nA fault of the program.\n"
-           ".SH ENVIRONMENT\n.TP\nNO_COLOR\nNo colours, on a terminal either.\n.TP\nCLICOLOR_FORCE\nColours, also "
-           "where "
-           "no terminal is.\n.TP\nSOURCE_DATE_EPOCH\nThe date that is written in PDF files and in DXF files of "
+           ".SH ENVIRONMENT\n.TP\nNO_COLOR\nNever colours.\n.TP\nCLICOLOR_FORCE\nColours even if "
+           "the output is not a terminal.\n.TP\n"
+           "SOURCE_DATE_EPOCH\nThe date that is written in PDF files and in DXF files of "
            "garment CAD, in seconds since 1970.\n.TP\nRIPSTOP_CAD\nThe program that reads STEP, IGES and BREP, "
-           "where it is not ripstop\\-cad beside ripstop.\n";
+           "if it is not the ripstop\\-cad beside ripstop.\n";
 }
 
 }  // namespace

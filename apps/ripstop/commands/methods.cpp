@@ -8,8 +8,7 @@
 namespace ripstop::cli {
 
 void add_methods(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("methods", "List the ways to flatten, a line each, with what they come from");
+    CLI::App* command = app.add_subcommand("methods", "List the flattening methods and their sources, one per line");
     command->footer(
         "Examples:\n"
         "  ripstop methods\n"

@@ -47,7 +47,7 @@ NestOptions options_of(const NestArguments& given) {
 void require_no_plan(const std::filesystem::path& folder) {
     for (const char* file : {"report.json", "pieces.json"})
         if (std::filesystem::exists(folder / file))
-            throw InputError(fmt::format("{}: belongs to a cut plan, it holds {}; give the marker a folder of its own",
+            throw InputError(fmt::format("{}: is part of a cut plan, it holds {}; give the marker its own folder",
                                          folder.string(), file));
 }
 
@@ -64,7 +64,7 @@ ExitCode run(NestArguments given) {
         given.output, given.force, {"marker*.*", "bom.csv"},
         [&](const std::filesystem::path& folder) { write_marker_files(folder, set, markers, given.formats); });
     if (!show_roll(given.plan, marker_json(set, markers, given.formats), read) && !given.quiet)
-        tell("Note: report.html is of another version and does not show the roll; flatten the envelope again\n");
+        tell("Note: a different version wrote report.html, so it does not show the roll; flatten the envelope again\n");
     if (given.json)
         print("{}", marker_json(set, markers, given.formats));
     else if (!given.quiet || !markers.refusals.empty())
@@ -78,23 +78,23 @@ ExitCode run(NestArguments given) {
 void add_nest(CLI::App& app) {
     auto given = std::make_shared<NestArguments>();
     CLI::App* command =
-        app.add_subcommand("nest", "Lay the pieces of a cut plan on the roll; write the markers and what to order");
+        app.add_subcommand("nest", "Lay the pieces of a cut plan on the roll; write markers and bill of materials");
     command->add_option("PLAN", given->plan, "A folder that `ripstop flatten` wrote")->type_name("DIR")->required();
     command->add_option("-o,--output", given->output, "The folder to write (default PLAN/marker)")->type_name("DIR");
-    command->add_option("--roll", given->roll, "Width of the cloth, as 1500mm (default: the fabric's own)")
+    command->add_option("--roll", given->roll, "Width of the cloth, such as 1500mm (default: the fabric's own)")
         ->type_name("LENGTH");
     command->add_option("--gap", given->gap, "Between pieces")->capture_default_str()->type_name("LENGTH");
     command
         ->add_option("--roll-length", given->roll_lengths,
-                     "Length of a roll without a join, as 100m; several with commas are used in order, the last again "
-                     "and again (default: no join)")
+                     "Length of a roll without a join, such as 100m; several, separated by commas, are used in order, "
+                     "and the last one repeats (default: no join)")
         ->type_name("LENGTH")
         ->delimiter(',');
     command->add_option("--grain-tolerance", given->grain_tolerance, "By how much a piece may be turned off the warp")
         ->capture_default_str()
         ->type_name("DEGREES")
         ->check(within(0.0, 28.0));
-    command->add_flag("--one-way", given->one_way, "Never turn a piece by half a turn: cloth with a nap or a print");
+    command->add_flag("--one-way", given->one_way, "Turn no piece by half a turn, for cloth with a nap or a print");
     command->add_flag("--flip", given->flip, "The cloth has no right side: pieces may be laid face down");
     command
         ->add_option("--effort", given->effort, "Rounds of the search; more is slower and the marker a little shorter")
@@ -102,20 +102,20 @@ void add_nest(CLI::App& app) {
         ->type_name("N")
         ->check(within(0, 100000));
     add_format_option(*command, given->formats);
-    command->add_option("-j,--jobs", given->jobs, "Threads; 0: one per core; the result is the same")
+    command->add_option("-j,--jobs", given->jobs, "Threads, without effect on the result; 0: one per core")
         ->capture_default_str()
         ->type_name("N")
         ->check(within(0, 1024));
     command->add_flag("--force", given->force, "Replace the markers in the folder");
     command->add_flag("--json", given->json, "Print marker.json on stdout instead of the table");
-    command->add_flag("--quiet", given->quiet, "Say nothing where all is well");
+    command->add_flag("--quiet", given->quiet, "Print nothing unless something is wrong");
     command->footer(
         "Examples:\n"
         "  ripstop nest cut-plan --roll 1500mm\n"
-        "  ripstop nest cut-plan --roll 1500mm --roll-length 100m --force     with joins, in place of the last\n"
+        "  ripstop nest cut-plan --roll 1500mm --roll-length 100m --force     with joins, replacing the last\n"
         "  ripstop nest cut-plan --one-way --effort 400 -o marker             cloth with a nap, a longer search\n\n"
-        "Exit codes: 0 all laid, 1 some pieces do not fit the roll (the others are laid), or a cut line does not go\n"
-        "round its sew line, 2 usage, 3 unusable input.");
+        "Exit codes: 0 all laid, 1 some pieces do not fit the roll (the others are laid) or a cut line is wrong,\n"
+        "2 usage, 3 unusable input.");
     command->callback([given] {
         if (const ExitCode code = run(*given)) throw CLI::RuntimeError(code);
     });

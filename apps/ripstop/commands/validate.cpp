@@ -26,7 +26,7 @@ ExitCode run(const ValidateArguments& given) {
     if (!given.unit.empty()) options.unit = {given.unit, metres_per_unit(given.unit)};
     if (!given.roll.empty()) options.roll = parse_length(given.roll, "--roll");
     if (options.roll && !(*options.roll > 0))
-        throw InputError("--roll is " + given.roll + ", expected a length above 0, as 1.5m");
+        throw InputError("--roll is " + given.roll + ", expected a length above 0, such as 1.5m");
     const DrawingCheck check = [&] {
         const Waiting waiting("Reading " + given.file.filename().string(), given.quiet);
         return check_drawing(read_pattern_file(given.file), options);
@@ -46,15 +46,15 @@ void add_validate(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("validate", "Check a pattern file of any program: unit, contours, layers, sizes");
     command->add_option("FILE", given->file, "The file, .dxf or .svg")->type_name("FILE")->required();
-    command->add_option("--unit", given->unit, "Unit of the file's numbers, where it does not say")
+    command->add_option("--unit", given->unit, "Unit of the file's numbers, if it states none")
         ->type_name("UNIT")
         ->check(known_unit());
     command
         ->add_option("--roll", given->roll,
-                     "Width of the cloth that every piece has to fit on, as 1.5m (default: not asked)")
+                     "Width of the cloth that every piece must fit on, such as 1.5m (default: not checked)")
         ->type_name("LENGTH");
     command->add_flag("--json", given->json, "Print one JSON object on stdout instead of the text");
-    command->add_flag("--quiet", given->quiet, "Print nothing; the exit code tells");
+    command->add_flag("--quiet", given->quiet, "Print nothing; the exit code is the result");
     command->footer(
         "Examples:\n"
         "  ripstop validate cut-plan/cut/envelope.dxf --roll 1.5m\n"

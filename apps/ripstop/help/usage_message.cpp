@@ -51,8 +51,7 @@ std::string about_options(const CommandText& command, const CLI::Error& error) {
         if (text.starts_with("Could not convert: " + name + " = "))
             return fmt::format("{}: \"{}\" is not a {}number", name, text.substr(text.find(" = ") + 3),
                                option.value == "N" ? "whole " : "");
-        if (text.starts_with(name + ": 1 required "))
-            return fmt::format("{} stands without its {}", name, option.value);
+        if (text.starts_with(name + ": 1 required ")) return fmt::format("{} needs its value, {}", name, option.value);
     }
     return text + (text.find(" excludes ") == std::string::npos ? "" : "; give one of the two");
 }

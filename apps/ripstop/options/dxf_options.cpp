@@ -61,17 +61,17 @@ DxfFlags add_dxf_options(CLI::App& command, PieceFileOptions& given, const char*
                         ->group("DXF");
     flags.grain_axis = command
                            .add_option("--grain-axis", given.grain_axis,
-                                       "Along which axis the warp runs (default x; in the dialect clo y)")
+                                       "Axis along which the warp runs (default: x, in the dialect clo y)")
                            ->type_name("WORD")
                            ->check(one_of({"x", "y"}))
                            ->group("DXF");
     const auto read_date = [](const std::string& text) {
-        if (!is_date(text)) throw InputError(fmt::format("\"{}\" is no date, expected YYYY-MM-DD", text));
+        if (!is_date(text)) throw InputError(fmt::format("\"{}\" is not a date, expected YYYY-MM-DD", text));
     };
     flags.date = command
                      .add_option("--date", given.date,
-                                 "The creation date in PDF and in dialects that state one (else SOURCE_DATE_EPOCH, "
-                                 "else none)")
+                                 "Creation date in PDF files and in dialects that state one (default: "
+                                 "SOURCE_DATE_EPOCH, then none)")
                      ->type_name("YYYY-MM-DD")
                      ->check(known(read_date))
                      ->group("DXF");

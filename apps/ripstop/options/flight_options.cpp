@@ -8,50 +8,52 @@ namespace ripstop::cli {
 
 void add_flight_options(CLI::App& command, FlightArguments& given) {
     const std::string group = "Flight";
-    command.add_option("--inside", given.inside, "Temperature of the hot air, Celsius; 100")
+    command.add_option("--inside", given.inside, "Temperature of the hot air, Celsius (default 100)")
         ->type_name("C")
         ->check(within(-90.0, 300.0))
         ->group(group);
-    command.add_option("--outside", given.outside, "Temperature outside, Celsius; 15")
+    command.add_option("--outside", given.outside, "Temperature outside, Celsius (default 15)")
         ->type_name("C")
         ->check(within(-90.0, 300.0))
         ->group(group);
-    command.add_option("--altitude", given.altitude, "Pressure altitude, metres; 0")
+    command.add_option("--altitude", given.altitude, "Pressure altitude, metres (default 0)")
         ->type_name("M")
         ->check(within(0.0, 11000.0))
         ->group(group);
     command
-        .add_option("--pressure", given.pressure, "Pressure in addition to that of the hot air, everywhere, pascals; 0")
+        .add_option("--pressure", given.pressure, "Uniform pressure added to that of the hot air, pascals (default 0)")
         ->type_name("PA")
         ->check(within(-1e5, 1e5))
         ->group(group);
     command
         .add_option("--mouth-plane", given.mouth_plane,
-                    "Height where the gas has no gauge pressure, as 0m; else the mouth's")
+                    "Height at which the gauge pressure is zero, such as 0m (default: the mouth's)")
         ->type_name("LENGTH")
         ->group(group);
     command
         .add_option("--tapes", given.tapes,
-                    "Seams that take a load tape: by-type (those of a type with a tape), meridians (also all that run "
-                    "up), none")
+                    "Seams that take a load tape: by-type (those whose type has one), meridians (also all seams that "
+                    "run up the envelope), none")
         ->type_name("WORD")
         ->check(one_of({"by-type", "meridians", "none"}))
         ->group(group);
-    command.add_option("--tape-stiffness", given.tape_stiffness, "EA of the load tapes, newtons; 80000")
+    command.add_option("--tape-stiffness", given.tape_stiffness, "EA of the load tapes, newtons (default 80000)")
         ->type_name("N")
         ->check(within(1.0, 1e9))
         ->group(group);
-    command.add_option("--tape-strength", given.tape_strength, "Breaking force of the load tapes, newtons; 10000")
+    command.add_option("--tape-strength", given.tape_strength, "Strength of the load tapes, newtons (default 10000)")
         ->type_name("N")
         ->check(within(1.0, 1e9))
         ->group(group);
-    command.add_option("--foreshorten", given.foreshortening, "How much shorter load tapes are than their seams, %; 0")
+    command
+        .add_option("--foreshorten", given.foreshortening,
+                    "How much shorter load tapes are than their seams, % (default 0)")
         ->type_name("PCT")
         ->check(within(0.0, 20.0))
         ->group(group);
     command
         .add_option("--mouth-hold", given.mouth,
-                    "automatic (wires where load tapes end at the mouth, else its edge), edge, wires")
+                    "What holds the mouth: automatic (wires if load tapes end at it, else its edge), edge, wires")
         ->type_name("WORD")
         ->check(one_of({"automatic", "edge", "wires"}))
         ->group(group);

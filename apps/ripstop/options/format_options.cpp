@@ -29,7 +29,7 @@ CLI::Option* add_format_option(CLI::App& command, std::vector<std::string>& form
     return command
         .add_option(
             "--format,--formats", formats,
-            fmt::format("What to write, several with commas (default {}):{}", fmt::join(formats, ","), described))
+            fmt::format("Formats to write, separated by commas (default {}):{}", fmt::join(formats, ","), described))
         ->type_name("FORMATS")
         ->delimiter(',')
         ->check(known([](const std::string& name) { piece_format_named(name); }, names));
@@ -49,8 +49,8 @@ void add_format_options(CLI::App& command, FormatArguments& given, const char* d
     const CLI::Option* frame =
         command
             .add_option("--frame", given.frame,
-                        "Frame length of the HPGL, as 600mm, for plotters that count to 32,767 (else HP-GL/2: all in "
-                        "one)")
+                        "Frame length of the HPGL, such as 600mm, for plotters that count to 32,767 (default: one "
+                        "frame, HP-GL/2)")
             ->type_name("LENGTH")
             ->group("Cut files");
     const DxfFlags dxf = add_dxf_options(command, given.files, dialect);
@@ -68,7 +68,7 @@ void choose_formats(FormatArguments& given, bool alone) {
         const auto is_chosen = [&chosen](const std::string& format) { return has(chosen, format); };
         if (option->count() == 0 || std::any_of(formats.begin(), formats.end(), is_chosen)) continue;
         if (is_asked)
-            throw CLI::ValidationError(fmt::format("{} means nothing for {}: it is for {}; add that to --format",
+            throw CLI::ValidationError(fmt::format("{} does not apply to {}, only to {}; add that to --format",
                                                    option->get_name(), fmt::join(chosen, ","),
                                                    fmt::join(formats, " and ")));
         chosen.push_back(formats.front());

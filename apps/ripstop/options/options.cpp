@@ -25,7 +25,7 @@ namespace ripstop::cli {
 namespace {
 
 constexpr std::size_t shown_remarks = 12;
-constexpr const char* surfaces = "Surfaces of CAD (STEP, IGES, BREP, Rhino)";
+constexpr const char* surfaces = "CAD surfaces (STEP, IGES, BREP, Rhino)";
 
 /// Throws InputError if the file cannot be opened or read.
 
@@ -51,7 +51,7 @@ RemeshOptions remesh_options(const InputArguments& given) {
                                    " does not go with --method given: flat positions belong to the input's mesh");
     if (!std::isdigit(static_cast<unsigned char>(given.remesh.front())) && given.remesh.front() != '.')
         throw CLI::ValidationError("--remesh is \"" + given.remesh +
-                                   "\", expected auto, never or a length with its unit, as 50mm");
+                                   "\", expected auto, never or a length with its unit, such as 50mm");
     options.mode = RemeshMode::by_length;
     options.edge_length = parse_length(given.remesh, "--remesh");
     return options;
@@ -81,10 +81,11 @@ CLI::Validator known_unit() {
 void add_meshing_options(CLI::App& command, std::string& chord, std::string& edge, std::string& tiles_are) {
     command
         .add_option("--chord", chord,
-                    "How far a surface may lie off its triangles, as 0.3mm (else lengths are kept to 0.01 %)")
+                    "Largest distance of a surface from its triangles, such as 0.3mm (default: lengths to 0.01 %)")
         ->type_name("LENGTH")
         ->group(surfaces);
-    command.add_option("--edge", edge, "How long the edges of triangles are at most, as 100mm (else as --chord asks)")
+    command
+        .add_option("--edge", edge, "Largest edge length of triangles, such as 100mm (default: as --chord requires)")
         ->type_name("LENGTH")
         ->group(surfaces);
     command.add_option("--tiles", tiles_are, "What a tile is: each face of a model, or each object of several faces")
@@ -108,18 +109,18 @@ void add_input_options(CLI::App& command, InputArguments& given) {
     for (const MeshFormat& format : mesh_formats())
         formats += (formats.empty() ? "" : ", ") + std::string(format.extension);
     for (const CadFormat& format : cad_formats()) formats += ", " + std::string(format.extension);
-    command.add_option("INPUT", given.file, "The envelope, one object, group, part or face a tile: " + formats)
+    command.add_option("INPUT", given.file, "The envelope, one object, group, part or face per tile: " + formats)
         ->type_name("FILE")
         ->required();
     command
         .add_option("--unit", given.unit,
-                    "Unit of the file's numbers (else the project's, else the file's own, else metres)")
+                    "Unit of the file's numbers (default: the project's, then the file's own, then metres)")
         ->group("Input")
         ->type_name("UNIT")
         ->check(known_unit());
     command
         .add_flag("--size-is-meant", given.size_is_meant,
-                  "The size is right although unusual for a balloon: do not doubt the unit (also in the project)")
+                  "The size is right, although unusual for a balloon: accept the unit (also in the project)")
         ->group("Input");
     command
         .add_option("--project", given.project,
@@ -131,7 +132,7 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         .add_option(
             "--fabric", given.fabric,
             "Fabric of the tiles without one of their own: isotropic, nylon, nylon-silicone, polyester or a JSON "
-            "file (else the project's, else isotropic)")
+            "file (default: the project's, then isotropic)")
         ->group("Input")
         ->type_name("FILE.json")
         ->check(known([](const std::string&) {}, fabric_presets()));  // checked once the project is known
@@ -143,7 +144,7 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         ->check(within(-360.0, 360.0));
     command
         .add_option("--seam-tolerance", given.seam_tolerance,
-                    "Edges to be sewn together lie within this length (else the project's, else 0.5mm)")
+                    "Edges to be sewn together lie within this distance (default: the project's, then 0.5mm)")
         ->group("Input")
         ->type_name("LENGTH");
     add_meshing_options(command, given.chord, given.edge, given.tiles_are);
@@ -156,8 +157,8 @@ void add_input_options(CLI::App& command, InputArguments& given) {
         ->allow_extra_args(false);
     command
         .add_option("--layer", given.layers,
-                    "Only what lies on the layers of this name (else the project's), a whole path as a::b; * and ? as "
-                    "above; may be repeated")
+                    "Only objects on layers of this name, a full path such as a::b (default: the project's); * and ? "
+                    "as above; may be repeated")
         ->group("Input")
         ->type_name("NAME")
         ->allow_extra_args(false);
@@ -167,8 +168,8 @@ void add_remesh_option(CLI::App& command, InputArguments& given) {
     given.remesh = "auto";
     command
         .add_option("--remesh", given.remesh,
-                    "Mesh tiles anew: auto (those too coarse, too bad or too fine), never, or all with edges of a "
-                    "length, as 50mm")
+                    "Remesh tiles: auto (those with too coarse, too poor or too fine a mesh), never, or an edge "
+                    "length for all, such as 50mm")
         ->group("Flattening")
         ->type_name("WORD")
         ->capture_default_str();
@@ -179,7 +180,7 @@ void add_accept_option(CLI::App& command, InputArguments& given) {
     command
         .add_option("--accept", given.accept,
                     "Accept a fault that is intended, which then becomes a note: missing_tile (openings with corners); "
-                    "several codes with commas (also in the project)")
+                    "separate several codes with commas (also in the project)")
         ->group("Input")
         ->type_name("CODES")
         ->delimiter(',')
@@ -195,7 +196,7 @@ void add_method_option(CLI::App& command, InputArguments& given) {
         ->check(known_method());
     command
         .add_flag("--keep-area", given.keep_area,
-                  "Hold the whole area exactly too (method seam-exact-area): more strain in the cloth")
+                  "Keep the whole area exact too (method seam-exact-area), at the cost of more strain")
         ->group("Flattening");
 }
 

@@ -24,8 +24,7 @@ double length_within(const std::string& text, const char* option, double least, 
 }  // namespace
 
 void add_piece_options(CLI::App& command, PieceArguments& given) {
-    command
-        .add_option("--revision", given.revision, "Written on every piece (else the first letters of the input's hash)")
+    command.add_option("--revision", given.revision, "Text on every piece (default: the start of the input's hash)")
         ->type_name("TEXT")
         ->group("Pieces");
     command
@@ -37,22 +36,21 @@ void add_piece_options(CLI::App& command, PieceArguments& given) {
         ->group("Pieces");
     command
         .add_option("--notch-spacing", given.notch_spacing,
-                    "Distance between match marks on a straight seam, a third of it on curves (default 750mm)")
+                    "Distance between notches on a straight seam; down to a third of it on curves (default 750mm)")
         ->type_name("LENGTH")
         ->group("Pieces");
     command
-        .add_option("--notch-depth", given.notch_depth,
-                    "How deep a notch is cut, never over 0.4 of the allowance (default 6mm)")
+        .add_option("--notch-depth", given.notch_depth, "Depth of a notch, at most 0.4 of the allowance (default 6mm)")
         ->type_name("LENGTH")
         ->group("Pieces");
     command
         .add_option("--simplify", given.simplify,
-                    "Simplify the sew line to points within this distance of the mesh's edge (default 0.05mm)")
+                    "Largest deviation of the sew line when points are left out (default 0.05mm)")
         ->type_name("LENGTH")
         ->group("Pieces");
     command
         .add_flag("--allowance-fit", given.allowance_fit,
-                  "Narrow two allowances that do not fit between their edges; else such a piece is not "
+                  "Narrow two allowances that do not fit between their edges; without this, such a piece is not "
                   "manufacturable")
         ->group("Pieces");
 }

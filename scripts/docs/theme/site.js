@@ -26,7 +26,7 @@ const loadIndex = () =>
 
 const words = (text) => text.toLowerCase().split(/[^\p{L}\p{N}_]+/u).filter(Boolean);
 
-// Higher is better; 0 where a word is nowhere.
+// The score of an entry, higher is better; 0 if a word does not occur in it.
 function score(entry, asked) {
     const title = entry.title.toLowerCase();
     const text = entry.text.toLowerCase();
@@ -41,7 +41,7 @@ function score(entry, asked) {
     return sum - title.length / 100;
 }
 
-// The words round the first hit.
+// The text around the first hit.
 function snippet(text, word) {
     const plain = text.replace(/\s+/g, ' ');
     const at = Math.max(0, plain.toLowerCase().indexOf(word) - 40);
@@ -98,7 +98,7 @@ document.addEventListener('keydown', (event) => {
     field.focus();
 });
 
-// The heading that is read now, in the list of contents; and the chosen page in sight.
+// Marks the current heading in the list of contents and scrolls the chosen page into view.
 const entries = new Map([...document.querySelectorAll('.contents a')].map((link) => [link.hash.slice(1), link]));
 const headings = [...entries.keys()].map((id) => document.getElementById(decodeURIComponent(id))).filter(Boolean);
 function mark() {
@@ -117,6 +117,6 @@ if (headings.length > 0) {
 }
 document.querySelector('.pages a[aria-current]')?.scrollIntoView({ block: 'nearest' });
 
-// What is wider than the page is reached by keyboard too.
+// Makes blocks that are wider than the page scrollable by keyboard.
 for (const block of document.querySelectorAll('pre, .wide, main > table'))
     if (block.scrollWidth > block.clientWidth) block.tabIndex = 0;

@@ -14,10 +14,10 @@ struct EquilibriumOptions {
     int iterations = 300;     ///< Newton iterations in total
     double tolerance = 1e-4;  ///< root mean square of the forces, relative to the largest pressure times the mean edge
                               ///< squared
-    /// Stiff cloth on a fine mesh chatters: wrinkles appear and vanish by fractions of a millimetre long after the
-    /// shape has converged. The iteration also ends if ten steps together move the nodes by less than this fraction
-    /// of the size (root mean square), lower the energy by less than 5e-7 of it, and the forces are below 0.5 of the
-    /// unit. 0: never.
+    /// Stiff cloth on a fine mesh chatters: wrinkles a fraction of a millimetre high appear and vanish long after the
+    /// shape has converged. The iteration therefore also ends if ten steps together move the nodes by less than this
+    /// fraction of the size (root mean square) and lower the energy by less than 5e-7 of it, and the forces are then
+    /// below 0.5, in the unit of `tolerance`. 0: never.
     double settled = 0;
     Progress progress = {};  ///< may throw to cancel; no result is kept then
 };

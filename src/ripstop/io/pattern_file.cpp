@@ -13,7 +13,7 @@ PatternDrawing read_pattern_file(const std::filesystem::path& path) {
     if (std::error_code unknown; std::filesystem::is_directory(path, unknown))
         throw InputError(path.string() + ": is a folder, expected a file; name the file in it");
     if (extension != ".dxf" && extension != ".svg")
-        throw InputError(path.string() + ": no pattern file by its name, expected .dxf or .svg; export it as one");
+        throw InputError(path.string() + ": not a pattern file, expected .dxf or .svg; export it as one");
     std::ifstream in = open_input(path);
     return extension == ".dxf" ? read_dxf(in, path.string()) : read_svg(in, path.string());
 }

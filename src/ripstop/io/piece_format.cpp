@@ -18,10 +18,10 @@ std::span<const PieceFormat> piece_formats() {
                         write_dxf(out, pieces, shifts,
                                   {options.dialect, options.style, options.revision, options.date, options.grain_axis});
                     }},
-        PieceFormat{"svg", "svg", "SVG in true size, an edge a path", true,
+        PieceFormat{"svg", "svg", "SVG at true size, one path per edge", true,
                     [](std::ostream& out, const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts,
                        const PieceFileOptions&) { write_svg(out, pieces, shifts); }},
-        PieceFormat{"pdf", "pdf", "PDF in true size for printers, a page a piece or on sheets (--paper)", false,
+        PieceFormat{"pdf", "pdf", "PDF at true size for printers, one page per piece or on sheets (--paper)", false,
                     [](std::ostream& out, const std::vector<PatternPiece>& pieces, const std::vector<Vec2>&,
                        const PieceFileOptions& options) {
                         write_pdf(out, pieces, {options.style, options.revision, options.paper, options.date});

@@ -20,8 +20,8 @@ struct Likeness {
              ///< or lie more than 1e-9 m apart
 };
 
-/// Finds tiles with the same pattern: congruent up to a rigid motion, or also a reflection (rights and lefts), in
-/// surface, drawn edge lengths, corners, warp, fabric and compensation. Names and vertex numbering do not matter.
+/// Finds tiles with the same pattern: equal in surface, drawn edge lengths, corners, warp, fabric and compensation, up
+/// to a rigid motion or a reflection (a left and a right piece). Names and vertex numbering do not matter.
 ///
 /// Two tiles have the same surface if, after the rigid fit of their outlines (32 points per chain, least squares), no
 /// vertex of either is farther than `tolerance` from the other's triangles. Chain lengths must agree to `tolerance`,

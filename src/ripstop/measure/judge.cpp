@@ -36,7 +36,7 @@ void judge_bounds(const Bounds& bounds, const Tolerances& tolerances, Verdict& v
                                     "the disc of " + format_fixed(bounds.radius / millimetre, 0) +
                                         " mm about here stretches by a ratio of at least " +
                                         format_fixed(bounds.stretch_ratio, 4) +
-                                        " in any flattening, the cloth stands " + format_fixed(allowed, 4),
+                                        " in any flattening, the cloth allows " + format_fixed(allowed, 4),
                                     bounds.centre, bounds.stretch_ratio, allowed});
 }
 
@@ -52,7 +52,7 @@ void judge_certificate(const Tile& tile, const Flattening& flattening, Verdict& 
                                     shown.force_residual, certified_force});
     if (!shown.strict_minimum)
         verdict.findings.push_back(
-            {"uncertified", "the result is not shown to be a strict minimum of the cloth's energy", centre, 0, 1});
+            {"uncertified", "the result is not proven to be a strict minimum of the cloth's energy", centre, 0, 1});
 }
 
 void judge_map(const SolveSummary& summary, const Accuracy& accuracy, Verdict& verdict, const Tile& tile) {
@@ -63,13 +63,13 @@ void judge_map(const SolveSummary& summary, const Accuracy& accuracy, Verdict& v
         verdict.findings.push_back({"unsolved", "the flattening is not at rest: " + summary.reason, centre, 1, 0});
     if (accuracy.flipped > 0)
         verdict.findings.push_back({"flipped",
-                                    std::to_string(accuracy.flipped) + " of the triangles are turned over on the cloth",
+                                    std::to_string(accuracy.flipped) + " of the triangles are flipped on the cloth",
                                     accuracy.worst_flip, static_cast<double>(accuracy.flipped), 0});
     if (accuracy.outline_crossings > 0 && accuracy.overlaps == 0)
         verdict.findings.push_back({"outline", "the outline of the piece meets itself on the cloth", centre,
                                     static_cast<double>(accuracy.outline_crossings), 0});
     if (accuracy.overlaps > 0)
-        verdict.findings.push_back({"overlap", "the piece lies on itself on the cloth", accuracy.worst_overlap,
+        verdict.findings.push_back({"overlap", "the piece overlaps itself on the cloth", accuracy.worst_overlap,
                                     static_cast<double>(accuracy.overlaps), 0});
 }
 

@@ -26,12 +26,12 @@ std::string in_mm(double length, int decimals) {
 std::string message(const Seam& seam, const SeamWalk& walk, const CutPlan& plan) {
     const auto name = [&](const SeamSide& side) { return plan.tiles[at(side.tile)].tile.name; };
     const std::string open =
-        walk.uncertainty > 0 ? "; the meshes leave " + in_mm(walk.uncertainty, 2) + " open" : std::string();
+        walk.uncertainty > 0 ? "; the meshes leave " + in_mm(walk.uncertainty, 2) + " uncertain" : std::string();
     if (!std::isfinite(walk.drift_max)) return "seam " + seam.id + " has a side that was not flattened";
     if (!(std::abs(walk.mismatch()) <= walk.limit))
-        return "seam " + seam.id + ": the edge of " + name(seam.b) + " is " + in_mm(std::abs(walk.mismatch()), 2) +
-               (walk.mismatch() > 0 ? " longer" : " shorter") + " than that of " + name(seam.a) +
-               " it is sewn to, of " + in_mm(walk.length, 0) + open;
+        return "seam " + seam.id + ", " + in_mm(walk.length, 0) + " long: the edge of " + name(seam.b) + " is " +
+               in_mm(std::abs(walk.mismatch()), 2) + (walk.mismatch() > 0 ? " longer" : " shorter") +
+               " than the edge of " + name(seam.a) + " that it is sewn to" + open;
     return "seam " + seam.id + ": the edges of " + name(seam.a) + " and " + name(seam.b) + " are " +
            in_mm(walk.drift_max, 2) + " apart after " + in_mm(walk.drift_max_at, 0) + ", though they end together" +
            open;
@@ -103,11 +103,11 @@ std::string uncertain_text(const Seam& seam, const std::string& tile_a, const st
     // A chord is shorter than an arc that turns by t by t^2 / 24 of its length.
     const double turn = std::sqrt(24 * limit / seam.length);
     return "seam " + seam.id + ": the meshes of " + tile_a + " and " + tile_b + " leave " + in_mm(seam.uncertainty, 2) +
-           " of its length open, the limit is " + in_mm(limit, 2) +
-           ": they do not say whether their edges or a curve through their corners is meant; export a mesh whose edges "
+           " of its length uncertain, the limit is " + in_mm(limit, 2) +
+           ": they do not show whether a polygon or a curve through its corners is intended; export a mesh whose edges "
            "turn by less than " +
            format_fixed(std::floor(turn / degree), 0) + " degrees from one to the next along it, or by more than " +
-           format_fixed(corner_turn / degree, 0) + " where corners are meant";
+           format_fixed(corner_turn / degree, 0) + " at intended corners";
 }
 
 }  // namespace ripstop

@@ -135,7 +135,7 @@ class Nester {
             }
         if (narrowest > width_ + length_rounding)
             refuse(kind,
-                   "is " + in_millimetres(narrowest) + " wide across the warp, the roll " + in_millimetres(width_) +
+                   "is " + in_millimetres(narrowest) + " wide across the warp, the roll is " + in_millimetres(width_) +
                        "; divide it, turn its grain or take a wider roll",
                    refusals);
         else if (shortest > longest())
@@ -146,9 +146,9 @@ class Nester {
         const std::vector<double>& parts = options_.part_lengths;
         const double most = *std::max_element(parts.begin(), parts.end());
         if (length > most)
-            return " long, the cloth without a join " + in_millimetres(most) + "; divide it or take a longer roll";
-        return " long; the lengths of " + in_millimetres(most) + " end and those of " + in_millimetres(parts.back()) +
-               " go on, in which it does not fit; lay it on a roll of its own of such lengths, or divide it";
+            return " long, the cloth without a join is " + in_millimetres(most) + "; divide it or take a longer roll";
+        return " long; it fits lengths of " + in_millimetres(most) + ", which run out, but not the last length of " +
+               in_millimetres(parts.back()) + ", which repeats; lay it on a roll of its own, or divide it";
     }
 
     void refuse(const Kind& kind, std::string reason, std::vector<Refusal>& refusals) const {
@@ -267,14 +267,16 @@ void require_sound(const NestOptions& options) {
     const auto is_length = [](double value) { return std::isfinite(value) && value > 0 && value < 1e6; };
     if (options.roll_width && !is_length(*options.roll_width))
         throw InputError("the roll is " + format_shortest(*options.roll_width) +
-                         " m wide, expected a length above 0, as 1500mm");
+                         " m wide, expected a length above 0, such as 1500mm");
     if (!(options.gap >= 0) || options.gap > 1)
-        throw InputError("the gap between pieces is " + format_shortest(options.gap) + " m, expected 0 to 1 m, as 5mm");
+        throw InputError("the gap between pieces is " + format_shortest(options.gap) +
+                         " m, expected 0 to 1 m, such as 5mm");
     if (!(options.grain_tolerance >= 0) || options.grain_tolerance > 0.5)
-        throw InputError("a grain tolerance beyond 0 to 28 degrees; the grain would mean nothing");
+        throw InputError("the grain tolerance is not within 0 to 28 degrees; beyond that the grain means nothing");
     for (const double length : options.part_lengths)
         if (!is_length(length))
-            throw InputError("a roll is " + format_shortest(length) + " m long, expected a length above 0, as 100m");
+            throw InputError("a roll is " + format_shortest(length) +
+                             " m long, expected a length above 0, such as 100m");
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ void slide_together(const Strip& strip, const FineRows& rows, std::vector<Placed
     const double seen = longest + 2 * strip.gap + 0.01;  // farther apart, only the ends matter
     std::vector<std::vector<Limit>> limits(items.size());
     std::vector<double> first(items.size());
-    std::vector<std::size_t> before(items.size());  // number of items that lie farther before each
+    std::vector<std::size_t> before(items.size());  // for each item, the first one close enough to limit it
     std::vector<Interval> overlapping;
     for (std::size_t i = 0; i < items.size(); ++i) {
         first[i] = std::max(strip.start, strip.joins.before(items[i].x));

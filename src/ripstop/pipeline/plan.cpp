@@ -88,7 +88,7 @@ class Planner {
     /// Patterns that inflate to the drawn shape, and their state in flight.
     CutPlan compensated(const EnvelopeInput& input, FlattenOptions flattening) const {
         if (!job_.method.starts_with("seam-"))
-            throw InputError("only the methods seam-… cut cloth for a strain, not " + job_.method +
+            throw InputError("only the methods seam-… compensate for strain, not " + job_.method +
                              "; choose one of them to correct the patterns");
         const Flight flight = job_.flight ? job_.flight(input.flight) : input.flight;
         CompensateOptions options{std::move(flattening), {flight.load, flight.rigging}, flight.tapes};
@@ -114,8 +114,7 @@ class Planner {
         const Method& method = method_named(job_.method);
         begin(PlanStage::propose);
         if (job_.propose == ProposeScope::automatic && !add_proposals(cut, method, job_.threads, {}, watch_.progress))
-            tell(Kind::information,
-                 "So many tiles fail that no seams are proposed for them; --propose all tries every one");
+            tell(Kind::information, "Too many tiles fail to propose seams for them; --propose all tries every one");
         if (job_.propose == ProposeScope::all) add_proposals(cut, method, job_.threads, {all, all}, watch_.progress);
         if (!job_.propose_merges) return;
         begin(PlanStage::propose_merges);

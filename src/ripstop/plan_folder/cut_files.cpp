@@ -23,7 +23,7 @@ void name_files(PieceSet& set, const CutPlan& plan) {
     std::size_t next = 0;  // pieces stand in the order of their tiles
     for (PatternPiece& piece : set.pieces) {
         while (next < stems.size() && plan.tiles[next].tile.name != piece.name) ++next;
-        if (next == stems.size()) throw InputError("piece " + piece.name + ": the plan has no tile of that name left");
+        if (next == stems.size()) throw InputError("piece " + piece.name + ": the plan has no more tiles of that name");
         piece.file = stems[next++];
     }
 }
@@ -92,7 +92,7 @@ std::vector<Vec2> lay_out(const std::vector<PatternPiece>& pieces, double gap, d
         total += (size.x() + gap) * (size.y() + gap);
         widest = std::max(widest, size.x());
     }
-    // // Rows are not full: a tenth more than the square root gives a roughly square sheet.
+    // Rows are not full: a tenth more than the square root gives a roughly square sheet.
     const double sheet_width = std::max(widest, width > 0 ? width : 1.1 * std::sqrt(total));
     std::vector<Vec2> shifts(pieces.size(), Vec2::Zero());
     double x = 0, top = 0, row_height = 0;

@@ -27,8 +27,8 @@ PieceSet read_pieces_of(const std::filesystem::path& directory);
 
 /// Shifts that lay the pieces side by side on one sheet, in order and in their orientation, in rows from top to bottom.
 /// Bounding boxes are `gap` [m] apart. The sheet is `width` wide (0: roughly square), or as wide as the longest piece;
-/// its lower left corner is the origin. The sheet is for viewing and for cutters with their own nesting; it is no
-/// marker. A piece without outline gets no shift.
+/// its lower left corner is the origin. The sheet is for viewing and for cutters with their own nesting; it is
+/// not a marker. A piece without outline gets no shift.
 std::vector<Vec2> lay_out(const std::vector<PatternPiece>& pieces, double gap, double width = 0);
 
 }  // namespace ripstop

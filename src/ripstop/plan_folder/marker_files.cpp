@@ -132,7 +132,7 @@ std::string marker_table(const Markers& markers) {
         text += fmt::format("not laid: {} x {} {}\n", refusal.quantity, refusal.piece, refusal.reason);
         refused += static_cast<std::size_t>(refusal.quantity);
     }
-    if (refused > 0) text += fmt::format("not laid in all: {} of {} pieces\n", refused, laid + refused);
+    if (refused > 0) text += fmt::format("not laid in total: {} of {} pieces\n", refused, laid + refused);
     return text;
 }
 

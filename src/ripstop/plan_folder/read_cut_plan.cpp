@@ -22,7 +22,7 @@ namespace {
 void cut_boundary(Tile& tile, const std::vector<int>& corners, const std::filesystem::path& file) {
     std::vector<int> loop = tile.boundary;
     const auto first = std::find(loop.begin(), loop.end(), corners.front());
-    if (first == loop.end()) refuse(file, "a corner of flat/sewing.json is no vertex of its boundary");
+    if (first == loop.end()) refuse(file, "a corner of flat/sewing.json is not a vertex of its boundary");
     std::rotate(loop.begin(), first, loop.end());
     loop.push_back(loop.front());
     std::size_t from = 0;
@@ -49,12 +49,12 @@ void read_mesh(const std::filesystem::path& file, const std::vector<int>& corner
     tile.boundary = require_disk(tile.mesh, Adjacency(tile.mesh.triangles, tile.mesh.vertex_count()), tile.name);
     cut_boundary(tile, corners, file);
     if (tile.curve_lengths.size() != 0 && tile.curve_lengths.size() != std::ssize(tile.boundary))
-        refuse(file, "has another boundary than flat/sewing.json");
+        refuse(file, "has a different boundary than flat/sewing.json");
     if (tile.grain.field.rows() != 0 && tile.grain.field.rows() != tile.mesh.triangle_count())
-        refuse(file, "has other triangles than flat/sewing.json");
+        refuse(file, "has a different number of triangles than flat/sewing.json");
     const Eigen::Index tensions = flat.flattening.seam_tension.size();
     if (tensions != 0 && tensions != std::ssize(tile.boundary))
-        refuse(file, "has another boundary than flat/sewing.json");
+        refuse(file, "has a different boundary than flat/sewing.json");
 }
 
 void require_sides(const CutPlan& plan, const std::filesystem::path& file) {
@@ -62,10 +62,10 @@ void require_sides(const CutPlan& plan, const std::filesystem::path& file) {
         for (const SeamSide* side : {&seam.a, &seam.b}) {
             const Tile& tile = plan.tiles[static_cast<std::size_t>(side->tile)].tile;
             if (side->chain >= std::ssize(tile.chains))
-                refuse(file, "seam " + seam.id + " is on a chain that is not there");
+                refuse(file, "seam " + seam.id + " is on a chain that does not exist");
             for (const SeamPart& part : side->parts)
                 if (part.edge >= std::ssize(tile.boundary))
-                    refuse(file, "seam " + seam.id + " is on an edge that is not there");
+                    refuse(file, "seam " + seam.id + " is on an edge that does not exist");
         }
 }
 
@@ -88,8 +88,8 @@ CutPlan read_cut_plan(const std::filesystem::path& folder) {
     if (!in)
         throw InputError(
             folder.string() +
-            ": is no cut plan that can be sewn, flat/sewing.json is not in it; give a folder that `ripstop "
-            "flatten` wrote");
+            ": cannot be sewn, because it contains no flat/sewing.json; give a folder that `ripstop flatten` "
+            "wrote");
     Sewing sewing = read_sewing(in, file.string());
     CutPlan& plan = sewing.plan;
     for (std::size_t i = 0; i < plan.tiles.size(); ++i)

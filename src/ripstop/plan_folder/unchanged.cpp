@@ -24,7 +24,7 @@ void Unchanged::require() const {
     for (std::size_t i = 0; i < files_.size(); ++i)
         if (sum_of(files_[i]) != sums_[i])
             throw InputError(files_[i].string() +
-                             ": another run has written it meanwhile, and its files stay; run the command again");
+                             ": another run has changed it in the meantime; nothing is written, run the command again");
 }
 
 }  // namespace ripstop

@@ -21,7 +21,7 @@ std::string text_of(const fs::path& file) {
     std::ostringstream text;
     text << in.rdbuf();
     if (!in)
-        throw InputError(file.string() + ": cannot be read, expected it in a cut plan; flatten the envelope again");
+        throw InputError(file.string() + ": cannot be read, but every cut plan has it; flatten the envelope again");
     return text.str();
 }
 

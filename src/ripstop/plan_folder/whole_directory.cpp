@@ -27,7 +27,7 @@ fs::path resolved(const fs::path& dir) {
     if (dir.empty()) throw InputError("the output directory has no name; give one");
     fs::path path = fs::weakly_canonical(fs::absolute(dir)).lexically_normal();
     if (!path.has_filename()) path = path.parent_path();
-    if (!path.has_filename()) throw InputError(dir.string() + ": cannot be the output directory; name one below it");
+    if (!path.has_filename()) throw InputError(dir.string() + ": cannot be the output directory; choose one inside it");
     return path;
 }
 
@@ -144,8 +144,8 @@ void enter(const fs::path& partial, const fs::path& target, const fs::path& dir,
     if (!force && content_of(target) == Content::some)
         throw InputError(
             dir.string() +
-            ": another run has written into it meanwhile, and its files stay; choose another directory, or "
-            "replace it with --force");
+            ": another run has written into it in the meantime, so nothing is written; choose another directory, "
+            "or replace it with --force");
     if (require) require();
     exchange_entries(partial, target, [&ours](const fs::path& entry) {
         return std::any_of(ours.begin(), ours.end(), [&](auto glob) { return is_called(entry, glob); });
@@ -160,7 +160,7 @@ void require_writable(const fs::path& dir, bool force) {
         if (!fs::exists(target)) {
             if (!fs::is_directory(target.parent_path()))
                 throw InputError(dir.string() + ": cannot be written: " + target.parent_path().string() +
-                                 " is no directory; make it first");
+                                 " is not a directory; make it first");
             require_room(target.string() + trial_end + process_id(), dir);
             return remove_dead_beside(target);
         }

@@ -23,7 +23,7 @@ namespace ripstop {
 /// `require` is called last before the entries move into place, while no other run can write into `dir`; if it throws,
 /// `dir` is unchanged. It is not called for a folder that did not exist.
 ///
-/// Throws InputError with path and reason: `dir` is not empty (without `force`) or is no directory, its parent is
+/// Throws InputError with path and reason: `dir` is not empty (without `force`) or not a directory, its parent is
 /// missing or not writable, or the disk is full.
 void write_whole_directory(const std::filesystem::path& dir, bool force, const std::vector<std::string_view>& ours,
                            const std::function<void(const std::filesystem::path&)>& write,

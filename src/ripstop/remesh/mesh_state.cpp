@@ -147,13 +147,13 @@ double needed_edge(const MeshState& state, double fewest) {
 std::string MeshFault::text() const {
     switch (kind) {
         case too_fine:
-            return format_fixed(value, 0) + " triangles are more than it needs";
+            return format_fixed(value, 0) + " triangles are more than necessary";
         case turns:
             return "edges turn by up to " + format_fixed(value / degree, 0) + " degrees";
         case slivers:
             return format_fixed(value / percent, 0) + " % of the triangles are slivers";
         case locked:
-            return "edges run across from boundary to boundary";
+            return "interior edges join two boundary vertices";
     }
     return {};
 }

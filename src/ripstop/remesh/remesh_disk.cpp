@@ -116,7 +116,7 @@ class Remesher {
             if (count_unwanted() == 0) return;
             remesh(1);
         }
-        throw std::runtime_error("the boundary is too crumpled to be divided anew");
+        throw std::runtime_error("the boundary is too crumpled to be divided again");
     }
 
     void remesh(int count) {

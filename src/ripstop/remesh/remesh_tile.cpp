@@ -85,7 +85,7 @@ Tile tile_on_mesh(const Tile& tile, const NewBoundary& boundary, TriangleMesh me
     try {
         result.boundary = require_disk(mesh, Adjacency(mesh.triangles, mesh.vertex_count()), tile.name);
     } catch (const InputError&) {
-        throw std::runtime_error("the new mesh is no disk");
+        throw std::runtime_error("the new mesh is not a disk");
     }
     result.chains = chains_of(boundary);
     if (tile.grain.field.rows() > 0) {
@@ -106,8 +106,8 @@ using Surface = std::function<Vec3(const MeshPlace&)>;
 void require_explained(const Tile& tile, const TriangleMesh& made, const ExplainedArea& explained) {
     const double gain = surface_area(made) / surface_area(tile.mesh) - 1;
     if (explained.beyond(gain) > most_beyond)
-        throw std::runtime_error("its area would become another by " + format_fixed(std::abs(gain) / percent, 2) +
-                                 " %, more than its turns explain");
+        throw std::runtime_error("its area would change by " + format_fixed(std::abs(gain) / percent, 2) +
+                                 " %, more than the turns of its mesh explain");
 }
 
 /// The tile on the mesh of a facet row; empty if that fails.

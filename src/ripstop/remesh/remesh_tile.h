@@ -38,7 +38,7 @@ struct RemeshedTile {
 ///
 /// If that gives no good mesh, smaller edges are tried (0.7 and 0.5 of the length), unless they give more than 6,000
 /// triangles. Throws std::runtime_error, with a text that follows the tile's name, if the new mesh is not good
-/// enough: no disk, a triangle turned by more than 60 degrees from the old one below it, or more than 0.05 % of area
+/// enough: not a disk, a triangle turned by more than 60 degrees from the old one below it, or over 0.05 % of area
 /// beyond what the turns of the old mesh explain (`explained_area`). Same requirements as `remesh_disk`.
 RemeshedTile remesh_tile(const Tile& tile, const NewBoundary& boundary, double edge_length);
 

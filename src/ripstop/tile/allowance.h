@@ -12,8 +12,8 @@ namespace ripstop {
 /// seam. O(seams + boundary edges).
 std::vector<Eigen::VectorXd> edge_allowances(const CutPlan& plan);
 
-/// The length of each chain of each tile that is in no seam [m] (#chains per tile), as drawn. Less than a hundredth
-/// of a millimetre of an edge counts as none. O(seams + boundary edges).
+/// The length of each chain of each tile that is in no seam [m] (#chains per tile), as drawn. Lengths below a
+/// hundredth of a millimetre per edge are ignored. O(seams + boundary edges).
 std::vector<Eigen::VectorXd> free_lengths(const CutPlan& plan);
 std::vector<Eigen::VectorXd> free_lengths(const Envelope& envelope);
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double least_agreement = 0.3;  // of directions in space: below this, the mean represents none of them
 constexpr double least_facing = 0.3;     // fraction of the area: below this, a tile goes right round and faces no side
-constexpr const char* laid_on_cloth = ", laid along the cloth as the tile runs round";
+constexpr const char* laid_on_cloth = ", laid along the cloth because the tile goes right round";
 constexpr double alike = 1e-6;        // relative difference of second moments: smaller ones differ by rounding only
 constexpr double corner_reach = 0.1;  // relative to the tile's size: largest distance of a given corner from the
                                       // boundary
@@ -96,7 +96,7 @@ Grain grain_of_field(const std::string& name, const TriangleMesh& mesh, const Ti
     }
     if (lay_on_cloth(mesh, grain.field).laid_on_cloth)
         throw InputError("tile " + name +
-                         ": the warps of its triangles point every way, expected one way along the cloth; "
+                         ": the warps of its triangles have no common direction on the cloth; "
                          "turn them to the same side or leave them out");
     grain.direction = mean_direction(mesh, grain.field);
     return grain;
@@ -120,7 +120,7 @@ Grain make_grain(const std::string& name, const TriangleMesh& mesh, const TileOp
         const Vec3 direction = *options.warp / length;
         if (has_side && (direction - direction.dot(normal) * normal).norm() < 0.05)
             throw InputError("tile " + name +
-                             ": the warp stands upright on the tile; give a direction that runs "
+                             ": the warp is perpendicular to the tile; give a direction that runs "
                              "along the cloth");
         const bool laid = lay_on_cloth(mesh, direction.transpose()).laid_on_cloth;
         return {direction, options.warp_source + (laid ? laid_on_cloth : "")};

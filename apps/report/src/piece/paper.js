@@ -1,5 +1,5 @@
-// For printing: every row of the tables and of the roll, and one piece of each pattern, only of those that fail if any
-// do.
+// Prints every row of the tables and of the roll, and one piece per pattern: of the failing patterns if there are any,
+// else of all.
 import { html } from '../view/dom.js';
 import { count } from '../view/format.js';
 import { pieceView } from './piece_view.js';

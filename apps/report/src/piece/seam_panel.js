@@ -62,8 +62,8 @@ export function seamPanel(model, seam, context) {
             html(
                 'p',
                 { class: 'note' },
-                `The meshes leave ${millimetres(said.uncertainty_mm, 2)} of its length open; ` +
-                    `finer ones would make it certain.`,
+                `The meshes leave ${millimetres(said.uncertainty_mm, 2)} of its length uncertain; ` +
+                    `finer meshes would make it certain.`,
             ),
         driftChart(seam),
         html(

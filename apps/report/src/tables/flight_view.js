@@ -130,7 +130,7 @@ function rounds(said) {
 function sensitivity(said) {
     if (said.sensitivity.length === 0) return null;
     return table(
-        'Were something else than assumed',
+        'If the assumptions were different',
         ['With', ...offHeads],
         said.sensitivity.map((each) => ({ values: [each.what, ...offCells(each)] })),
     );

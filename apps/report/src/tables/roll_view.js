@@ -206,7 +206,7 @@ function refusedView(roll) {
         html(
             'h3',
             { class: 'bad' },
-            html('b', {}, `Not laid in all: ${figure(refused, 0)} of ${count(all, 'piece')}`),
+            html('b', {}, `Not laid in total: ${figure(refused, 0)} of ${count(all, 'piece')}`),
         ),
         html(
             'ul',

@@ -7,7 +7,7 @@ export function hoverWords({ tile, triangle, seam }) {
     const value = (key) => clothValue(tile, key, triangle);
     const words = [html('b', {}, tile.name)];
     if (seam) words.push(html('div', {}, `Seam ${seam.id}: ${sewnTiles(seam.said)}`));
-    if (Number.isNaN(value('warp'))) words.push(html('div', {}, 'turned over on the cloth'));
+    if (Number.isNaN(value('warp'))) words.push(html('div', {}, 'flipped on the cloth'));
     else if (value('warp') !== undefined)
         words.push(
             html('div', {}, `warp ${percent(value('warp') * 100)}, weft ${percent(value('weft') * 100)}`),

@@ -66,7 +66,7 @@ void note_cracks(const std::vector<Tile>& tiles, const std::vector<Seam>& seams,
     check.notes.push_back(std::to_string(cracks) +
                           (cracks == 1 ? " seam within a tile is a crack" : " seams within tiles are cracks") +
                           " with no gap (" + names_text(names) +
-                          "): sewn as a dart that is closed; where none is meant, weld the vertices there in the CAD");
+                          "): sewn as a closed dart; if no dart is intended, weld the vertices there in the CAD");
 }
 
 /// Adds notes on what is worth a look but may be right.
@@ -78,16 +78,16 @@ void add_notes(EnvelopeCheck& check) {
         check.notes.push_back("edges turn by up to " + format_fixed(worst->turn / degree, 1) + " degrees (seam " +
                               worst->id + "), so that the mesh is short by " +
                               format_fixed(worst->chord_error / millimetre, 2) +
-                              " mm/m there, more than a seam may err; lengths are taken on smooth curves where "
-                              "neighbours are meshed apart, a finer mesh makes them certain");
+                              " mm/m there, more than the tolerance of a seam; where neighbours are meshed separately, "
+                              "lengths are measured on smooth curves, and a finer mesh makes them certain");
     if (check.odd_corners > 0)
         check.notes.push_back(
-            "odd corners lie in the middle of one neighbour's edge, where nothing else meets; give "
-            "the corners in the project file if they are none");
+            "odd corners lie within one neighbour's edge, where nothing else meets; if they are not "
+            "corners, give the right ones in the project file");
     if (check.loose_ends > 0)
         check.notes.push_back(
-            "loose ends are where open edges touch others but go on along none; look for edges that "
-            "do not fit");
+            "a loose end is where an open edge stops at other edges without continuing along one; look for "
+            "edges that do not fit");
 }
 
 /// Which tiles are sewn into which seams, where more than two tiles meet on an edge.
@@ -258,9 +258,9 @@ EnvelopeIssue tolerance_issue(const FoundSeams& found, const SeamOptions& option
     const double median = distances[distances.size() / 2], most = distances[distances.size() * 9 / 10];
     return {"gap",
             std::to_string(distances.size()) +
-                " pairs of edges lie beside each other but not within the seam tolerance of " +
+                " pairs of edges run beside each other, but farther apart than the seam tolerance of " +
                 length_text(options.tolerance) + " (half of them more than " + length_text(median) +
-                " apart), against " + std::to_string(found.seams.size()) + " seams; give --seam-tolerance " +
+                " apart), compared with " + std::to_string(found.seams.size()) + " seams; give --seam-tolerance " +
                 format_fixed(std::ceil(12 * most / millimetre) / 10, 1) + "mm if they are to be sewn",
             {},
             found.near_misses.front().place,

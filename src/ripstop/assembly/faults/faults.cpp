@@ -201,7 +201,7 @@ std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const Foun
         EnvelopeIssue issue{"missing_tile", {}, around, loop.centre, 0};
         if (at_an_edge)
             issue.fact = "a tile may be missing at the open edge round " + place_text(loop.centre) + ": it has " +
-                         std::to_string(loop.corners) + " corners, where a mouth or crown has none; it runs along " +
+                         std::to_string(loop.corners) + " corners, whereas a mouth or crown has none; it runs along " +
                          names_text(around);
         else
             issue.fact = (several ? "one or more tiles are missing at " : "a tile is missing at ") +
@@ -209,7 +209,7 @@ std::vector<EnvelopeIssue> name_holes(const std::vector<Tile>& tiles, const Foun
                          " go round a hole of " + std::to_string(loop.corners) + " corners and " +
                          length_text(loop.length) + " of edge";
         issue.message = issue.fact + "; add " + (several && !at_an_edge ? "them" : "the tile") +
-                        "; if the opening is meant, --accept missing_tile";
+                        "; if the opening is intended, give --accept missing_tile";
         issues.push_back(std::move(issue));
     }
     return issues;
@@ -220,9 +220,9 @@ namespace {
 EnvelopeIssue unsewn_issue(std::size_t tiles, bool sewn_as_given) {
     EnvelopeIssue issue{"unsewn", {}, {}, Vec3::Zero(), 0};
     issue.fact = "no two of the " + std::to_string(tiles) + " tiles have an edge in common" +
-                 (sewn_as_given ? " once the faults are mended" : ": there are no seams");
+                 (sewn_as_given ? " after the faults are corrected" : ": there are no seams");
     issue.message = issue.fact +
-                    "; if they are to be sewn, give them at their places in space, not laid out flat, or give a larger "
+                    "; if they are to be sewn, place them in space as they meet, not laid out flat, or give a larger "
                     "--seam-tolerance";
     return issue;
 }
@@ -241,7 +241,7 @@ EnvelopeIssue apart_issue(const std::vector<Tile>& tiles, const std::vector<std:
     else
         issue.fact = count + " tiles (" + names + ") are in " + std::to_string(parts.size()) +
                      " parts that are sewn to nothing else";
-    issue.message = issue.fact + "; if that is not meant, bring " +
+    issue.message = issue.fact + "; if that is not intended, move " +
                     (members.size() == 1 ? "it to its place" : "them to their place");
     return issue;
 }

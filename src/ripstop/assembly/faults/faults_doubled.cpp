@@ -116,7 +116,7 @@ std::vector<EnvelopeIssue> remove_doubled(std::vector<Tile>& tiles, double toler
         const std::string& under = tiles[original[t]].name;
         issues.push_back({"doubled",
                           "tile " + tiles[t].name + " lies on tile " + under + " at " + place_text(centres[t]) +
-                              ": the same outline twice; take one of them out of the file",
+                              ": the same outline twice; delete one of them",
                           {tiles[t].name, under},
                           centres[t],
                           0});
@@ -170,7 +170,7 @@ std::vector<EnvelopeIssue> turn_back(std::vector<Tile>& tiles, const FoundSeams&
         const bool one = issue.tiles.size() == 1;
         issue.message = std::string(one ? "tile " : "tiles ") + names_text(issue.tiles) + " at " +
                         place_text(issue.at) + (one ? " is" : " are") +
-                        " inside out: the edges run the same way as those of the neighbours; turn the triangles round "
+                        " inside out: the edges run the same way as those of the neighbours; reverse the triangles "
                         "(flip the normals)";
         issues.push_back(std::move(issue));
     }

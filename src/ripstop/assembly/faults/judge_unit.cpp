@@ -112,7 +112,7 @@ std::optional<UnitDoubt> doubt_unit(const std::vector<Eigen::AlignedBox3d>& surf
     if (is_high)
         return UnitDoubt{what + "a hot-air balloon is 5 to 60 m tall; " + then, extent.size, balloon_high, false};
     if (surfaces.size() > 1 && extent.tile < two_allowances)
-        return UnitDoubt{what + "and half of its tiles less than " + format_fixed(two_allowances / millimetre, 0) +
+        return UnitDoubt{what + "and half of its tiles are below " + format_fixed(two_allowances / millimetre, 0) +
                              " mm, twice a seam allowance of an inch; " + then,
                          extent.size, two_allowances, false};
     return std::nullopt;

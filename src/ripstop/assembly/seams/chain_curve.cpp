@@ -93,8 +93,8 @@ void set_tangents(ChainCurve& curve) {
     }
 }
 
-/// True for a loop without a corner. A corner shows by its turn, or because the chain starts elsewhere than the
-/// boundary.
+/// True for a loop without a corner. There is a corner if the curve turns sharply at the loop's start, or if the chain
+/// and the boundary start at different vertices.
 bool is_without_corner(const Tile& tile, const Points3& points) {
     if (tile.chains.size() != 1 || tile.chains.front().vertices.front() != tile.boundary.front()) return false;
     const Eigen::Index last = points.rows() - 1;

@@ -225,10 +225,10 @@ FoundSeams find_seams(const std::vector<Tile>& tiles, const SeamOptions& options
                          " mm; give a length above 0");
     const std::vector<PlacedChain> chains = place_chains(tiles);
     if (are_too_short(chains, tolerance))
-        throw InputError(
-            "the edges of the tiles are short, half of them less than " +
-            format_fixed(median_length(chains) / millimetre, 3) + " mm, and mean nothing against a seam tolerance of " +
-            format_fixed(tolerance / millimetre, 3) + " mm; check --unit, or give a smaller --seam-tolerance");
+        throw InputError("half of the edges of the tiles are shorter than " +
+                         format_fixed(median_length(chains) / millimetre, 3) +
+                         " mm, too short for a seam tolerance of " + format_fixed(tolerance / millimetre, 3) +
+                         " mm; check --unit, or give a smaller --seam-tolerance");
     ClothAcross across(tiles, chains);
     std::vector<Touch> touches = find_touches(chains, tolerance);
     std::erase_if(touches, [&](const Touch& t) { return !t.same_way && across.in_one_tile(t) && across.joins(t); });

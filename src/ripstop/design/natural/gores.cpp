@@ -153,7 +153,7 @@ NaturalShape design_shape(const EnvelopeDesign& design) {
     throw InputError("no natural shape exists for " + size + std::to_string(design.gores) + " gores, mouth ratio " +
                      format_shortest(design.mouth_ratio) + ", cloth of " + format_shortest(design.fabric_mass) +
                      " kg/m2" + bulge +
-                     "; give more volume or hotter air, or lobes of 20 degrees or more on more gores");
+                     "; give more volume, hotter air, or more gores with lobes of at least 20 degrees");
 }
 
 Vec3 design_point(const EnvelopeDesign& design, const MeridianPoint& at, int gore, double u) {
@@ -179,8 +179,8 @@ std::vector<NamedMesh> design_natural(const EnvelopeDesign& design) {
     const int panels = panel_count(design, top);
     const double triangles = shape.area / (0.5 * equilateral * design.edge_length * design.edge_length);
     if (!(triangles < 20e6))
-        throw InputError("the edge length is " + format_shortest(design.edge_length) + " m, which asks for about " +
-                         format_fixed(triangles / 1e6, 0) + " million triangles; give one that asks for at most 20");
+        throw InputError("the edge length is " + format_shortest(design.edge_length) + " m, which gives about " +
+                         format_fixed(triangles / 1e6, 0) + " million triangles, the limit is 20; give longer edges");
     const GoreGrid grid{design, shape};
     std::vector<PanelGrid> grids;
     for (int j = 0; j < panels; ++j)

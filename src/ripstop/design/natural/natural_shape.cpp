@@ -175,7 +175,7 @@ NaturalShape natural_shape(const NaturalShapeOptions& options) {
     Solution solution = follow(problem);
     NaturalShape shape;
     shape.summary.iterations = solution.iterations;
-    shape.summary.reason = "no meridian meets the axis square with this mouth, size, weight and bulge";
+    shape.summary.reason = "with this mouth, size, weight and bulge, no meridian meets the axis at a right angle";
     if (!solution.converged) return shape;
     shape.meridian = scaled(std::move(solution.shot.meridian), options, unit);
     const MeridianPoint mouth = shape.meridian.stations.front();
@@ -196,7 +196,7 @@ NaturalShape natural_shape(const NaturalShapeOptions& options) {
     shape.crown_pressure = b * crown.z;
     shape.imbalance = (shape.load + shape.weight) / (b * crown.volume) - 1;
     shape.summary.termination = Termination::converged;
-    shape.summary.reason = "the meridian meets the axis square";
+    shape.summary.reason = "the meridian meets the axis at a right angle";
     return shape;
 }
 

@@ -86,7 +86,7 @@ void require_one_body(const SpecialBody& body, const TriangleMesh& mesh) {
     for (int p = 0; p < static_cast<int>(body.shape().primitives.size()); ++p)
         if (shown.count(p) == 0)
             throw InputError("special shape: " + body.shape().primitives[at(p)].name +
-                             " lies inside the other primitives and shows nowhere; move it out or leave it out");
+                             " lies entirely inside the other primitives; move it out or remove it");
 }
 
 void require_mouth_within(const SpecialBody& body, const TriangleMesh& mesh) {
@@ -97,7 +97,7 @@ void require_mouth_within(const SpecialBody& body, const TriangleMesh& mesh) {
     if (*body.shape().mouth > low + edge / 2 && *body.shape().mouth < high - edge) return;
     throw InputError("special shape: the mouth at height " + format_fixed(*body.shape().mouth / millimetre, 0) +
                      " mm misses the body, which reaches from " + format_fixed(low / millimetre, 0) + " to " +
-                     format_fixed(high / millimetre, 0) + " mm; put it between, an edge length from the ends");
+                     format_fixed(high / millimetre, 0) + " mm; put it inside, an edge length from the ends");
 }
 
 /// Throws unless every vertex lies on the body and no triangle is flipped.
@@ -114,7 +114,7 @@ void require_followed(const WorkSurface& surface, const SpecialBody& body) {
         throw InputError("special shape: near (" + format_fixed(middle.x() / millimetre, 0) + ", " +
                          format_fixed(middle.y() / millimetre, 0) + ", " + format_fixed(middle.z() / millimetre, 0) +
                          ") mm on " + body.shape().primitives[at(body.primitive_number(face))].name +
-                         " the triangles cannot follow seam and surface; give shorter edges, or move the seams or "
+                         " the triangles cannot follow both seam and surface; give shorter edges, or move the seams or "
                          "primitives that nearly touch there");
     }
 }

@@ -116,7 +116,7 @@ Flattening flatten_dirichlet(const Tile& tile, const DirichletOptions& options) 
     Termination termination = Termination::iteration_limit;
     std::string reason = "vertices still move";
     if (!std::isfinite(problem.energy(u))) {
-        finish(tile, flat, Termination::stagnated, "Tutte's embedding, as rounding turned triangles over in it");
+        finish(tile, flat, Termination::stagnated, "Tutte's embedding, because rounding flipped triangles in it");
         return flat;
     }
     Vector gradient, step;

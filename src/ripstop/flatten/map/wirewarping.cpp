@@ -60,7 +60,7 @@ ClosedWire warp_wire(const Vector& lengths, const Vector& wanted, const WireWarp
     if (lengths.size() < 3 || wanted.size() != lengths.size() || options.max_iterations <= 0)
         throw InputError("wirewarping: the wire has " + std::to_string(lengths.size()) + " edges and " +
                          std::to_string(wanted.size()) +
-                         " turnings, expected at least 3 and as many; max_iterations > 0");
+                         " turnings, expected at least 3 and equal numbers; max_iterations > 0");
     const double root = std::sqrt(static_cast<double>(lengths.size()));
     ClosedWire best;
     best.turning = wanted;
@@ -107,9 +107,9 @@ Flattening flatten_wirewarping(const Tile& tile, const WireWarpingOptions& optio
         finish(tile, flat, Termination::iteration_limit, "the outline does not close");
     else if (wire.minimum_norm)
         finish(tile, flat, Termination::stagnated,
-               "the outline closes, but its turnings are some near the surface's, not the nearest");
+               "the outline closes; its turnings are near the surface's but not the nearest");
     else
-        finish(tile, flat, Termination::converged, "the outline closes, its turnings nearest to the surface's");
+        finish(tile, flat, Termination::converged, "the outline closes with the turnings nearest to the surface's");
     return flat;
 }
 

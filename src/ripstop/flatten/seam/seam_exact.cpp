@@ -20,8 +20,8 @@ namespace {
 
 constexpr int coarse_start_from =
     5'000;                             ///< triangles: for smaller tiles the coarse solve would cost as much as it saves
-constexpr int direct_iterations = 20;  ///< after a start with exact boundary lengths; if more are needed, leading the
-                                       ///< edges in steps works better
+constexpr int direct_iterations = 20;  ///< after a start with exact boundary lengths; if more are needed, continuation
+                                       ///< in the edge lengths works better
 
 bool without_flips(const Tile& tile, const Flattening& flat) {
     return flat.summary.usable() && count_flipped(tile.mesh.triangles, flat.positions) == 0;
@@ -42,7 +42,7 @@ double largest_thread_strain(const Tile& tile, const Points2& positions) {
 std::string price_of_area(const Tile& tile, const Fabric& fabric, SeamExactOptions options, const Points2& positions) {
     options.keep_area = false;
     const Flattening plain = flatten_seam_exact(tile, fabric, options);
-    return "holding the whole area takes the largest thread strain from " +
+    return "keeping the area raises the largest thread strain from " +
            format_fixed(largest_thread_strain(tile, plain.positions) / percent, 3) + " to " +
            format_fixed(largest_thread_strain(tile, positions) / percent, 3) + " %";
 }

@@ -22,7 +22,7 @@ struct SeamExactOptions {
 ///
 /// Newton's method with fixed edge lengths (`SeamNewton`) starts from a conformal map with an isometric boundary, on
 /// large tiles improved by a coarse solve (`coarse_solution`). If it fails, Newton with a free boundary runs first,
-/// from `start`. If that fails too, the edges are led from their free lengths to the true ones in steps. A converged
+/// from `start`. If that fails too, continuation from the free to the true edge lengths is tried. A converged
 /// result holds every edge to 1e-11 of its length, has no flipped triangle and satisfies the first-order conditions;
 /// `certificate` proves it.
 ///

@@ -25,7 +25,7 @@ Points2 starting_positions(const Tile& tile, SeamStart start) {
     return flatten_tutte(tile).positions;
 }
 
-/// Leads the edges from their present lengths to the true ones; halves the stride when a step fails.
+/// Continuation: changes the edge lengths in steps from the present to the true ones; halves the step when it fails.
 SeamSolution lead_lengths(SeamProblem& problem, SeamNewton& newton, const SeamNewtonOptions& options,
                           const Vector& start) {
     const Vector true_lengths = problem.lengths(), free_lengths = problem.flat_lengths(start);
@@ -55,7 +55,7 @@ SeamSolution lead_lengths(SeamProblem& problem, SeamNewton& newton, const SeamNe
     if (reached < 1) {
         at.summary.termination = Termination::iteration_limit;
         at.summary.reason =
-            "the edges could be led only " + format_fixed(100 * reached, 0) + " % of the way to their lengths";
+            "the edges reached only " + format_fixed(100 * reached, 0) + " % of the way to their lengths";
         at.strict_minimum = false;  // it was another problem that converged
         at.force_residual = std::numeric_limits<double>::quiet_NaN();
         at.length_residual =

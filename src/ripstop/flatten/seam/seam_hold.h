@@ -16,10 +16,10 @@ enum class SeamStart {
 /// `boundary_first` is treated as `arap`. Requires a disk.
 Eigen::VectorXd seam_start(const Tile& tile, SeamStart start);
 
-/// The minimum of `problem` at its edge lengths: Newton from `loose`. If that fails, the edges are led in steps from
-/// their lengths there to those of the problem, with the stride halved when a step fails. Summary and certificate
-/// cover all runs. If the edges cannot be led all the way, they describe the last point reached, with
-/// `iteration_limit`.
+/// The minimum of `problem` at its edge lengths, by Newton's method from `loose`. If that fails, continuation: the edge
+/// lengths change in steps from those of `loose` to those of the problem, and a failed step is halved. Summary and
+/// certificate cover all runs. If continuation does not reach the lengths of the problem, both describe the last point
+/// reached, with `iteration_limit`.
 SeamSolution hold_lengths(SeamProblem& problem, SeamNewton& newton, const Eigen::VectorXd& loose,
                           const SeamNewtonOptions& options = {});
 

@@ -209,11 +209,11 @@ bool MatchedEnvelope::advance() {
 
 void MatchedEnvelope::match() {
     find_pattern();
-    summary_ = {Termination::iteration_limit, 0, 0, "the seams did not yet pull equally hard on both sides"};
+    summary_ = {Termination::iteration_limit, 0, 0, "the tensions on the two sides of the seams are not yet equal"};
     while (true) {
         if (balanced(gradient())) {
             summary_.termination = Termination::converged;
-            summary_.reason = "the seams pull equally hard on both sides";
+            summary_.reason = "the tensions on the two sides of every seam are equal";
             if (summary_.iterations == 0) {
                 linearize();
                 newton_change(gradient());
@@ -246,7 +246,7 @@ Flattening MatchedEnvelope::finish(int t) {
         Flattening alone = flatten_seam_exact(of, of.fabric_or(fabric_));
         alone.note = stretch_of(t).intervals.empty()
                          ? "has no seam with a neighbour: flattened with its edges as drawn"
-                         : "could not be held at the lengths its neighbours ask for: flattened with its seams as drawn";
+                         : "could not be held at the lengths its neighbours need: flattened with its seams as drawn";
         return alone;
     }
     const SeamSolution& held = tile(t)->solution();

@@ -135,7 +135,7 @@ SeamSolution SeamNewton::minimize(const SeamSolution& start, const SeamNewtonOpt
     Search search(problem, options);
     at.summary = {Termination::iteration_limit, 0, 0, "the forces were not yet in balance"};
     if (!std::isfinite(problem.energy(start.u))) {
-        at.summary = {Termination::failed, 0, 0, "the start has triangles turned over"};
+        at.summary = {Termination::failed, 0, 0, "the start has flipped triangles"};
         return at;
     }
     const bool goes_on = options.hold_edges && options.go_on && system.exact();

@@ -12,7 +12,7 @@ namespace {
 
 std::string elasticity_note(const SpringNetwork& network, const Tile& tile) {
     const Eigen::Matrix3d C = implied_elasticity(network, tile) / 1000;
-    return "the springs stand for c11 = " + format_fixed(C(0, 0), 2) + ", c22 = " + format_fixed(C(1, 1), 2) +
+    return "the springs are equivalent to c11 = " + format_fixed(C(0, 0), 2) + ", c22 = " + format_fixed(C(1, 1), 2) +
            ", c12 = c33 = " + format_fixed(C(2, 2), 2) + " kN/m";
 }
 
@@ -26,7 +26,7 @@ Flattening flatten_kubicek_zemcik(const Tile& tile, const Fabric& fabric, const 
         const int spent = run.summary.iterations;
         run = relax_spring_mass(network, flatten_tutte(tile).positions, options);
         run.summary.iterations += spent;
-        run.summary.reason += ", from Tutte's embedding as the woven start left triangles turned over";
+        run.summary.reason += ", from Tutte's embedding, because the woven start left flipped triangles";
     }
     Flattening result{std::move(run.positions), run.summary};
     result.note = elasticity_note(network, tile);

@@ -20,7 +20,7 @@ void finish(const Tile& tile, Flattening& flat, Termination termination, const s
     if (!flat.positions.allFinite()) {
         flat.positions.setZero();
         flat.summary.termination = Termination::failed;
-        flat.summary.reason = "positions that are not finite came out";
+        flat.summary.reason = "the result has positions that are not finite";
         return;
     }
     align_with_grain(tile, flat.positions);

@@ -193,9 +193,9 @@ Flattening flatten_aono(const Tile& tile, const AonoOptions& options) {
     const std::vector<Lock> locks = net.locks();
     if (!locks.empty()) {
         const Vec3 at = surface.position(locks.front().beside);
-        reason += ", the net breaks down: threads come to lie along one another, first at (" + format_fixed(at.x(), 3) +
-                  ", " + format_fixed(at.y(), 3) + ", " + format_fixed(at.z(), 3) + ") m, " +
-                  std::to_string(locks.size()) + " crossings have no place";
+        reason += ", the net breaks down: threads coincide, first at (" + format_fixed(at.x(), 3) + ", " +
+                  format_fixed(at.y(), 3) + ", " + format_fixed(at.z(), 3) + ") m; " + std::to_string(locks.size()) +
+                  " crossings could not be placed";
     }
     return read_weave(tile, adjacency, surface, fit, frame.centre.triangle,
                       !locks.empty() ? Termination::stagnated : Termination::converged, reason);

@@ -114,7 +114,7 @@ Flattening read_weave(const Tile& tile, const Adjacency& adjacency, const Unfold
     flat.positions = std::move(read.positions);
     flat.summary.termination = termination;
     flat.summary.reason = reason;
-    if (laid > 0) flat.summary.reason += ", " + std::to_string(laid) + " vertices laid on from their neighbours";
+    if (laid > 0) flat.summary.reason += ", " + std::to_string(laid) + " vertices placed from their neighbours";
     if (flipped > 0)
         flat.summary.reason += ", " + std::to_string(flipped) + " flipped triangles of which " + std::to_string(left) +
                                " remain after repair";

@@ -112,7 +112,7 @@ void require_run(const std::vector<std::string>& arguments, const std::string& n
             throw InputError(begin + name + " did not end within " + format_shortest(timeout) +
                              " s; ask for a coarser mesh with --chord or --edge, or mesh the surfaces in the CAD");
         case ChildEnd::How::killed:
-            throw InputError(begin + name + " broke down on it (signal " + std::to_string(end.code) +
+            throw InputError(begin + name + " crashed on it (signal " + std::to_string(end.code) +
                              "); repair the surfaces in the CAD, or export them as meshes");
         case ChildEnd::How::exited:
             break;
@@ -139,7 +139,7 @@ void run_mesher(const fs::path& mesher, const fs::path& input, const fs::path& o
 ConvertedModel answer(const fs::path& output, const fs::path& file, const std::string& program) {
     std::ifstream in(output, std::ios::binary);
     if (!in || in.peek() == std::ifstream::traits_type::eof())
-        throw InputError(file.string() + ": " + program + " gave no answer; is it the one of this version?");
+        throw InputError(file.string() + ": " + program + " gave no answer; does it belong to this version?");
     return read_converted(in, file.string() + ": the answer of " + program);
 }
 
@@ -203,9 +203,9 @@ ConvertedModel convert_rhino(const fs::path& file, const MeshingOptions& options
                  object.attributes});
     }
     if (!model.objects.empty())
-        model.remarks.push_back("the surfaces are as Rhino had meshed them for the screen, some " +
+        model.remarks.push_back("the surfaces are the meshes that Rhino stored for display, off by up to about " +
                                 format_fixed(chord_error * model.unit.value_or(LengthUnit{}).metres / millimetre, 2) +
-                                " mm off at most; ripstop-cad, which meshes them finer, is not installed");
+                                " mm; install ripstop-cad to mesh them more finely");
     return model;
 }
 

@@ -53,7 +53,7 @@ json header_of(const ConvertedModel& model) {
     return header;
 }
 
-/// Reads the arrays behind the header, one after the other.
+/// Reads the arrays after the header, one after the other.
 class Arrays {
   public:
     Arrays(std::string_view bytes, const std::string& name) : rest_(bytes), name_(name) {}
@@ -78,10 +78,10 @@ class Arrays {
 
 void require_sound(const TriangleMesh& mesh, const std::string& name) {
     if (!(mesh.positions.array().abs() < largest_converted).all())
-        throw InputError(name + ": a coordinate is no finite number below 1e12");
+        throw InputError(name + ": a coordinate is not a finite number below 1e12");
     if (mesh.triangle_count() > 0 &&
         (mesh.triangles.minCoeff() < 0 || mesh.triangles.maxCoeff() >= mesh.vertex_count()))
-        throw InputError(name + ": a triangle names a vertex that is not there");
+        throw InputError(name + ": a triangle refers to a vertex that does not exist");
 }
 
 ConvertedFace face_of(const json& entry, Arrays& arrays, const std::string& name) {
@@ -104,7 +104,7 @@ NamedCurve curve_of(const json& entry, const std::string& name) {
     for (std::size_t i = 0; i < points.size(); ++i)
         for (int k = 0; k < 3; ++k) curve.points(static_cast<Eigen::Index>(i), k) = points[i][at(k)];
     if (!(curve.points.array().abs() < largest_converted).all())
-        throw InputError(name + ": a curve has a coordinate that is no finite number below 1e12");
+        throw InputError(name + ": a curve has a coordinate that is not a finite number below 1e12");
     return curve;
 }
 
@@ -127,7 +127,7 @@ ConvertedModel model_of(const json& header, Arrays arrays, const std::string& na
     for (const json& entry : header.value("unread", json::array()))
         model.unread.push_back({entry.value("name", ""), entry.value("type", ""), entry.value("reason", ""),
                                 entry.value("attributes", Attributes{})});
-    if (arrays.left() != 0) throw InputError(name + ": bytes are left over behind its last face");
+    if (arrays.left() != 0) throw InputError(name + ": bytes are left over after its last face");
     return model;
 }
 

@@ -43,8 +43,8 @@ struct ConvertedModel {
 void write_converted(std::ostream& out, const ConvertedModel& model);
 
 /// Reads what `write_converted` wrote. Throws InputError `NAME: …` for any other text, for a count that does not
-/// match the number of bytes, for a coordinate that is not finite or not below 1e12, and for a corner that is no
-/// vertex. Memory is bounded by the size of the stream.
+/// match the number of bytes, for a coordinate that is not finite or not below 1e12, and for a corner that is not
+/// a vertex. Memory is bounded by the size of the stream.
 ConvertedModel read_converted(std::istream& in, const std::string& name);
 
 /// Which CAD shape becomes a tile: each face, or each object.

@@ -20,7 +20,7 @@ std::span<const DxfDialect> dxf_dialects() {
                    .states_insunits = true,
                    .notch = NotchMark::line},
         DxfDialect{.name = "aama",
-                   .description = "ANSI/AAMA-292, a block a piece: Lectra, Optitex, GRAFIS and other garment CAD",
+                   .description = "ANSI/AAMA-292, one block per piece: Lectra, Optitex, GRAFIS, other garment CAD",
                    .closed_contours = false},
         DxfDialect{.name = "astm",
                    .description = "the layers of ASTM D6673-10, notches with their depth, mirrored pieces counted",

@@ -68,7 +68,7 @@ class DxfReader {
         throw InputError(name_ + ":" + std::to_string(line) + ": " + what);
     }
 
-    /// Reads one section, from SECTION to ENDSEC. Returns the index behind it.
+    /// Reads one section, from SECTION to ENDSEC. Returns the index after it.
     std::size_t read_section(std::size_t at) {
         if (tags_[at].code == 0 && tags_[at].value == "EOF") return tags_.size();
         if (tags_[at].code == 999) return at + 1;
@@ -207,7 +207,7 @@ class DxfReader {
     void count(std::size_t points, const DxfEntity& entity) {
         drawn_ += points;
         if (drawn_ > most_)
-            refuse(entity.line(), "the blocks in one another draw more than " + std::to_string(most_) +
+            refuse(entity.line(), "the nested blocks draw more than " + std::to_string(most_) +
                                       " points; explode them or export less");
     }
 
@@ -279,8 +279,8 @@ class DxfReader {
             refuse(entity.line(), "INSERT of " + shown(entity.text(2)) +
                                       ", expected a block of the file; export the drawing with its blocks");
         if (at.depth == deepest_insert)
-            refuse(entity.line(), "blocks in blocks more than " + std::to_string(deepest_insert) +
-                                      " deep, or one in itself; explode them");
+            refuse(entity.line(), "blocks are nested more than " + std::to_string(deepest_insert) +
+                                      " deep, or a block contains itself; explode them");
         Block& block = found->second;
         block.is_used = true;
         InsertPlace place = plane_of(entity, at);

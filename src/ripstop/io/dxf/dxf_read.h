@@ -22,7 +22,7 @@ namespace ripstop {
 /// a frozen layer, and all other entities that draw. Paper space is skipped. Units come from $INSUNITS and from
 /// texts `Units: …`.
 ///
-/// Throws InputError `NAME:LINE: …` if the file is no DXF or is cut short, has a malformed number or one beyond
+/// Throws InputError `NAME:LINE: …` if the file is not DXF or is cut short, has a malformed number or one beyond
 /// 1e9, inserts a block into itself, or if nested blocks hold more than some thousand points for each line of the
 /// file. O(size + points).
 PatternDrawing read_dxf(std::istream& in, const std::string& name);

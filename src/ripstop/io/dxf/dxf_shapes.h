@@ -19,7 +19,7 @@ struct DxfShape {
 /// (`dxf_plane`).
 DxfShape dxf_shape(const DxfEntity& entity, double chord_error);
 
-/// Reads a POLYLINE and the VERTEX entities behind it. Moves `next` beyond the SEQEND. The POLYLINE must not be a
+/// Reads a POLYLINE and the VERTEX entities after it. Moves `next` beyond the SEQEND. The POLYLINE must not be a
 /// mesh.
 DxfShape dxf_polyline(const DxfEntity& head, DxfTagSpan tags, std::size_t& next, const std::string& name,
                       double chord_error);

@@ -141,8 +141,8 @@ std::vector<DxfTag> read_dxf_tags(std::string_view text, const std::string& name
         if (!code)
             refuse(name, line,
                    shown(word) +
-                       " where a group code belongs, expected a whole number; the file is no DXF or damaged, "
-                       "so export it again");
+                       " in place of a group code, expected a whole number; the file is damaged or not a DXF file, "
+                       "export it again");
         if (!lines.next()) refuse(name, line, "the file ends after a group code, expected its value; export it again");
         const bool is_late_comment = *code == 999 && !tags.empty() && tags.back().code != 999;
         if (is_late_comment) continue;

@@ -37,7 +37,7 @@ std::string dxf_key(std::string_view symbol);
 /// that ends before EOF. O(size).
 std::vector<DxfTag> read_dxf_tags(std::string_view text, const std::string& name);
 
-/// One entity: the groups from its code 0 to the next. Groups of an embedded object (behind code 101) are
+/// One entity: the groups from its code 0 to the next. Groups of an embedded object (after code 101) are
 /// excluded.
 class DxfEntity {
   public:
@@ -49,7 +49,7 @@ class DxfEntity {
     /// The first value of a code; empty if it is absent.
     std::string_view text(int code) const;
     std::string layer() const;
-    /// The number under a code, or `otherwise`. Throws InputError if it is no number or beyond 1e9.
+    /// The number under a code, or `otherwise`. Throws InputError if it is not a number or beyond 1e9.
     double number(int code, double otherwise = 0) const;
     double number(const DxfTag& tag) const;
     int flags(int code = 70) const;

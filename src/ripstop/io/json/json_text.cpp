@@ -47,8 +47,8 @@ json read_json_object(std::istream& in, const std::string& name) {
     try {
         object = json::parse(text, [&](int depth, json::parse_event_t event, json& value) {
             if (depth > deepest_value)
-                throw InputError(name + ": lists and objects stand more than " + std::to_string(deepest_value) +
-                                 " deep in one another, expected a few; this is another kind of file");
+                throw InputError(name + ": lists and objects are nested more than " + std::to_string(deepest_value) +
+                                 " deep, expected a few levels; this is a different kind of file");
             return duplicates.see(event, value);
         });
     } catch (const json::parse_error& error) {
@@ -62,7 +62,7 @@ json read_json_object(std::istream& in, const std::string& name) {
     }
     if (!duplicates.first().empty())
         throw InputError(name + ": the key " + duplicates.first() +
-                         " stands twice in one object, expected once; remove one");
+                         " occurs twice in one object, expected once; remove one");
     if (!object.is_object())
         throw InputError(name + ": found " + found(object) + ", expected an object such as {\"key\": 1.5}");
     return object;

@@ -68,7 +68,7 @@ double number_from(const PlanReader& from, const json& value, const char* key) {
     if (value.is_null()) return std::numeric_limits<double>::quiet_NaN();
     if (value == "inf") return std::numeric_limits<double>::infinity();
     if (value == "-inf") return -std::numeric_limits<double>::infinity();
-    from.refuse(std::string(key) + " is no number");
+    from.refuse(std::string(key) + " is not a number");
 }
 
 double number_of(const PlanReader& from, const char* key) {
@@ -81,7 +81,8 @@ Json place_json(const Vec3& at) {
 }
 
 Vec3 place_from(const PlanReader& from, const json& value, const char* key) {
-    if (!value.is_array() || value.size() != 3) from.refuse(std::string(key) + " is no place, expected three numbers");
+    if (!value.is_array() || value.size() != 3)
+        from.refuse(std::string(key) + " is not a point, expected three numbers");
     return {number_from(from, value[0], key), number_from(from, value[1], key), number_from(from, value[2], key)};
 }
 
@@ -172,7 +173,7 @@ SplitProposal proposal_of(const PlanReader& from) {
     SplitProposal proposal;
     proposal.direction = from.text("direction");
     for (const json& point : from.list("line")) proposal.line.push_back(place_from(from, point, "line"));
-    if (from.list("halves").size() != 2) from.refuse("halves are not two");
+    if (from.list("halves").size() != 2) from.refuse("halves has not two entries");
     for (std::size_t i = 0; i < 2; ++i) proposal.halves[i] = trial_of(from.in("halves", i));
     proposal.tried = from.whole("tried", 0, most_counted);
     proposal.findings_before = from.whole("findings_before", 0, most_counted);
@@ -242,7 +243,7 @@ Json deviation_json(const Deviation& off) {
 
 CompensationRound round_of(const PlanReader& from) {
     const json& off = from.list("off");
-    if (off.size() != 4) from.refuse("off are not four numbers");
+    if (off.size() != 4) from.refuse("off has not four numbers");
     const auto number = [&](std::size_t i) { return number_from(from, off[i], "off"); };
     return {from.text("step"),
             {number(0), number(1), number(2), number(3)},
@@ -280,7 +281,7 @@ void read_outcome(const PlanReader& from, std::size_t tiles, FlatTile& into) {
     into.bounds = {number_of(bounds, "isoperimetric"), number_of(bounds, "stretch_ratio"), place_of(bounds, "centre"),
                    number_of(bounds, "radius")};
     into.accuracy = accuracy_of(from.at("accuracy"));
-    if (into.accuracy.chains.size() != into.tile.chains.size()) from.refuse("accuracy has other chains than the tile");
+    if (into.accuracy.chains.size() != into.tile.chains.size()) from.refuse("accuracy and tile differ in their chains");
     into.verdict = verdict_of(from.at("verdict"));
     into.equal_to = from.whole("equal_to", -1, static_cast<double>(tiles) - 1);
     into.mirrored = from.flag("mirrored");

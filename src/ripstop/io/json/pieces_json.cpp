@@ -89,7 +89,7 @@ Json piece_json(const PatternPiece& piece) {
 Vec2 plane_point_in(const PlanReader& from, const json& at, const char* key) {
     if (!at.is_array() || at.size() != 2 || !at[0].is_number() || !at[1].is_number() ||
         !(std::abs(at[0].get<double>()) <= largest) || !(std::abs(at[1].get<double>()) <= largest))
-        from.refuse(std::string(key) + " holds no point, expected [x, y] in metres");
+        from.refuse(std::string(key) + " has an entry that is not a point, expected [x, y] in metres");
     return {at[0].get<double>(), at[1].get<double>()};
 }
 
@@ -128,7 +128,7 @@ PieceNotch read_notch(const PlanReader& from, int edges) {
     notch.along = from.number("along_m", largest);
     notch.on_sew = plane_point(from, "on_sew_m");
     notch.outward = plane_point(from, "outward");
-    if (std::abs(notch.outward.norm() - 1) > 1e-6) from.refuse("outward has not the length 1");
+    if (std::abs(notch.outward.norm() - 1) > 1e-6) from.refuse("outward is not a unit vector");
     notch.reach = from.number("reach_m", largest);
     notch.depth = from.number("depth_m", largest);
     notch.count = from.whole("count", 1, 2);
@@ -151,7 +151,7 @@ PatternPiece read_piece(const PlanReader& from) {
     piece.name = from.text_or_none("name");
     piece.file = from.text_or_none("file");
     if (piece.file.empty() || piece.file.find_first_of("/\\") != std::string::npos)
-        from.refuse("file is no name for a file");
+        from.refuse("file is not a valid file name");
     piece.gore = from.text_or_none("gore");
     piece.row = from.text_or_none("row");
     piece.fabric = from.text_or_none("fabric");

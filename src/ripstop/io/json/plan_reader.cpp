@@ -10,7 +10,7 @@ namespace ripstop {
 using nlohmann::json;
 
 PlanReader::PlanReader(const json& value, std::string place) : value_(value), place_(std::move(place)) {
-    if (!value_.is_object()) refuse("no object, expected one in braces");
+    if (!value_.is_object()) refuse("not an object, expected one in braces");
 }
 
 void PlanReader::refuse(const std::string& what) const {
@@ -60,7 +60,7 @@ Vec3 PlanReader::point(const char* key) const {
 
 const json& PlanReader::list(const char* key) const {
     const auto found = value_.find(key);
-    if (found == value_.end() || !found->is_array()) refuse(std::string(key) + " is no list");
+    if (found == value_.end() || !found->is_array()) refuse(std::string(key) + " is not a list");
     return *found;
 }
 
@@ -68,7 +68,7 @@ std::vector<double> PlanReader::numbers(const char* key) const {
     std::vector<double> result;
     for (const json& each : list(key)) {
         if (!each.is_number() || !std::isfinite(each.get<double>()))
-            refuse(std::string(key) + " holds something else than numbers");
+            refuse(std::string(key) + " contains an entry that is not a number");
         result.push_back(each.get<double>());
     }
     return result;

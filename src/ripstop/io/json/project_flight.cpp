@@ -142,7 +142,7 @@ Flight read_flight(const json& value, double metres_per_unit, const std::string&
     take_flag(value, "crown_ring", place, rigging.crown_ring);
     take_flag(value, "crown_closed", place, rigging.crown_closed);
     if (const auto ties = value.find("ties"); ties != value.end()) {
-        if (!ties->is_array()) throw InputError(place + ": ties is no list, expected [{\"name\": ...}, ...]");
+        if (!ties->is_array()) throw InputError(place + ": ties is not a list, expected [{\"name\": ...}, ...]");
         for (std::size_t i = 0; i < ties->size(); ++i)
             rigging.ties.push_back(tie_of((*ties)[i], metres_per_unit, place + ", tie " + std::to_string(i + 1)));
     }

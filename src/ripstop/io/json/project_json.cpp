@@ -50,19 +50,19 @@ void require_acceptable(const std::vector<std::string>& codes, const std::string
 
 std::map<std::string, std::string> read_materials(const json& value, const std::string& place) {
     if (!value.is_object())
-        throw InputError(place + " is no object, expected a fabric for each material: {\"red_nylon\": \"nylon\"}");
+        throw InputError(place + " is not an object, expected a fabric per material: {\"red_nylon\": \"nylon\"}");
     std::map<std::string, std::string> materials;
     for (const auto& [material, fabric] : value.items()) {
         if (!fabric.is_string())
             throw InputError(place + ": the fabric of " + shown(material) +
-                             " is no text, expected a preset or a file that ends in .json; give its name in quotes");
+                             " is not a text, expected a preset or a .json file; give its name in quotes");
         materials[material] = fabric.get<std::string>();
     }
     return materials;
 }
 
 void read_tiles(const json& tiles, const std::string& name, Project& project) {
-    if (!tiles.is_array()) throw InputError(name + ": tiles is no list, expected [{\"name\": ...}, ...]");
+    if (!tiles.is_array()) throw InputError(name + ": tiles is not a list, expected [{\"name\": ...}, ...]");
     for (std::size_t i = 0; i < tiles.size(); ++i)
         project.tiles.push_back(read_project_tile(tiles[i], name + ": tile " + std::to_string(i + 1)));
     require_names_once(project);

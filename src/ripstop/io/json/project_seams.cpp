@@ -102,7 +102,7 @@ SeamRule read_rule(const json& value, const std::vector<SeamType>& types, const 
     if (rule.mate_allowance && !rule.mate)
         throw InputError(place + ": mate_allowance_mm is for seams, expected allowance_mm alone for a free edge");
     if (!type && !allowance && !rule.mate_allowance)
-        throw InputError(place + ": says nothing of the " + seam_rule_text(rule) +
+        throw InputError(place + ": sets nothing for the " + seam_rule_text(rule) +
                          ", expected \"type\", \"allowance_mm\" or both");
     rule.type = seam_type_named(type ? *type : rule.mate ? SeamType{}.name : default_hem().name, types, place);
     if (allowance) rule.type.allowance = *allowance;
@@ -114,14 +114,14 @@ SeamRule read_rule(const json& value, const std::vector<SeamType>& types, const 
 std::vector<SeamType> read_seam_types(const json& value, const std::string& place) {
     std::vector<SeamType> types(seam_types().begin(), seam_types().end());
     if (!value.is_array())
-        throw InputError(place + " is no list, expected [{\"name\": ..., \"allowance_mm\": ...}, ...]");
+        throw InputError(place + " is not a list, expected [{\"name\": ..., \"allowance_mm\": ...}, ...]");
     std::vector<std::string> own;
     for (std::size_t i = 0; i < value.size(); ++i) {
         const std::string here = place + ": " + std::to_string(i + 1);
         SeamType type = read_type(value[i], types, here);
         if (std::find(own.begin(), own.end(), type.name) != own.end())
             throw InputError(here + ": the type " + shown(type.name) +
-                             " stands twice, expected each name once; join them");
+                             " occurs twice, expected each name once; merge them");
         own.push_back(type.name);
         const auto like =
             std::find_if(types.begin(), types.end(), [&](const SeamType& known) { return known.name == type.name; });
@@ -135,7 +135,7 @@ std::vector<SeamType> read_seam_types(const json& value, const std::string& plac
 
 std::vector<SeamRule> read_seam_rules(const json& value, const std::vector<SeamType>& types, const std::string& place) {
     if (!value.is_array())
-        throw InputError(place + " is no list, expected [{\"between\": [\"G01*\", \"G02*\"], \"type\": ...}, ...]");
+        throw InputError(place + " is not a list, expected [{\"between\": [\"G01*\", \"G02*\"], \"type\": ...}, ...]");
     std::vector<SeamRule> rules;
     for (std::size_t i = 0; i < value.size(); ++i)
         rules.push_back(read_rule(value[i], types, place + ": " + std::to_string(i + 1)));

@@ -41,7 +41,7 @@ void read_warp(const json& value, const std::string& place, ProjectTile& tile) {
 
 double compensation_of(const json& value, const std::string& place) {
     if (!value.is_number() || !(value.get<double>() > -50 && value.get<double>() < 100))
-        throw InputError(place + ": expected a number of per cent above -50 and below 100");
+        throw InputError(place + ": expected a percentage above -50 and below 100");
     return value.get<double>() * percent;
 }
 
@@ -52,7 +52,7 @@ Compensation read_compensation(const json& value, const std::string& place) {
     if (value.contains("weft_pct")) compensation.weft = compensation_of(value["weft_pct"], place + ": weft_pct");
     if (value.contains("chains_pct")) {
         if (!value["chains_pct"].is_array())
-            throw InputError(place + ": chains_pct is no list, expected per cents, one a chain: [0.2, 0, ...]");
+            throw InputError(place + ": chains_pct is not a list, expected one percentage per chain: [0.2, 0, ...]");
         for (const json& chain : value["chains_pct"])
             compensation.chains.push_back(compensation_of(chain, place + ": chains_pct"));
     }
@@ -89,7 +89,7 @@ ProjectTile read_project_tile(const json& value, const std::string& place) {
     if (value.contains("corners")) {
         const json& corners = value["corners"];
         if (!corners.is_array() || corners.empty())
-            throw InputError(named + ": corners is empty or no list, expected points: [[x, y, z], ...]");
+            throw InputError(named + ": corners is empty or not a list, expected points: [[x, y, z], ...]");
         for (std::size_t i = 0; i < corners.size(); ++i)
             tile.corners.push_back(point_of(corners[i], named + ": corner " + std::to_string(i + 1)));
     }

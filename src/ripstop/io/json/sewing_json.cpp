@@ -170,7 +170,7 @@ std::string sewing_json(const CutPlan& plan, const std::vector<std::string>& fil
 Sewing read_sewing(std::istream& in, const std::string& name) {
     const json object = read_json_object(in, name);
     const PlanReader reader(object, name);
-    if (reader.text("schema") != sewing_schema) reader.refuse("is of another version");
+    if (reader.text("schema") != sewing_schema) reader.refuse("was written by a different version");
     Sewing sewing;
     sewing.plan.input_file = reader.text("input");
     if (reader.has("unit")) sewing.plan.unit = reader.text("unit");
@@ -204,7 +204,7 @@ Sewing read_sewing(std::istream& in, const std::string& name) {
     if (reader.has("flight"))
         sewing.plan.flight = read_flight(reader.value().at("flight"), 1, reader.place() + ", flight");
     if (!sewing.plan.tape_factors.empty() && sewing.plan.tape_factors.size() != sewing.plan.seams.size())
-        reader.refuse("tape_factors are not one a seam");
+        reader.refuse("tape_factors differ in number from the seams");
     return sewing;
 }
 

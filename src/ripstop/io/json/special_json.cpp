@@ -79,10 +79,10 @@ void read_sizes(const json& value, const std::string& place, SpecialPrimitive& p
 }
 
 SpecialPrimitive read_primitive(const json& value, std::string place) {
-    if (!value.is_object()) throw InputError(place + " is no object, expected {\"name\": ..., \"type\": ..., ...}");
+    if (!value.is_object()) throw InputError(place + " is not an object, expected {\"name\": ..., \"type\": ..., ...}");
     SpecialPrimitive p;
     const std::optional<std::string> name = text_at(value, "name", place);
-    if (!name) throw InputError(place + ": the key name is missing, expected what its tiles are to be called; add it");
+    if (!name) throw InputError(place + ": the key name is missing, from which its tiles get their names; add it");
     p.name = *name;
     if (!p.name.empty()) place += " (" + readable_name(p.name.substr(0, 40)) + ")";
     p.kind = kind_at(value, place);
@@ -109,7 +109,7 @@ SpecialShape read_special_shape(std::istream& in, const std::string& name) {
     if (const std::optional<double> mouth = number_at(object, "mouth_height_mm", name))
         shape.mouth = *mouth * millimetre;
     if (!object.contains("primitives") || !object["primitives"].is_array())
-        throw InputError(name + ": primitives is no list, expected [{\"name\": ..., \"type\": ..., ...}, ...]");
+        throw InputError(name + ": primitives is not a list, expected [{\"name\": ..., \"type\": ..., ...}, ...]");
     const json& primitives = object["primitives"];
     for (std::size_t i = 0; i < primitives.size(); ++i)
         shape.primitives.push_back(read_primitive(primitives[i], name + ": primitive " + std::to_string(i + 1)));

@@ -48,7 +48,7 @@ class Fanner {
     Fan fan(const RecordedFace& face) {
         if (face.count == 3) return {};
         take_places(face);
-        if (names_one_twice(face)) return {0, fault_text(face, "visits one of them twice")};
+        if (names_one_twice(face)) return {0, fault_text(face, "uses one of them twice")};
         if (polygon_.size() < 4) return {corner_.front()};
         const int apex = fan_corner(polygon_);
         if (apex >= 0) return {corner_[at(apex)]};

@@ -66,8 +66,8 @@ const MeshFormat& format_of(const std::filesystem::path& path, Use use) {
         add(format);
     }
     if (use == Use::write)
-        throw InputError(path.string() + ": no format that is written has the extension \"" + extension +
-                         "\", expected one of: " + known + "; name the file so");
+        throw InputError(path.string() + ": no format that can be written has the extension \"" + extension +
+                         "\", expected one of: " + known + "; change the extension");
     for (const CadFormat& format : cad_formats()) add(format);
     std::string what = "no format with the extension \"" + extension + "\"";
     for (const auto& [other, program] : other_formats)

@@ -136,8 +136,7 @@ class SurfaceMaker {
         for (std::size_t i = 0; i < triangles.size(); ++i) {
             if (!given(triangles[i]))
                 file_.refuse(face(triangles[i]).place,
-                             "a face of " + name +
-                                 " has the warp 0 0 0 where others have a direction, expected one on " +
+                             "a face of " + name + " has the warp 0 0 0 but others have a direction, expected one on " +
                                  "every face or on none; give the missing ones");
             field.row(static_cast<Eigen::Index>(i)) = of(triangles[i]).transpose();
         }
@@ -167,8 +166,8 @@ void MeshRecords::refuse(long place, const std::string& what) const {
 }
 
 void MeshRecords::refuse_index(long place, long given, std::size_t count, const char* what) const {
-    refuse(place, std::string("a face names ") + what + " " + std::to_string(given) + ", expected one of the " +
-                      std::to_string(count) + " there are, counted from " +
+    refuse(place, std::string("a face refers to ") + what + " " + std::to_string(given) + ", expected one of the " +
+                      std::to_string(count) + " that exist, counted from " +
                       (first_index == 1 ? "1 (or from the end, negative)" : "0") +
                       "; the file is cut short or damaged, so export it again");
 }
@@ -179,8 +178,8 @@ double MeshRecords::coordinate(std::string_view word, long place) const {
         refuse(place, (word.empty() ? "a coordinate is missing" : "found " + shown(word)) +
                           ", expected a finite number with a decimal point; export the file again");
     if (std::abs(*value) > largest_coordinate)
-        refuse(place, "the coordinate " + shown(word) +
-                          " is too far out, expected at most 1e12; check the unit and the model");
+        refuse(place,
+               "the coordinate " + shown(word) + " is too large, expected at most 1e12; check the unit and the model");
     return *value;
 }
 
@@ -188,7 +187,7 @@ double MeshRecords::coordinate(double value, long place) const {
     if (!(std::abs(value) <= largest_coordinate))
         refuse(place, std::isfinite(value)
                           ? "the coordinate " + format_shortest(value) +
-                                " is too far out, expected at most 1e12; check the unit and the model"
+                                " is too large, expected at most 1e12; check the unit and the model"
                           : "found a number that is not finite, expected a coordinate; export the file again");
     return value;
 }

@@ -31,11 +31,10 @@ class Parser {
         name_empty();
         require_curves();
         if (mesh_.faces.empty())
-            throw InputError(
-                mesh_.name + ": no face (a line that starts with f) in " + std::to_string(lines_.number()) +
-                " lines, expected a triangulated surface; " +
-                (file_.unread.empty() ? "" : "surfaces and curves by equations (surf, curv) are not read; ") +
-                "export the surfaces as meshes");
+            throw InputError(mesh_.name + ": no face (a line that starts with f) in " +
+                             std::to_string(lines_.number()) + " lines, expected a triangulated surface; " +
+                             (file_.unread.empty() ? "" : "free-form surfaces and curves (surf, curv) are not read; ") +
+                             "export the surfaces as meshes");
         return std::move(file_);
     }
 
@@ -54,7 +53,7 @@ class Parser {
         } else if (key == "surf" || key == "curv") {
             in_use_ = true;
             file_.unread.push_back({name_or_stem(), key == "surf" ? "Surface" : "Curve",
-                                    std::string("it is given by equations (") + std::string(key) + " in line " +
+                                    std::string("it is a free-form element (") + std::string(key) + " in line " +
                                         std::to_string(lines_.number()) +
                                         "), which are not read from OBJ; export it as a " +
                                         (key == "surf" ? "mesh" : "polyline")});
@@ -136,7 +135,7 @@ class Parser {
         file_.curves.push_back(std::move(curve));
     }
 
-    /// Parses `v`, `v/vt`, `v//vn` or `v/vt/vn`. Tolerates a slash with nothing behind it.
+    /// Parses `v`, `v/vt`, `v//vn` or `v/vt/vn`. Tolerates a slash with nothing after it.
     RecordedCorner corner(std::string_view word, const char* what) const {
         const char* at = word.data();
         const char* const end = at + word.size();

@@ -81,7 +81,7 @@ class OffTextReader {
         do {
             if (!lines_.next())
                 file_.refuse(std::max(lines_.number(), 1L), "the file ends here, expected " + expected +
-                                                                "; it is cut short or no OFF, export it again");
+                                                                "; it is cut short or not OFF, export it again");
             const std::string_view line = lines_.line();
             rest_ = trimmed(line.substr(0, line.find('#')));
         } while (rest_.empty());
@@ -92,7 +92,7 @@ class OffTextReader {
         const auto value = whole(word);
         if (!value || *value < 0)
             file_.refuse(lines_.number(), "found " + shown(word) + ", expected OFF and the number of " + what +
-                                              "; this is no OFF, or a damaged one: export it again");
+                                              "; the file is damaged or not an OFF file, export it again");
         return static_cast<std::size_t>(*value);
     }
 
@@ -183,9 +183,7 @@ class BinaryReader {
     template <class Number>
     Number next() {
         if (left() < sizeof(Number))
-            file_.refuse(place(),
-                         "the file ends here, expected more of what its counts name; it is cut short, "
-                         "export it again");
+            file_.refuse(place(), "the file ends before all the vertices and faces that it announces; export it again");
         at_ += sizeof(Number);
         return load<Number>(bytes_.data() + at_ - sizeof(Number), std::endian::big);
     }

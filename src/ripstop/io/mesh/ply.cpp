@@ -146,8 +146,8 @@ class PlyReader {
             const bool whole = std::abs(index) < 1e15 && index == std::floor(index);
             if (whole) file_.refuse_index(row_.place, static_cast<long>(index), file_.vertices.size());
             file_.refuse(row_.place,
-                         "found a number that is no whole one as a corner of a face, expected the index of a "
-                         "vertex; export the file again");
+                         "a corner of a face is not a whole number, expected the index of a vertex; export the file "
+                         "again");
         }
         const int vertex = static_cast<int>(index);
         file_.corners.push_back({vertex, file_.textures.empty() ? -1 : vertex});
@@ -198,8 +198,7 @@ class PlyReader {
         if (!plan.has(tile)) return nameless_surface();
         const double number = row_.values[tile];
         if (!(std::abs(number) < 1e15) || number != std::floor(number))
-            file_.refuse(row_.place,
-                         "the number of a face's tile is no whole one, expected an integer; export the file again");
+            file_.refuse(row_.place, "the tile number of a face is not a whole number; export the file again");
         has_tiles_ = true;
         const auto id = static_cast<std::int64_t>(number);
         if (const auto known = of_tile_.find(id); known != of_tile_.end()) return known->second;

@@ -44,7 +44,7 @@ class HeaderParser {
     PlyHeader parse() {
         if (!bytes_.starts_with("ply") || !find_line_end())
             throw InputError(name_ + ":1: found " + shown(bytes_.substr(0, 12)) +
-                             ", expected the line ply; this is no PLY file, or a damaged one: export it again");
+                             ", expected the line ply; the file is damaged or not a PLY file, export it again");
         next_line();
         bool has_form = false;
         for (;;) {
@@ -79,7 +79,7 @@ class HeaderParser {
         throw InputError(name_ + ":" + std::to_string(header_.lines) + ": " + what);
     }
 
-    /// The end of the first line shows how all lines end. The body begins right behind the end of the last header
+    /// The end of the first line shows how all lines end. The body begins right after the end of the last header
     /// line.
     bool find_line_end() {
         const std::size_t end = bytes_.find_first_of("\r\n");
@@ -122,7 +122,7 @@ class HeaderParser {
                 header_.unit = LengthUnit{unit, metres_per_unit(unit)};
             } catch (const InputError& error) {
                 header_.remarks.push_back(name_ + ":" + std::to_string(header_.lines) +
-                                          ": the unit of the file is not taken: " + error.what());
+                                          ": the file's unit is ignored: " + error.what());
             }
         } else if (key == "tile") {
             const auto number = integer_of<std::int64_t>(next_word(rest));
@@ -150,15 +150,13 @@ class HeaderParser {
 
     void read_property(std::string_view rest) {
         if (header_.elements.empty())
-            refuse(
-                "a property before the first element, expected it behind one; the header is damaged, export the file "
-                "again");
+            refuse("a property before the first element; the header is damaged, export the file again");
         PlyProperty property;
         std::string_view type = next_word(rest);
         if (type == "list") {
             property.count = type_of(next_word(rest));
             if (*property.count == PlyType::float32 || *property.count == PlyType::float64)
-                refuse("a list counted in a floating type, expected an integer type; export the file again");
+                refuse("a list length of floating-point type, expected an integer type; export the file again");
             type = next_word(rest);
         }
         property.type = type_of(type);

@@ -18,7 +18,7 @@ std::size_t size_of(PlyType type);  ///< in a binary file [bytes]
 struct PlyProperty {
     std::string name;
     PlyType type;
-    std::optional<PlyType> count = {};  ///< the type of a list's length; empty if it is no list
+    std::optional<PlyType> count = {};  ///< the type of a list's length; empty if it is not a list
 };
 
 struct PlyElement {

@@ -49,14 +49,14 @@ void PlyText::skip(PlyType, std::size_t count) {
 void PlyText::end_row() {
     if (const std::string_view more = next_word(rest_); !more.empty())
         file_.refuse(place(), "found " + shown(more) +
-                                  " behind the last property of the line, expected its end; export the file again");
+                                  " after the last property, expected the end of the line; export the file again");
 }
 
 void PlyText::finish() {
     while (lines_.next())
         if (const std::string_view more = trimmed(lines_.line()); !more.empty())
             file_.refuse(place(), "found " + shown(more) +
-                                      " behind the last element, expected the end of the file; export it again");
+                                      " after the last element, expected the end of the file; export it again");
 }
 
 }  // namespace ripstop

@@ -24,7 +24,7 @@ class PlyText {
     double value(PlyType type);
     void skip(PlyType type, std::size_t count);
     void end_row();  ///< refuses a line with more values than the header declares
-    void finish();   ///< refuses anything behind the last element
+    void finish();   ///< refuses anything after the last element
 
   private:
     std::string_view word();
@@ -94,7 +94,7 @@ class PlyBytes {
     const char* take(std::size_t size) {
         if (bytes_.size() - at_ < size)
             file_.refuse(place(),
-                         "the file ends here, expected more of what its header names; it is cut short, "
+                         "the file ends before all the elements that its header announces; it is cut short, "
                          "export it again");
         at_ += size;
         return bytes_.data() + at_ - size;

@@ -98,7 +98,7 @@ void read_binary(std::string_view bytes, MeshRecords& file, Welder& welder) {
         file.refuse(head_size, "the file says it has " + std::to_string(count) +
                                    " triangles, but there are bytes for " +
                                    std::to_string((bytes.size() - count_end) / triangle_size) +
-                                   "; it is cut short or no STL, export it again");
+                                   "; it is cut short or not an STL file, export it again");
     welder.reserve(count);
     welder.enter(file.stem);
     for (std::size_t at = count_end; at < count_end + triangle_size * count; at += triangle_size) {
@@ -134,7 +134,7 @@ class StlTextReader {
     void read_line(std::string_view key, std::string_view rest) {
         if (is(key, "vertex") && in_loop_) {
             if (corners_ == 3)
-                file_.refuse(lines_.number(), "a fourth vertex, expected three a facet; export it again");
+                file_.refuse(lines_.number(), "a fourth vertex, expected three per facet; export it again");
             Vec3& point = triangle_[corners_++];
             for (int i = 0; i < 3; ++i) point[i] = file_.coordinate(next_word(rest), lines_.number());
         } else if (is(key, "facet") && in_solid_ && !in_facet_) {
@@ -161,7 +161,7 @@ class StlTextReader {
             welder_.enter(name.empty() ? file_.stem : name);
         } else {
             file_.refuse(lines_.number(), "found " + shown(key) + ", expected " + expected() +
-                                              "; the file is damaged or no STL, export it again");
+                                              "; the file is damaged or not an STL file, export it again");
         }
     }
 

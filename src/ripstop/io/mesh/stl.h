@@ -17,7 +17,7 @@ namespace ripstop {
 /// without a name is called after the file, and so is all of a binary file. Normals are skipped. Triangles with
 /// two corners in one place are left out with a remark.
 ///
-/// Throws InputError `NAME:LINE: …`, or `NAME: byte N: …` for a binary file, for a file that is no STL or is cut
+/// Throws InputError `NAME:LINE: …`, or `NAME: byte N: …` for a binary file, for a file that is not STL or is cut
 /// short, for a coordinate that is not finite or not below 1e12, and for a file that leaves no triangle. Linear in
 /// time and memory.
 CadModel read_stl(std::istream& in, const std::string& name);

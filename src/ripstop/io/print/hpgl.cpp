@@ -64,10 +64,10 @@ class Plotter {
         const Vec2 units = (p - frame_.origin) / unit;
         if (!(units.cwiseAbs().maxCoeff() <= static_cast<double>(frame_.reach)))
             throw InputError(
-                "the drawing goes on beyond the " + in_metres(static_cast<double>(frame_.reach) * unit) +
+                "the drawing extends beyond the " + in_metres(static_cast<double>(frame_.reach) * unit) +
                 " that HPGL counts" +
                 (frame_.reach == largest_unit
-                     ? "; take the files of the pieces by themselves"
+                     ? "; use the separate files of the pieces"
                      : " on either side of a frame's middle; leave the frames out for a plotter that takes HP-GL/2"));
         return {std::lround(units.x()), std::lround(units.y())};
     }

@@ -78,11 +78,11 @@ Paper paper_named(const std::string& name) {
         known += ", " + lower_case(sheet.name);
     }
     if (name.empty() || name.front() < '0' || name.front() > '9')
-        throw InputError("no paper \"" + name + "\"; known: " + known + ", or how wide the roll is, such as 914mm");
+        throw InputError("no paper \"" + name + "\"; known: " + known + ", or the width of a roll, such as 914mm");
     Paper wide = roll;
     wide.height = parse_length(name, "--paper");
     if (!(wide.height >= narrowest_roll && wide.height <= longest_page))
-        throw InputError("a roll of paper is 200 mm to 5 m wide, not " + name + "; give its width, as 914mm");
+        throw InputError("a roll of paper is 200 mm to 5 m wide, not " + name + "; give its width, such as 914mm");
     wide.name = "roll " + format_fixed(wide.height / millimetre, 0) + " mm wide";
     return wide;
 }

@@ -37,7 +37,7 @@ std::string plural(long count, const std::string& one) {
     return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
-/// Why an object of this type is no surface here; nullptr if nobody would take it for a tile.
+/// Why an object of this type is not read as a surface; nullptr if it could not be meant as a tile.
 const char* reason_of(std::uint32_t type) {
     switch (type) {
         case rhino_brep:
@@ -52,7 +52,7 @@ const char* reason_of(std::uint32_t type) {
         case rhino_point_cloud:
             return "points have no surface; make a mesh of them in Rhino";
         default:
-            return rhino_type_name(type) == "Object" ? "an object of a kind that is not known here" : nullptr;
+            return rhino_type_name(type) == "Object" ? "an object of an unknown type" : nullptr;
     }
 }
 
@@ -112,7 +112,7 @@ class Modeller {
         spent_ += cost;
         if (spent_ > free_elements + elements_per_byte * archive_.bytes.size())
             throw InputError(archive_.name + ": " + rhino_called(*placed.object) +
-                             ": blocks in blocks make more of this file than can be meant; explode some in Rhino");
+                             ": nested blocks multiply this file beyond any sensible size; explode some in Rhino");
     }
 
     void add_surfaces(const std::vector<RhinoPlaced>& surfaces) {
@@ -176,7 +176,7 @@ class Modeller {
         std::string kinds;
         for (const auto& [kind, count] : of_no_use)
             kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " " + kind;
-        if (!kinds.empty()) model_.remarks.push_back("left out, being no surfaces: " + kinds);
+        if (!kinds.empty()) model_.remarks.push_back("left out because they are not surfaces: " + kinds);
     }
 
     void remark(const RhinoPlacing& placing) {
@@ -191,12 +191,12 @@ class Modeller {
                                      " on layouts left out; move them to the model (ChangeSpace) to use them");
         if (!placing.unused_tile_texts.empty())
             model_.remarks.push_back(Happened{placing.unused_tile_texts}.shown_names_of() +
-                                     ": the user text tile of a block names no tile where the block holds several "
-                                     "surfaces; name these in the block");
+                                     ": the user text tile of a block names no tile if the block holds several "
+                                     "surfaces; name the surfaces in the block");
         if (!joined_.names.empty())
-            model_.remarks.push_back(joined_.shown_names_of() + ": the faces did not hang together, so " +
+            model_.remarks.push_back(joined_.shown_names_of() + ": the faces were not connected, so " +
                                      std::to_string(joined_.count) +
-                                     " vertices in one place with another were joined; Weld does it in Rhino");
+                                     " vertices were merged with others in the same place, like Weld in Rhino");
         if (!narrow_.names.empty())
             model_.remarks.push_back(narrow_.shown_names_of() + ": " + plural(narrow_.count, "face") +
                                      " without three different corners left out");

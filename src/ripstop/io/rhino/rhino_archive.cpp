@@ -141,13 +141,13 @@ std::string RhinoBytes::text() {
 std::size_t RhinoBytes::count(std::size_t each) {
     const std::uint32_t found = natural();
     if (found > left() / each)
-        refuse(std::to_string(found) + " elements of " + std::to_string(each) + " bytes where " +
+        refuse(std::to_string(found) + " elements of " + std::to_string(each) + " bytes, but only " +
                std::to_string(left()) + " bytes are left");
     return found;
 }
 
 RhinoBytes RhinoBytes::take(std::size_t size) {
-    if (size > left()) refuse(std::to_string(size) + " bytes belong here, " + std::to_string(left()) + " are left");
+    if (size > left()) refuse(std::to_string(size) + " bytes expected, only " + std::to_string(left()) + " are left");
     at_ += size;
     return {*archive_, at_ - size, at_};
 }
@@ -161,7 +161,7 @@ RhinoChunk RhinoBytes::chunk() {
     const std::int64_t value = version() < first_with_long_chunks ? integer() : number<std::int64_t>();
     if (code & no_bytes) return {code, value, take(0)};
     if (value < 0 || static_cast<std::uint64_t>(value) > left())
-        refuse("a part of " + std::to_string(value) + " bytes where " + std::to_string(left()) + " are left");
+        refuse("a part of " + std::to_string(value) + " bytes, but only " + std::to_string(left()) + " are left");
     RhinoBytes body = take(static_cast<std::size_t>(value));
     if (code & has_checksum) {
         if (body.left() < 4) body.refuse("a part of " + std::to_string(value) + " bytes, expected its checksum");
@@ -184,19 +184,19 @@ std::string RhinoBytes::buffer(std::size_t size) {
         const RhinoChunk deflated = chunk();
         const std::string_view from = deflated.body.view();
         if (size / deflate_ratio > from.size())
-            refuse(std::to_string(size) + " bytes said to be packed into " + std::to_string(from.size()));
+            refuse(std::to_string(size) + " bytes supposedly packed into " + std::to_string(from.size()));
         bytes.resize(size);
         auto length = static_cast<uLongf>(size);
         const int result = uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length,
                                       reinterpret_cast<const Bytef*>(from.data()), static_cast<uLong>(from.size()));
         if (result != Z_OK || length != size) refuse("a packed block that cannot be unpacked");
     } else {
-        refuse("a block packed in the way " + std::to_string(method) + ", expected 0 or 1");
+        refuse("a block with the compression method " + std::to_string(method) + ", expected 0 or 1");
     }
     const auto sum = crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(size));
     if (sum != checksum) {
         at_ = start;
-        refuse("a block that is not what its checksum says");
+        refuse("a block that does not match its checksum");
     }
     return bytes;
 }
@@ -211,7 +211,7 @@ void RhinoBytes::skip_buffer() {
     else if (method == 1)
         chunk();
     else
-        refuse("a block packed in the way " + std::to_string(method) + ", expected 0 or 1");
+        refuse("a block with the compression method " + std::to_string(method) + ", expected 0 or 1");
 }
 
 RhinoBytes::Version RhinoBytes::packed_version() {
@@ -221,7 +221,7 @@ RhinoBytes::Version RhinoBytes::packed_version() {
 
 RhinoBytes RhinoBytes::anonymous(std::uint32_t code) {
     RhinoChunk part = chunk();
-    if (part.code != code) refuse("a part of another kind than expected");
+    if (part.code != code) refuse("a part of an unexpected kind");
     part.body.skip(2 * sizeof(std::int32_t));
     return part.body;
 }

@@ -46,7 +46,7 @@ struct RhinoChunk;
 /// allocated only for as many elements as the file has bytes for.
 class RhinoBytes {
   public:
-    explicit RhinoBytes(const RhinoArchive& archive);  ///< starts behind the header
+    explicit RhinoBytes(const RhinoArchive& archive);  ///< starts after the header
 
     bool empty() const { return at_ == end_; }
     std::size_t left() const { return end_ - at_; }

@@ -96,7 +96,7 @@ Nurbs read_nurbs(RhinoBytes data) {
     if (knots != static_cast<std::size_t>(count) + static_cast<std::size_t>(nurbs.order) - 2)
         data.refuse("a NURBS curve with " + std::to_string(knots) + " knots");
     for (std::size_t i = 0; i < knots; ++i) nurbs.knots.push_back(data.real());
-    if (!std::is_sorted(nurbs.knots.begin(), nurbs.knots.end())) data.refuse("a NURBS curve whose knots go back");
+    if (!std::is_sorted(nurbs.knots.begin(), nurbs.knots.end())) data.refuse("a NURBS curve with decreasing knots");
     const auto width = static_cast<std::size_t>(dimension + (rational ? 1 : 0));
     if (data.count(width * sizeof(double)) != static_cast<std::size_t>(count))
         data.refuse("a NURBS curve with a wrong number of points");
@@ -151,7 +151,7 @@ std::optional<Polyline> read_joined(RhinoBytes data, int depth) {
 }
 
 std::optional<Polyline> read_curve(const RhinoClass& object, int depth) {
-    if (depth > deepest_curve) object.data.refuse("a curve joined of joined curves, more than 16 deep");
+    if (depth > deepest_curve) object.data.refuse("joined curves are nested more than 16 deep");
     if (object.id == line_class) return read_line(object.data);
     if (object.id == polyline_class) return read_polyline(object.data);
     if (object.id == arc_class) return read_arc(object.data);
@@ -165,7 +165,7 @@ std::optional<Polyline> read_curve(const RhinoClass& object, int depth) {
 std::optional<Points3> read_rhino_curve(const RhinoClass& object, const std::string& called) {
     const std::optional<Polyline> points = read_curve(object, 0);
     if (!points) return std::nullopt;
-    if (points->size() < 2) object.data.refuse(called + " has less than two points");
+    if (points->size() < 2) object.data.refuse(called + " has fewer than two points");
     Points3 rows(static_cast<Eigen::Index>(points->size()), 3);
     for (std::size_t i = 0; i < points->size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = (*points)[i].transpose();
     if (!rows.allFinite() || rows.cwiseAbs().maxCoeff() >= most_coordinate)

@@ -26,7 +26,7 @@ Quads read_faces(RhinoBytes& data, std::size_t count) {
     if (width != 1 && width != 2 && width != 4)
         data.refuse("corners of " + std::to_string(width) + " bytes, expected 1, 2 or 4");
     if (count > data.left() / (4 * static_cast<std::size_t>(width)))
-        data.refuse(std::to_string(count) + " faces where " + std::to_string(data.left()) + " bytes are left");
+        data.refuse(std::to_string(count) + " faces, but only " + std::to_string(data.left()) + " bytes are left");
     const std::string_view bytes = data.take(4 * static_cast<std::size_t>(width) * count).view();
     Quads faces(static_cast<Eigen::Index>(count), 4);
     for (Eigen::Index i = 0; i < faces.size(); ++i) {
@@ -66,7 +66,7 @@ std::optional<Points3> double_vertices_beside(const RhinoClass& object) {
     return points_of<double>(data.take(double_point * count).view());
 }
 
-/// Rhino 6 and later store the double vertices at the end of the mesh, behind data that we skip.
+/// Rhino 6 and later store the double vertices at the end of the mesh, after data that we skip.
 std::optional<Points3> double_vertices_within(RhinoBytes& data, int minor, unsigned writer) {
     if (minor < 7) return std::nullopt;
     data.skip(sizeof(std::int32_t) + sizeof(RhinoId));  // whether the texture is rotated, its mapping
@@ -169,7 +169,7 @@ RhinoMesh read_rhino_mesh(const RhinoClass& object, unsigned writer, const std::
     RhinoBytes data = object.data;
     const auto version = data.packed_version();
     if (version.major != 1 && version.major != 3)
-        data.refuse(called + " is written in the way " + std::to_string(version.major) + ", expected 1 or 3");
+        data.refuse(called + " has the format " + std::to_string(version.major) + ", expected 1 or 3");
     const std::size_t vertices = data.natural(), faces = data.natural();
     data.skip(10 * sizeof(double));     // texture and surface domains, scale
     data.skip(16 * sizeof(float) + 4);  // boxes, whether closed

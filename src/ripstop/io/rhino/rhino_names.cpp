@@ -55,7 +55,7 @@ std::string after(const std::string& path, const std::string& name) {
     return path.empty() || name.empty() ? path + name : path + "/" + name;
 }
 
-/// The designer's name for an object, behind the names of the blocks around it; empty if it has none.
+/// The designer's name for an object, after the names of the blocks around it; empty if it has none.
 std::string given_name(const RhinoPlaced& placed) {
     if (placed.named_by != nullptr) return after(placed.named_in, placed.named_by->text.at("tile"));
     const std::string own = own_name(*placed.object);

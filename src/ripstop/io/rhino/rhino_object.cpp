@@ -45,7 +45,7 @@ std::vector<int> read_groups(RhinoBytes& data) {
     return groups;
 }
 
-/// Rhino 5 and later write numbered items and omit those with default values. The items behind the object's space
+/// Rhino 5 and later write numbered items and omit those with default values. The items after the object's space
 /// grow with each Rhino version and are not needed here.
 void read_items(RhinoBytes data, RhinoObject& object) {
     enum Item {

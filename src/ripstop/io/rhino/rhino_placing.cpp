@@ -112,8 +112,8 @@ class Placer {
         const RhinoObject& object = *placed.object;
         if (is_left_out(object)) return;
         if (++count_ > fewest_placed + archive_.bytes.size() / bytes_of_placed)
-            throw InputError(archive_.name + ": " + rhino_called(object) + ": blocks in blocks make more than " +
-                             std::to_string(count_ - 1) + " objects of this file; explode or delete some in Rhino");
+            throw InputError(archive_.name + ": " + rhino_called(object) + ": nested blocks give more than " +
+                             std::to_string(count_ - 1) + " objects in this file; explode or delete some in Rhino");
         if (object.geometry.id != rhino_reference_class) {
             placing.placed.push_back(std::move(placed));
             return;
@@ -144,7 +144,7 @@ class Placer {
     void follow(const RhinoPlaced& instance, const Reference& reference, const std::vector<const RhinoObject*>& parts) {
         if (std::find(open_.begin(), open_.end(), reference.definition) != open_.end() || open_.size() >= deepest_block)
             throw InputError(archive_.name + ": " + rhino_called(*instance.object) +
-                             ": the block holds itself, or blocks are in blocks more than " +
+                             ": the block contains itself, or blocks are nested more than " +
                              std::to_string(deepest_block) + " deep; explode it in Rhino");
         open_.push_back(reference.definition);
         RhinoPlaced part{nullptr, instance.place * reference.place, instance.instances, instance.path, instance.around};
@@ -153,7 +153,7 @@ class Placer {
         part.path += (part.path.empty() ? "" : "/") + names_[instance.object];
         if (part.path.size() > longest_path)
             throw InputError(archive_.name + ": " + rhino_called(*instance.object) +
-                             ": the names of the blocks it is in are too long together; rename them in Rhino");
+                             ": the path of the names of the blocks around it is too long; shorten the names in Rhino");
         for (const RhinoObject* object : parts) {
             part.object = object;
             place(part);

@@ -59,7 +59,7 @@ class SvgReader {
                                    "is not understood, and may hide or move lines; write its styles on the elements",
                                    true});
         if (!is_none(style["transform"]))
-            leave(root, place, "transform of the whole page", "is not followed; put it on a group", true);
+            leave(root, place, "transform of the whole page", "is not supported; put it on a group", true);
         if (style["display"] != "none")
             for (const pugi::xml_node& child : root.children()) draw(child, place);
         return std::move(drawing_);
@@ -107,19 +107,19 @@ class SvgReader {
         for (const char* key : {"display", "visibility", "transform", "d"})
             if (style[key].find("var(") != std::string_view::npos)
                 return leave(node, place, kind,
-                             "has " + std::string(key) + "=" + shown(style[key]) + ", which is not known here", true);
+                             "has " + std::string(key) + "=" + shown(style[key]) + ", which is not supported", true);
         if (++place.depth > deepest_element)
             document_.refuse(node, "elements more than 256 deep, expected fewer; ungroup them");
         if (!using_.empty() && ++used_ > most_used)
             document_.refuse(node, "its uses draw more than 200000 elements; unlink the clones");
         if (kind == "a" && svg_local_name(node.parent()) == "a")
-            return leave(node, place, kind, "stands in another a, where browsers do not draw it; ungroup it", true);
+            return leave(node, place, kind, "is inside another a, so browsers do not draw it; ungroup it", true);
         inherit(style, place);
         if (scale_.is_pixel && drawing_.units.empty()) state_pixels(node);
         if (style["display"] == "contents") {
             if (kind == "g" || kind == "a") return draw_group(node, kind, place);
             if (kind == "svg" || kind == "symbol" || kind == "use" || kind == "switch")
-                leave(node, place, kind, "is its contents alone, which is not followed; ungroup it", true);
+                leave(node, place, kind, "has display: contents, which is not supported here; ungroup it", true);
             return;
         }
         if (!move(node, kind, style, place)) return;
@@ -139,7 +139,7 @@ class SvgReader {
     bool move(const pugi::xml_node& node, std::string_view kind, const SvgStyle& style, ElementPlace& place) {
         for (const char* other : {"translate", "rotate", "scale", "zoom", "offset-path"})
             if (!is_none(style[other])) {
-                leave(node, place, kind, std::string("is moved by the style ") + other + ", which is not followed",
+                leave(node, place, kind, std::string("is moved by the style ") + other + ", which is not supported",
                       true);
                 return false;
             }
@@ -147,7 +147,7 @@ class SvgReader {
         const Eigen::Affine2d motion = svg_transform(style["transform"], place.basis, document_.place_of(node));
         const std::optional<Vec2> origin = origin_of(node, style, place);
         if (!origin) {
-            leave(node, place, kind, "is turned about an origin that is not known here; apply its transform", true);
+            leave(node, place, kind, "has a transform origin that is not supported; apply its transform", true);
             return false;
         }
         place.motion = place.motion * Eigen::Translation2d(*origin) * motion * Eigen::Translation2d(-*origin);
@@ -235,7 +235,7 @@ class SvgReader {
         using_size_.setConstant(-1);
         const std::optional<SvgViewBox> box = svg_view_box(node.attribute("viewBox").value());
         if (!unclear.empty() || (box && !size.allFinite()))
-            return leave(node, place, kind, "has a place or size that is not known here; ungroup it", true);
+            return leave(node, place, kind, "has a position or size that cannot be computed; ungroup it", true);
         if (size.minCoeff() <= 0 || (box && box->size.minCoeff() <= 0)) return;  // nothing of it is visible
         place.motion = place.motion * Eigen::Translation2d(corner);
         const std::string_view overflow = style["overflow"];
@@ -255,7 +255,7 @@ class SvgReader {
             return leave(node, place, "use",
                          "refers to " + shown(svg_href(node)) + ", which is not in the file; put it in", true);
         if (std::find(using_.begin(), using_.end(), target) != using_.end() || is_around(target, node))
-            return leave(node, place, "use", "refers to what it stands in itself; delete it", true);
+            return leave(node, place, "use", "refers to an element that contains it; delete it", true);
         std::vector<std::string> unclear;
         const auto length = [&](const char* key, SvgAxis axis, double otherwise) {
             return svg_length_of(node, style, key, axis, place.basis, unclear, otherwise);
@@ -266,7 +266,7 @@ class SvgReader {
         if (kind == "svg" || kind == "symbol")
             using_size_ = Vec2(length("width", SvgAxis::x, -1), length("height", SvgAxis::y, -1));
         if (!unclear.empty())
-            return leave(node, place, "use", "has " + unclear.front() + ", which is not known here; unlink it", true);
+            return leave(node, place, "use", "has " + unclear.front() + ", which cannot be computed; unlink it", true);
         if (const std::string own = node.attribute("class").value(); !own.empty()) place.layer = readable_name(own);
         if (node.attribute("id")) enter(node, place);
         place.motion = place.motion * Eigen::Translation2d(by);
@@ -289,13 +289,13 @@ class SvgReader {
         if (!shape) return leave(node, place, kind, "", false);
         if (!shape->unclear.empty())
             return leave(node, place, kind,
-                         "has " + shape->unclear.front() + ", which is not known here; give it in mm", true);
+                         "has " + shape->unclear.front() + ", which cannot be computed; give it in mm", true);
         for (const SvgRun& run : shape->runs) add(node, place, run);
         if (shape->runs.empty()) return;
         if (place.is_dashed && place.is_stroked)
             leave(node, place, kind, "with dashes is read as a whole line", false, true);
         if (!place.is_stroked && (!place.is_filled || kind == "line"))
-            leave(node, place, kind, "is read though nothing is seen of it: it has no stroke and no fill", false, true);
+            leave(node, place, kind, "is read although it is invisible: it has no stroke and no fill", false, true);
     }
 
     /// Without a viewBox, a length in mm states how large a user unit is.
@@ -318,7 +318,7 @@ class SvgReader {
     void add(const pugi::xml_node& node, const ElementPlace& place, const SvgRun& run) {
         const std::vector<Vec2> points = sampled(run, place.motion, sampling_);
         if (points.size() > run.segments.size() + 1 && (points_ += points.size()) > most_points)
-            document_.refuse(node, "its curves are more than 8 million points; draw less in a file");
+            document_.refuse(node, "its curves have more than 8 million points; split the drawing");
         DrawnPath path{place.layer,
                        place.group,
                        Points2(static_cast<Eigen::Index>(points.size()), 2),
@@ -331,7 +331,7 @@ class SvgReader {
             const SvgSeen seen = clip->seen(path.points);
             if (seen == SvgSeen::part)
                 leave(node, place, path.entity,
-                      "is cut off by a clip, and what is left is not known; draw it as a line", true);
+                      "is cut off by a clip, and what remains cannot be computed; draw it as a line", true);
             if (seen != SvgSeen::all) return;
         }
         const Eigen::Index last = path.points.rows() - 1;

@@ -17,7 +17,7 @@ namespace ripstop {
 /// transforms. The unit comes from `svg_scale`, or from a length in mm in a file without viewBox. Everything else
 /// that is drawn, and what a clip cuts off, is listed in `unread` with the reason, its line and its place.
 ///
-/// Throws InputError `NAME: byte N: …` if the file is no XML, its root is not svg, a path or transform is
+/// Throws InputError `NAME: byte N: …` if the file is not XML, its root is not svg, a path or transform is
 /// malformed, elements are nested more than 256 deep, coordinates exceed 1e9, uses draw more than 200,000
 /// elements, or curves have more than 8 million points. O(elements x (rules + clips) + points).
 PatternDrawing read_svg(std::istream& in, const std::string& name);

@@ -64,7 +64,7 @@ class ScaleReader {
         if (box_ && fit_.is_stretched && width > 0 && height > 0) {
             const double stretch = (height / box_->size.y()) / (width / box_->size.x());
             if (!(stretch > 1e-9 && stretch < 1e9))
-                document_.refuse(root_, "width and height stretch it beyond use; export the drawing again");
+                document_.refuse(root_, "width and height stretch it beyond reason; export the drawing again");
             scale_.motion.linear()(1, 1) = -stretch;
         }
         return scale_;

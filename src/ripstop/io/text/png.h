@@ -22,12 +22,11 @@ struct PlacedPixels {
 };
 
 /// A PNG picture of an SVG drawing over the pixels beneath it, on white, one pixel per unit, with the drawing's
-/// `width` and `height` rounded up. Pixels that are finer than the page are averaged. Names in any script show as
-/// far as installed fonts have them. The same drawing and fonts give the same bytes. Safe to call from several
-/// threads.
+/// `width` and `height` rounded up. Pixels that are finer than the page are averaged. Names may be in any script that
+/// the installed fonts contain. The same drawing and fonts give the same bytes. Safe to call from several threads.
 ///
-/// Uses librsvg and cairo; takes about 50 ms per million pixels. Throws std::runtime_error if either fails,
-/// because the drawing is our own.
+/// Uses librsvg and cairo; takes about 50 ms per million pixels. Throws std::runtime_error if either fails, and not
+/// InputError, because the program makes the drawing itself.
 std::string png_picture(const std::string& svg, const std::vector<PlacedPixels>& beneath = {});
 
 }  // namespace ripstop

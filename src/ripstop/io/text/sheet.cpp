@@ -21,7 +21,7 @@ Points2 extent(const PatternPiece& piece) {
 Sheet make_sheet(const std::vector<PatternPiece>& pieces, const std::vector<Vec2>& shifts) {
     if (!shifts.empty() && shifts.size() != pieces.size())
         throw InputError("a drawing of " + std::to_string(pieces.size()) + " pieces got " +
-                         std::to_string(shifts.size()) + " shifts; give one a piece or none");
+                         std::to_string(shifts.size()) + " shifts; give one per piece or none");
     Sheet sheet;
     sheet.shifts = shifts.empty() ? std::vector<Vec2>(pieces.size(), Vec2::Zero()) : shifts;
     bool any = false;

@@ -10,7 +10,7 @@ namespace ripstop {
 /// GiB.
 std::string read_bytes(std::istream& in, const std::string& name);
 
-/// The bytes as text, without the UTF-8 byte order mark. Throws InputError if they are no text: UTF-16, or a zero
+/// The bytes as text, without the UTF-8 byte order mark. Throws InputError if they are not text: UTF-16, or a zero
 /// byte.
 std::string text_of(std::string bytes, const std::string& name);
 
@@ -29,7 +29,7 @@ class Lines {
     std::string_view line() const { return line_; }
     long number() const { return number_; }  ///< of the line, from 1; for a continued line, of its first part
 
-    /// The line joined with those it continues on, by backslashes at line ends; `next` moves behind them. Valid
+    /// The line joined with those it continues on, by backslashes at line ends; `next` moves past them. Valid
     /// until the next call.
     std::string_view joined();
 

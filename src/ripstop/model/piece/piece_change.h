@@ -25,7 +25,7 @@ struct LineChange {
     double distance = 0;  ///< Hausdorff distance after the best rigid motion of the piece [m]
 };
 
-/// The piece to which an edge is sewn, and the length of that part [m].
+/// The piece to which a part of an edge is sewn, and the length of that part [m].
 struct EdgeMate {
     std::string piece;
     double length = 0;

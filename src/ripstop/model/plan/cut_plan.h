@@ -41,7 +41,7 @@ struct CutPlan {
     std::string input_sha256;
     std::string unit = "m";                  ///< unit of the input file
     std::vector<std::string> remarks = {};   ///< parts of the input that were ignored or interpreted
-    std::vector<std::string> warnings = {};  ///< remarks that may be intended and are not findings, one sentence each
+    std::vector<std::string> warnings = {};  ///< sentences on what may be intended and is no finding
     Fabric fabric;                           ///< fabric of the tiles that name none
     Tolerances tolerances;
     std::vector<FlatTile> tiles;

@@ -32,8 +32,8 @@ void require_name(const std::string& name, const std::string& place) {
     };
     if (name.empty() || name.size() > 40 || !std::all_of(name.begin(), name.end(), allowed))
         throw InputError(place +
-                         ": its name is no word, expected 1 to 40 of the letters A to Z, digits, - and _: tiles "
-                         "are called by it");
+                         ": its name is not valid, expected 1 to 40 letters A to Z, digits, - and _, because tiles "
+                         "are named after it");
 }
 
 void require_sizes(const SpecialPrimitive& p, const std::string& place) {

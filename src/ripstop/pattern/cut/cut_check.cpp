@@ -60,7 +60,7 @@ class CutChecker {
         check_inside();
         for (std::size_t i = 0; i < contour_.segments().size(); ++i) check_segment(i);
         for (const auto& [edge, breach] : narrow_)
-            add(fmt::format("{} has {} mm of cloth beyond it where {} are allowed, over {} mm", edge_text(piece_, edge),
+            add(fmt::format("{} has an allowance of {} mm instead of {} mm, over {} mm", edge_text(piece_, edge),
                             short_millimetres(std::max(0.0, breach.nearest)), short_millimetres(allowance(edge)),
                             short_millimetres(breach.length)),
                 breach);
@@ -85,7 +85,7 @@ class CutChecker {
     }
 
     void check_inside() {
-        CutFault uncut{"the sew line runs out of the cut line"}, cut{"the cut line runs into the sew line"};
+        CutFault uncut{"the sew line leaves the cut line"}, cut{"the cut line crosses the sew line"};
         const auto look = [](const IndexedOutline& points, const IndexedOutline& outline, bool inside,
                              CutFault& fault) {
             for (Eigen::Index i = 0; i < points.points().rows(); ++i) {
@@ -213,7 +213,7 @@ std::vector<std::string> judge_piece(FlatTile& tile, const PatternPiece& piece, 
             {"allowances_meet",
              text + (met.left < least_left
                          ? "nothing to sew: widen the gap"
-                         : left + ": widen the gap, allow less, or take what is left with --allowance-fit"),
+                         : left + ": widen the gap, reduce the allowances, or accept this with --allowance-fit"),
              in_space(tile, met.at), met.gap / millimetre, both / millimetre});
     }
     return notes;

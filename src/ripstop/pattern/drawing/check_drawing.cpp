@@ -140,11 +140,11 @@ class Checker {
                 fmt::format("{} is {} x {} mm", contour.facts.piece, millimetres(size.x()), millimetres(size.y()));
             const bool is_piece = survey_.convention != LayerConvention::unknown;
             if (size.maxCoeff() > largest_piece || (is_piece && size.maxCoeff() < smallest_piece))
-                add("size", text + ", which no piece of an envelope is; is the unit right?", contour.facts.lower);
+                add("size", text + ", an impossible size for a piece; is the unit right?", contour.facts.lower);
             const double width = options_.roll ? width_across_grain(contour) : 0;
             if (options_.roll && width > *options_.roll)
                 add("roll",
-                    fmt::format("{}: {} mm across the grain do not fit on a roll of {} mm", text, millimetres(width),
+                    fmt::format("{}: {} mm across the grain, too wide for a roll of {} mm", text, millimetres(width),
                                 millimetres(*options_.roll)),
                     contour.facts.lower);
         }
@@ -189,8 +189,8 @@ class Checker {
         for (const DrawingLayer& layer : check_.layers)
             if (layer.name == "0" || layer.name.find_first_not_of("0123456789") != std::string::npos)
                 add("layer",
-                    fmt::format("layer {} holds {} lines, points and texts; of numbered layers readers know 1 to "
-                                "15 and 80 to 87 and drop layer 0",
+                    fmt::format("layer {} holds {} lines, points and texts, which readers of numbered layers drop; "
+                                "they know layers 1 to 15 and 80 to 87 only",
                                 layer.name, layer.lines + layer.points + layer.texts));
     }
 
@@ -244,8 +244,8 @@ std::string unread_text(const UnreadEntity& entity, double metres_per_unit) {
         return fmt::format("line {}: {} {}; and {} more like this", entity.line, what, entity.reason, entity.count - 1);
     return fmt::format("line {}: {} {}", entity.line, what,
                        !entity.reason.empty() ? entity.reason
-                       : is_curve(entity)     ? "cannot be checked, nor cut by many cutters; export polylines"
-                                              : "not looked at");
+                       : is_curve(entity)     ? "cannot be checked, and many cutters cannot cut it; export polylines"
+                                              : "not checked");
 }
 
 DrawingCheck check_drawing(const PatternDrawing& drawing, const DrawingCheckOptions& options) {

@@ -108,7 +108,7 @@ class ContourFinder {
         const bool is_one = marks.count == 1;
         survey_.check.issues.push_back(
             {"open_line",
-             fmt::format("layer {}: {} of {} mm{}, {}at {}, {} no piece; {} not looked at", layer_.layer,
+             fmt::format("layer {}: {} of {} mm{}, {}at {}, {} no piece; {} not checked", layer_.layer,
                          is_one ? "an open line" : fmt::format("{} open lines", marks.count),
                          format_fixed(marks.length / millimetre, 1), is_one ? "" : " in all",
                          is_one ? "" : "the first ", place_text(marks.first), is_one ? "bounds" : "bound",
@@ -147,7 +147,7 @@ class ContourFinder {
         check_plane(line, facts.piece);
         if (line.points.rows() < 3)
             issue("crossing", line.points.row(0),
-                  fmt::format("{}: the contour on layer {} runs there and back from {}, with nothing in it; delete it",
+                  fmt::format("{}: the contour on layer {} runs from {} and back and encloses nothing; delete it",
                               facts.piece, layer_.layer, place_text(line.points.row(0))));
         const SelfIntersections crossings = self_intersections(line.points);
         if (crossings.count > 0)
@@ -166,7 +166,7 @@ class ContourFinder {
             tell_gap(line, gap);
         else
             issue("open", gap.from,
-                  fmt::format("{}: a line of {} mm on layer {} is no closed contour, it ends at {}; close it or put it "
+                  fmt::format("{}: a line of {} mm on layer {} is not closed, it ends at {}; close it or put it "
                               "on a layer for lines that are not cut",
                               piece_name(survey_, layer_.group, line.points), format_fixed(length / millimetre, 1),
                               layer_.layer, place_text(gap.from)));
@@ -188,7 +188,7 @@ class ContourFinder {
         if (is_mark || std::abs(signed_area(line.points)) < 0.02 * std::pow(length + own_gap, 2)) return false;
         issue("open", gap.from,
               fmt::format(
-                  "{}: a line of {} mm on layer {} goes round cloth and is not closed, its ends are {} mm apart at "
+                  "{}: a line of {} mm on layer {} surrounds cloth but is not closed, its ends are {} mm apart at "
                   "{} and {}; close it",
                   piece_name(survey_, layer_.group, line.points), format_fixed(length / millimetre, 1), layer_.layer,
                   format_fixed(own_gap / millimetre, 1), place_text(line.points.row(0)),
@@ -223,8 +223,8 @@ class ContourFinder {
         if (high - low <= flat) return;
         issue("out_of_plane", line.points.row(0),
               fmt::format(
-                  "{}: the contour on layer {} does not lie in a plane that is seen from above, it rises by {} mm; "
-                  "flatten the piece before it is exported",
+                  "{}: the contour on layer {} is not in a horizontal plane, it rises by {} mm; flatten the piece "
+                  "before you export it",
                   piece, layer_.layer, format_fixed((high - low) / millimetre, 1)));
     }
 

@@ -18,7 +18,7 @@ struct LostOpening {
 /// cut. For a place on the sew line, the largest empty ball outside that touches it also touches a second place.
 /// If the two are apart (`SewContour::is_apart`, with the allowance that nine in ten places do not exceed), a cut
 /// line must lie between the ball's centre and each of them. So ends of notches and corners that allowances close
-/// are no openings. Tests some hundred places, O(#points) each.
+/// are not openings. Tests some hundred places, O(#points) each.
 std::optional<LostOpening> find_lost_opening(const Points2& sew_line, const std::vector<const Points2*>& cut_lines);
 
 }  // namespace ripstop

@@ -121,7 +121,7 @@ class OverlapFinder {
         const CommonSide common = common_side(outline(a), outline(b), side_tolerance);
         if (common.length >= shortest)
             tell("common_side", common.at,
-                 fmt::format("{} have {} mm of their outlines in common from {}, which are cut twice", names(a, b),
+                 fmt::format("{} share {} mm of their outlines from {} on, which is cut twice", names(a, b),
                              format_fixed(common.length / millimetre, 1), place_text(common.at)),
                  false);
     }
@@ -161,10 +161,9 @@ class OverlapFinder {
             if (!mark) continue;
             is_hole[i] = false;
             const std::size_t parent = static_cast<std::size_t>(parents_[i]);
-            tell(
-                "overlap", contours_[i].facts.lower,
-                fmt::format("{} overlap: the one at {} lies within the other and is no hole, as {} at {} says; move it",
-                            names(parent, i), place_text(contours_[i].facts.lower), mark->what, place_text(mark->at)));
+            tell("overlap", contours_[i].facts.lower,
+                 fmt::format("{} overlap: the one at {} is inside the other and not a hole, as {} at {} shows; move it",
+                             names(parent, i), place_text(contours_[i].facts.lower), mark->what, place_text(mark->at)));
         }
     }
 
@@ -242,7 +241,7 @@ class OverlapFinder {
         const DrawingContour& cut = contours_[static_cast<std::size_t>(holder)].facts;
         tell("opening", lost->at,
              fmt::format("{}: the contour on layer {} faces itself across {} mm at {}, and nothing on layer {} is cut "
-                         "between: {} mm of it bound an opening that is lost where two allowances run together; "
+                         "in between, so an opening bounded by {} mm of it is lost because two allowances merge; "
                          "draw its cut line",
                          cut.piece, contours_[sew].facts.layer, format_fixed(lost->width / millimetre, 1),
                          place_text(lost->at), cut.layer, format_fixed(lost->length / millimetre, 0)));

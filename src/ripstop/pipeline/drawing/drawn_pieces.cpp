@@ -77,7 +77,7 @@ class PieceFinder {
         const auto is_same = [&found](const DrawnPiece& other) {
             return other.piece == found.piece && (other.lower - found.lower).cwiseAbs().maxCoeff() < same_line;
         };
-        // // A piece without allowance has its sew line drawn on top of its cut line.
+        // A piece without allowance has its sew line drawn on top of its cut line.
         if (std::none_of(pieces_.found.begin(), pieces_.found.end(), is_same))
             pieces_.found.push_back(std::move(found));
     }
@@ -122,9 +122,8 @@ class PieceFinder {
         constexpr std::size_t most = 6;
         for (std::size_t i = 0; i < fitting.size() && i < most; ++i) names += (i > 0 ? ", " : "") + fitting[i]->name;
         if (fitting.size() > most) names += ", …";
-        throw InputError(
-            "the outline at " + place_text(ring.lower) + " is that of " + names +
-            " and does not say of which; keep the name from cut/ in the drawing, or name the file after the piece");
+        throw InputError("the outline at " + place_text(ring.lower) + " fits several pieces: " + names +
+                         "; keep the name from cut/ in the drawing, or name the file after the piece");
     }
 
     const PatternDrawing& drawing_;

@@ -105,7 +105,7 @@ Flattening copied_flattening(const FlatTile& first, const Tile& tile, const Like
         const int vertex = tile.boundary[i % tile.boundary.size()];
         return place[at(likeness.vertex[at(vertex)])];
     };
-    // // The boundary of a mirror image runs the other way, so its edges start where these end.
+    // The boundary of a mirror image runs the other way, so its edges start where these end.
     for (std::size_t i = 0; i < tile.boundary.size(); ++i)
         flat.seam_tension[static_cast<Eigen::Index>(i)] =
             first.flattening.seam_tension[there(likeness.mirrored ? i + 1 : i)];

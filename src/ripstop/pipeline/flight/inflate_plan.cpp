@@ -66,7 +66,7 @@ std::optional<Causes> find_causes(const CutPlan& plan, const Inflated& inflated,
     inflating.sewing.rigging.foreshortening = 0;
     inflating.progress = part_of(progress, 0.7, 1);
     std::vector<Points3> own;
-    // // Soft cloth strains too much for a linear extrapolation from two stiffnesses.
+    // Soft cloth strains too much for a linear extrapolation from two stiffnesses.
     for (double stiffer = 10; stiffer <= 1000; stiffer *= 10) {
         inflating.sewing.stiffer = stiffer;
         const Inflated stiff = inflate(plan, inflating);
@@ -88,7 +88,7 @@ Inflated inflate_plan(const CutPlan& plan, const InflatePlanOptions& options) {
     inflating.load = options.load;
     inflating.threads = options.threads;
     inflating.sewing.rigging = options.rigging;
-    // // Ties and diaphragms exist once, not once per sector.
+    // Ties and diaphragms exist once, not once per sector.
     const bool repeats = options.rigging.ties.empty() && options.rigging.diaphragms.empty();
     if (options.use_symmetry && repeats) inflating.sewing.symmetry = find_symmetry(plan);
     inflating.progress = part_of(options.progress, 0, options.find_causes ? 0.4 : 1);

@@ -53,7 +53,7 @@ std::vector<Points3> smooth_displacement(const CutPlan& plan, const Rigging& rig
     Eigen::SparseMatrix<double> on_vertices(count, count);
     on_vertices.setFromTriplets(entries.begin(), entries.end());
     Eigen::SparseMatrix<double> on_nodes = nodes_to_vertices.transpose() * on_vertices * nodes_to_vertices;
-    // // Nodes without cloth, such as those of wires, stay.
+    // Nodes without cloth, such as those of wires, stay.
     for (Eigen::Index n = 0; n < on_nodes.rows(); ++n)
         if (on_nodes.coeff(n, n) == 0) on_nodes.coeffRef(n, n) = 1;
     const Points3 wanted = nodes_to_vertices.transpose() * (areas.asDiagonal() * given);

@@ -138,7 +138,7 @@ std::vector<Eigen::VectorXd> sewn_ratios(const Envelope& envelope, const std::ve
         share_out(seam.a, first, common, false, cloth[a], covered[a]);
         share_out(seam.b, second, common, true, cloth[b], covered[b]);
     }
-    // // An additional sheet follows the seam that contains it.
+    // An additional sheet follows the seam that contains it.
     for (const Seam& seam : envelope.seams) {
         if (!seam.into) continue;
         const auto a = static_cast<std::size_t>(seam.a.tile), b = static_cast<std::size_t>(seam.b.tile);
@@ -181,7 +181,7 @@ void compensate_tiles(const WantedCloth& wanted, Envelope& envelope) {
         tile.compensation.strain = seen_from_drawing(tile, wanted.target[i], wanted.strain[i]);
         ratios.push_back(own_ratios(tile, tile.compensation.strain));
     }
-    // // An edge in two seams has one ratio. The second round passes the result of the first on to its other mate.
+    // An edge in two seams has one ratio. The second round passes the result of the first on to its other mate.
     ratios = sewn_ratios(envelope, sewn_ratios(envelope, ratios));
     for (std::size_t i = 0; i < envelope.tiles.size(); ++i) envelope.tiles[i].compensation.edges = ratios[i];
 }

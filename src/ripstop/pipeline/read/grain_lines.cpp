@@ -130,7 +130,7 @@ std::vector<std::string> lay_grain_lines(CadModel& model, const std::vector<std:
             remarks.push_back(line + " left out: it lies on no tile; draw it on the surface");
         } else if (has_line[best]) {
             remarks.push_back(line + " left out: tile " + model.surfaces[best].name +
-                              " has a grain line before it; keep one");
+                              " already has a grain line; keep one");
         } else {
             has_line[best] = true;
             model.surfaces[best].attributes["warp"] = text_of(way);

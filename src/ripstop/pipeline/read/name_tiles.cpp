@@ -76,12 +76,12 @@ std::size_t surface_called(const CadModel& model, const std::string& source, con
     if (first == model.surfaces.end()) {
         const auto unread = std::find_if(model.unread.begin(), model.unread.end(), is_called);
         throw InputError(place + ": no surface of the file is called " + shown(source) +
-                         (unread == model.unread.end() ? ", expected a name as it stands in the file; correct it"
-                                                       : " but an object that cannot be read: " + unread->reason));
+                         (unread == model.unread.end() ? ", expected a name exactly as in the file; correct it"
+                                                       : ", only an object that cannot be read: " + unread->reason));
     }
     if (std::any_of(first + 1, model.surfaces.end(), is_called))
         throw InputError(place + ": several surfaces of the file are called " + shown(source) +
-                         "; say which by a point on it: \"at\": [x, y, z]");
+                         "; select one by a point on it: \"at\": [x, y, z]");
     return static_cast<std::size_t>(first - model.surfaces.begin());
 }
 
@@ -106,7 +106,7 @@ void name_tiles(CadModel& model, const Project& project) {
         for (std::size_t k = 0; meant[i] && k < meant.size(); ++k)
             if (k != i && model.surfaces[k].name == meant[i]->name)
                 throw InputError(project.file + ": tile " + shown(meant[i]->name) +
-                                 ": another surface of the file is called so; give one of them another name");
+                                 ": another surface of the file has the same name; rename one of them");
 }
 
 }  // namespace ripstop

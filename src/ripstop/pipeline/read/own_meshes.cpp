@@ -43,8 +43,8 @@ bool prefer_own_meshes(CutPlan& plan, EnvelopeInput& input, const FlattenOptions
     input.envelope = std::move(input.drawn->envelope);
     input.remarks = std::move(input.drawn->remarks);
     input.drawn.reset();
-    input.remarks.push_back("remeshed, " + failing_text(here) + " fail, as drawn " + failing_text(there) +
-                            ": all tiles keep the meshes they were drawn with");
+    input.remarks.push_back("all tiles keep their drawn meshes, because fewer fail on them: " + failing_text(there) +
+                            " instead of " + failing_text(here));
     plan = std::move(own);
     return true;
 }

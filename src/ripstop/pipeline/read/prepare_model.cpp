@@ -55,12 +55,12 @@ struct MendedKind {
 };
 
 constexpr MendedKind kinds[] = {
-    {&MendedMesh::joined, "vertex", "vertices", "joined with another in the same place"},
-    {&MendedMesh::flat, "triangle without area", "triangles without area", "taken out"},
-    {&MendedMesh::doubled, "triangle", "triangles", "that lay on another taken out"},
-    {&MendedMesh::unused, "vertex of no triangle", "vertices of no triangle", "taken out"},
-    {&MendedMesh::welded, "vertex", "vertices", "that each triangle of a tip had for itself welded"},
-    {&MendedMesh::closed, "tip", "tips", "narrower than the seam tolerance taken as points"},
+    {&MendedMesh::joined, "vertex", "vertices", "merged with another in the same place"},
+    {&MendedMesh::flat, "triangle without area", "triangles without area", "removed"},
+    {&MendedMesh::doubled, "triangle", "triangles", "that coincided with another removed"},
+    {&MendedMesh::unused, "unused vertex", "unused vertices", "removed"},
+    {&MendedMesh::welded, "vertex", "vertices", "of tips, separate for each triangle, welded"},
+    {&MendedMesh::closed, "tip", "tips", "narrower than the seam tolerance closed to points"},
 };
 
 std::string place_in_model(const Vec3& at) {

@@ -10,7 +10,7 @@
 
 namespace ripstop {
 
-// // Steps that prepare a file's model before tiles are made of it.
+// Steps that prepare a file's model before tiles are made of it.
 
 /// Mends the meshes of the model's surfaces (`mend_mesh`), `tip_width` in the file's unit. Drawn positions and warps
 /// are kept unless merged vertices differ in them. A tip whose vertices have different drawn positions is a dart and is

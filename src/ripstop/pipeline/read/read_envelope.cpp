@@ -64,7 +64,7 @@ void keep_layers(CadModel& model, const std::vector<std::string>& layers,
                          "\" itself; choose one that has some, or give \"" + layers.front() +
                          "::*\" for the layers below it");
     std::erase_if(model.unread, elsewhere);
-    // // Grain lines have layers of their own and keep their places.
+    // Grain lines have layers of their own and keep their places.
     std::erase_if(model.curves,
                   [&](const NamedCurve& curve) { return elsewhere(curve) && !is_grain_line(curve, grain_layers); });
 }
@@ -112,7 +112,7 @@ Envelope make_envelope(std::vector<NamedMesh> surfaces, const ReadOptions& optio
     }
     if (!faults.empty() && (!issues || envelope.tiles.empty())) refuse(faults);
     for (EnvelopeIssue& fault : faults) {
-        fault.message += "; it is left out, and edges of others that it is sewn to count as free";
+        fault.message += "; it is left out, and the edges of its neighbours along it count as free";
         issues->push_back(std::move(fault));
     }
     for (std::string& remark : give_fabrics(envelope, options.project, options.fabric))
@@ -130,7 +130,7 @@ std::string in_mm(double length) {
 void name_rounding(double rounding, double seam_tolerance, EnvelopeInput& input) {
     if (rounding < seam_tolerance / 10) return;
     const std::string lost = "coordinates are stored in single precision: " + in_mm(rounding) +
-                             " of rounding at this distance from the origin";
+                             " of rounding error at this distance from the origin";
     if (rounding <= seam_tolerance) {
         input.remarks.push_back(lost);
         return;
@@ -154,7 +154,7 @@ void come_near(CadModel& model, std::optional<Project>& project, EnvelopeInput& 
         if (project) count_from(origin, metres, *project);
         const auto number = [&](int axis) { return format_fixed(origin[axis], 0); };
         input.remarks.push_back("the model lies " + format_fixed(origin.norm() * metres, 0) +
-                                " m from the origin; all places are given from (" + number(0) + ", " + number(1) +
+                                " m from the origin; all positions are relative to (" + number(0) + ", " + number(1) +
                                 ", " + number(2) + ") " + input.unit.unit.name);
     }
     if (project) input.flight = project->flight;
@@ -209,8 +209,8 @@ EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& o
     const double metres = input.unit.unit.metres;
     input.remarks = std::move(model.remarks);
     if (options.unit && model.unit && options.unit->metres != model.unit->metres)
-        input.remarks.push_back("the file says its unit is " + model.unit->name + ", taken as " + options.unit->name +
-                                " as asked");
+        input.remarks.push_back("the file's unit is " + model.unit->name + ", but --unit takes its numbers as " +
+                                options.unit->name);
     ReadOptions in_this_unit = options;
     in_this_unit.unit = input.unit.unit;
     std::optional<Project>& project = in_this_unit.project;

@@ -50,7 +50,7 @@ struct EnvelopeInput {
     std::vector<std::string> unused = {};   ///< one sentence for each entry of the project that matches nothing
     std::optional<UnitDoubt> doubt = {};    ///< doubt about the unit, from the surfaces of the file
     std::vector<EnvelopeIssue> issues =
-        {};              ///< faults of the file: `no_tile` for a surface that is no tile and is left out,
+        {};              ///< faults of the file: `no_tile` for a surface that cannot be a tile and is left out,
                          ///< `precision` if rounding exceeds the seam tolerance
     Flight flight = {};  ///< the project's flight conditions, in the envelope's coordinates
 };
@@ -79,7 +79,7 @@ EnvelopeInput read_input(const std::filesystem::path& file, const ReadOptions& o
 /// options say, and keeps the drawn meshes. Remarks report what was done.
 void remesh_input(EnvelopeInput& input, const ReadOptions& options);
 
-/// The envelope alone; throws for a surface that is no tile.
+/// The envelope alone; throws for a surface that cannot be a tile.
 Envelope read_envelope(const std::filesystem::path& file, const ReadOptions& options);
 
 /// The same from surfaces in memory, in metres, unchanged.

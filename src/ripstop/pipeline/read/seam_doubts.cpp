@@ -44,7 +44,7 @@ void add_zigzags(EnvelopeCheck& check, const Envelope& envelope) {
     check.notes.push_back(
         "the edge of " + worst.tile_name + (worst.mate.empty() ? std::string() : " along " + worst.mate) +
         worst.seams_text() + " zigzags along its mesh, with teeth up to " + in_mm(worst.teeth) +
-        " high: " + in_mm(worst.length) + " of edges stand for a curve of " + in_mm(worst.fair_length) +
+        " high: " + in_mm(worst.length) + " of edges represent a curve of " + in_mm(worst.fair_length) +
         (check.zigzags.size() > 1 ? ", and " + std::to_string(check.zigzags.size() - 1) + " more edges like it" : "") +
         "; teeth fold on the cloth, so flatten judges the curve, and cuts along it with --fair-seams");
 }

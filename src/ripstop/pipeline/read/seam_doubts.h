@@ -10,7 +10,7 @@ namespace ripstop {
 ///
 /// A seam whose length is uncertain by more than the tolerance becomes the issue `uncertain`; its value is that
 /// uncertainty [m]. If there is one, the envelope is remeshed as flattening would remesh it; a seam that becomes
-/// certain is no issue.
+/// certain is not an issue.
 ///
 /// Zigzag edges (`find_zigzags`) go into `EnvelopeCheck::zigzags`, and the highest teeth into a note. Only flattening
 /// shows whether their curve keeps its length.

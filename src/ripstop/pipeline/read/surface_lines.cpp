@@ -165,8 +165,7 @@ std::vector<std::string> lay_lines(const CadModel& model, Envelope& envelope,
     }
     if (off == 1) remarks.push_back("curve " + first + " left out: it lies on no tile");
     if (off > 1)
-        remarks.push_back(std::to_string(off) + " curves left out, " + first +
-                          " the first of them: they lie on no tile");
+        remarks.push_back(std::to_string(off) + " curves left out, the first is " + first + ": they lie on no tile");
     return remarks;
 }
 

@@ -114,8 +114,8 @@ std::vector<std::string> give_fabrics(Envelope& envelope, const std::optional<Pr
     for (const auto& [name, tiles] : unknown)
         remarks.push_back("tile " + tiles.front() +
                           (tiles.size() > 1 ? " and " + std::to_string(tiles.size() - 1) + " more" : "") +
-                          " should be of the fabric " + shown(name) + ", which is not known: taken as " +
-                          standard.name + "; define it under \"materials\" in a project file");
+                          " should have the fabric " + shown(name) + ", which is unknown; " + standard.name +
+                          " is used instead; define it under \"materials\" in a project file");
     return remarks;
 }
 

@@ -161,7 +161,7 @@ Tile moved_tile(const Tile& tile, const LaidTile& laid, const Places& moves) {
     mesh.positions.topRows(outline) = positions;
     mesh.positions.bottomRows(flat.rows() - outline) = tile.mesh.positions(inner, Eigen::all);
     mesh.triangles = delaunay_inside(flat, static_cast<int>(outline));
-    if (mesh.triangles.rows() == 0) throw std::runtime_error("no mesh comes out within the fair curve");
+    if (mesh.triangles.rows() == 0) throw std::runtime_error("no triangulation within the fair curve is possible");
 
     TileOptions options{.warp = tile.grain.direction,
                         .warp_source = tile.grain.source,
@@ -190,7 +190,7 @@ class Fairing {
         for (const Zigzag& zigzag : zigzags_) {
             LaidTile& laid = laid_[at(zigzag.tile)];
             if (laid.flat.rows() == 0) laid = lay(tile(zigzag.tile));
-            if (laid.flat.rows() == 0) failure_[at(zigzag.tile)] = "it was not laid flat";
+            if (laid.flat.rows() == 0) failure_[at(zigzag.tile)] = "it could not be laid flat";
         }
         while (!try_all()) {
         }
@@ -220,7 +220,7 @@ class Fairing {
                 if (!envelope_.tiles[t].compensation.chains.empty())
                     throw std::runtime_error("its edges are compensated one by one");
                 if (laid_[t].flat.rows() == 0) laid_[t] = lay(envelope_.tiles[t]);
-                if (laid_[t].flat.rows() == 0) throw std::runtime_error("it was not laid flat");
+                if (laid_[t].flat.rows() == 0) throw std::runtime_error("it could not be laid flat");
                 made_.emplace(t, moved_tile(envelope_.tiles[t], laid_[t], moves));
             } catch (const std::exception& error) {
                 give_up(static_cast<int>(t), error.what());
@@ -246,7 +246,7 @@ class Fairing {
                 return lies_on_boundary(static_cast<int>(mate - envelope_.tiles.begin()),
                                         tile(zigzag.tile).mesh.positions.row(v));
             });
-            if (!shared) failure_[at(zigzag.tile)] = zigzag.mate + " has other vertices along it";
+            if (!shared) failure_[at(zigzag.tile)] = zigzag.mate + " has different vertices along it";
             return !shared;
         });
     }

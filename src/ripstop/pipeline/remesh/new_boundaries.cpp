@@ -332,7 +332,7 @@ class Divider {
                 boundary.nodes.push_back({place_on_boundary(placed, node.at), node.position, node.length});
             }
         }
-        // // A single corner must not begin the boundary, or it would count as no corner.
+        // A single corner must not begin the boundary, or it would count as no corner.
         if (tile.chains.size() == 1 && tile.chains.front().vertices.front() != tile.boundary.front()) {
             std::rotate(boundary.nodes.begin(), boundary.nodes.begin() + 1, boundary.nodes.end());
             std::rotate(all.begin(), all.begin() + 1, all.end());

@@ -128,7 +128,7 @@ void require_length(const std::vector<Tile>& tiles, const RemeshOptions& options
     const std::string length = format_shortest(options.edge_length / millimetre) + " mm";
     if (!can_remesh())
         throw InputError("--remesh " + length +
-                         ": this program was built without CGAL, which meshes tiles anew; give "
+                         ": this program was built without CGAL, which remeshes tiles; give "
                          "--remesh never, or build with -DRIPSTOP_CGAL=ON");
     if (!(options.edge_length > 0) || !std::isfinite(options.edge_length))
         throw InputError("--remesh " + length + ": give a length above 0");
@@ -283,7 +283,7 @@ void remesh(Envelope& envelope, const FoundSeams& found, const std::vector<Liken
             if (!same_boundary(jobs[t].boundary, plan.tiles[t])) jobs[t].made.reset();
             jobs[t].boundary = std::move(plan.tiles[t]);
             if (round >= most_meshings && jobs[t].edge_length > 0 && !jobs[t].made)
-                jobs[t].failure = "its neighbours could not be";
+                jobs[t].failure = "its neighbours could not be remeshed";
         }
         if (give_up_failed(jobs)) continue;
         make_meshes(envelope.tiles, likeness, jobs, options.threads);
@@ -302,7 +302,7 @@ std::string tiles_text(const std::vector<std::string>& names) {
 /// The largest distance from the new triangles to the input's.
 std::string deviation_text(double gain, double distance) {
     return format_fixed(std::abs(gain) / percent, 3) + " % " + (gain < 0 ? "less" : "more") +
-           " area than as drawn, up to " + format_fixed(distance / millimetre, 1) + " mm from it";
+           " area than drawn, up to " + format_fixed(distance / millimetre, 1) + " mm from the drawn mesh";
 }
 
 /// One sentence for each kind of fault and outcome.

@@ -65,7 +65,7 @@ std::vector<std::string> figures(const PieceSource& source, std::size_t i) {
                         degrees_text(a.shear_max, 2), degrees_text(limits.shear, 1)),
             fmt::format("{}; grain: {}; {} triangles{}; {}", source.plan.fabric_of(tile.tile).name,
                         tile.tile.grain.source, page_figure(tile.tile.mesh.triangle_count(), 0),
-                        tile.tile.remeshed ? " (meshed anew)" : "", tile.method)};
+                        tile.tile.remeshed ? " (remeshed)" : "", tile.method)};
 }
 
 /// The mate of each edge of a tile: `S12 to G02P03: 1200.0 mm, its mate 1200.1 mm (−0.10 mm)`.
@@ -150,7 +150,7 @@ std::vector<std::string> seam_figures(const CutPlan& plan, std::size_t i) {
                     short_figure(seam.allowance(seam.b) / millimetre))};
     if (!walk.is_certain())
         lines.push_back("The meshes leave " + millimetres(walk.uncertainty, 2) +
-                        " of its length open; finer ones would make it certain.");
+                        " of its length uncertain; finer meshes would make it certain.");
     return lines;
 }
 

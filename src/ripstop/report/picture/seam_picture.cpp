@@ -45,7 +45,7 @@ SheetLayout lay_out(const std::vector<Extent>& extents) {
         total += (extent.size().x() + gap) * (extent.size().y() + gap);
         widest = std::max(widest, extent.size().x());
     }
-    // // One and a half times as wide as high; rows are not full.
+    // One and a half times as wide as high; rows are not full.
     const double sheet = std::max(widest, 1.3 * std::sqrt(total));
     SheetLayout layout;
     double x = 0, top = 0, row = 0, reached = 0;
@@ -188,11 +188,11 @@ std::string head(const CutPlan& plan) {
 std::string foot(const CutPlan& plan, const SheetLayout& layout, double y) {
     return "<path stroke=\"#cbd2d9\" stroke-width=\"1\" d=\"M28 " + svg_number(y) + "H" +
            svg_number(sheet_width - seam_margin) + "\"/>\n" +
-           colour_bar({36, y + 42}, "sewn edges: how far apart the two sides are, for each metre of seam",
+           colour_bar({36, y + 42}, "sewn edges: distance between the two sides per metre of seam",
                       plan.tolerances.length / millimetre, "mm") +
            svg_text({560, y + 34}, "figures: this edge minus its mate, mm; red and thick: beyond the tolerance",
                     {13, "start", "#1f2933"}) +
-           svg_text({560, y + 54}, "grey: sewn to nothing", {13, "start", "#52606d"}) +
+           svg_text({560, y + 54}, "grey: not sewn", {13, "start", "#52606d"}) +
            scale_bar({1000, y + 71}, layout.scale, 150);
 }
 

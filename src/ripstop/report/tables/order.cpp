@@ -60,7 +60,8 @@ const Mate& longest_first(std::vector<const Mate*>& mates) {
     return *mates.front();
 }
 
-/// The share of a seam's length that an edge counts: half if two sheets are sewn, a third if three are.
+/// The length of a seam that one edge contributes, so that each seam counts once: half of the edge's length where two
+/// sheets are sewn, a third where three are.
 double share_of_seam(const std::vector<const Mate*>& longest_first) {
     double share = 0;
     for (std::size_t m = 0; m < longest_first.size(); ++m) {

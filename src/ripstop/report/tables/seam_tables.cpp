@@ -57,7 +57,7 @@ std::string uncertain(const CutPlan& plan) {
     const std::size_t worst = worst_seam(plan, [](const SeamWalk& walk) { return walk.uncertainty; });
     return std::to_string(count) + (count == 1 ? " of them is" : " of them are") +
            " not certain: the meshes leave up to " + shown(plan.walks[worst].uncertainty / millimetre, 2) + " mm of " +
-           plan.seams[worst].id + " open, more than the tolerance; mesh its edges more finely\n";
+           plan.seams[worst].id + " uncertain, more than the tolerance; mesh its edges more finely\n";
 }
 
 }  // namespace

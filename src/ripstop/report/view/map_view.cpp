@@ -144,7 +144,7 @@ void set_ends(MapScale& scale, const PageMap& map, const std::string& most) {
 
 /// The note of a map that holds in any scale.
 std::string own_note(const CutPlan& plan, const PageMap& map) {
-    if (map.id == "mismatch") return "how far the two sides are apart, for each metre of seam";
+    if (map.id == "mismatch") return "distance between the two sides per metre of seam";
     if (map.id == "tension") return "the force that holds each edge at its length";
     if (map.id.starts_with("flight-strain")) return "from the cloth as cut";
     if (map.is_of_states())
@@ -172,7 +172,7 @@ std::string band_note(const PageMap& map, double limit) {
 std::string reason(const PageMap& map) {
     if (map.id == "deviation") return "allowed: 0.3 % of the height";
     if (map.id == "tapes" || (map.is_in_flight && map.is_unsigned))
-        return "allowed: the strength counted on, divided by the factor required";
+        return "allowed: the usable strength divided by the required factor";
     return map.id == "area" || map.is_of_edges() ? "the tolerance" : "the limit of the fabric";
 }
 

@@ -8,9 +8,9 @@
 
 namespace ripstop {
 
-/// The colours of a map. A colour is an index of a table. A value relative to the end of its scale is white at 0, full
-/// blue at -1 and full orange at +1, with dark colours beyond. Then follow flipped, unknown, and the states of cloth in
-/// flight (`ClothState`, in its order).
+/// The colours of a map, as indices of a table. A value relative to the end of its scale is white at 0, full blue at -1
+/// and full orange at +1, with dark colours beyond. The last indices are flipped, unknown, and the states of cloth in
+/// flight, in the order of `ClothState`.
 namespace page_places {
 inline constexpr std::uint16_t below = 0, first = 1, steps = 256, above = 257, flipped = 258, unknown = 259, taut = 260,
                                count = 263;

@@ -72,7 +72,7 @@ double text_width(const std::string& text, double size, bool is_bold) {
         if (!starts_letter(c)) continue;
         const bool is_narrow = std::string_view(" ,.:;'|!()[]ijlftrI-").find(c) != std::string_view::npos;
         const bool is_wide = (c >= 'A' && c <= 'Z') || std::string_view("mw%@").find(c) != std::string_view::npos;
-        // // East Asian letters take three bytes or more.
+        // East Asian letters take three bytes or more.
         ems += static_cast<unsigned char>(c) >= 0xe3 ? 1.05 : is_narrow ? 0.4 : is_wide ? 0.85 : 0.64;
     }
     return (is_bold ? 1.12 : 1) * size * ems;

@@ -23,7 +23,7 @@ struct PageMap {
 
     bool is_of_cloth() const { return shown != Shown::edges; }
     bool is_of_edges() const { return shown != Shown::cloth; }
-    bool is_of_states() const { return id == "state"; }  ///< taut, wrinkled, slack instead of numbers
+    bool is_of_states() const { return id == "state"; }  ///< values are taut, wrinkled and slack, not numbers
 };
 
 /// The names of the states of cloth in flight, in the order of `ClothState`.

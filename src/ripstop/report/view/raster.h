@@ -19,7 +19,7 @@ void each_pixel(int width, int height, const std::array<Vec3, 3>& corners, const
     if (!(std::abs(area) > 0) || !std::isfinite(area)) return;
     const double slope_x = ((b.z() - a.z()) * (c.y() - a.y()) - (c.z() - a.z()) * (b.y() - a.y())) / area;
     const double slope_y = ((c.z() - a.z()) * (b.x() - a.x()) - (b.z() - a.z()) * (c.x() - a.x())) / area;
-    // // Clamp before conversion to integers, which cannot represent far places.
+    // Clamp before conversion to integers, which cannot represent far places.
     const auto inside = [](double from, double to, double last) {
         return std::array{static_cast<int>(std::clamp(std::ceil(from - 0.5), 0.0, last + 1)),
                           static_cast<int>(std::clamp(std::ceil(to - 0.5) - 1, -1.0, last))};

@@ -22,7 +22,7 @@ std::string plural(int count, const char* one, const char* many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-constexpr const char* not_sought = "not looked for";  // beside figures that depend on the seams
+constexpr const char* not_sought = "not searched for";  // beside figures that depend on the seams
 
 std::string count_text(const EnvelopeCheck& check, int count) {
     return check.seams_sought ? std::to_string(count) : not_sought;
@@ -33,7 +33,7 @@ std::string seams_text(const EnvelopeCheck& check) {
         return fmt::format("{}: the tiles are too small for the tolerance of {:.3g} mm", not_sought,
                            check.seam_tolerance / millimetre);
     const std::string further = check.sewn_in == 0 ? ""
-                                                   : fmt::format(", {} a further sheet into another seam",
+                                                   : fmt::format(", {} an additional sheet into another seam",
                                                                  plural(check.sewn_in, "of them sews", "of them sew"));
     return fmt::format("{}, {:.2f} m, edges up to {:.3f} mm apart (tolerance {:.3g} mm); {} within a tile, {}{}",
                        check.seams, check.seam_length, check.gap_max / millimetre, check.seam_tolerance / millimetre,
@@ -85,7 +85,7 @@ std::string sampling_text(const EnvelopeCheck& check) {
     std::vector<double> errors;
     for (const SeamSampling& seam : check.sampling) errors.push_back(seam.chord_error);
     std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
-    return fmt::format("{:.3f} mm/m in the middle, {:.3f} mm/m at worst ({}: an edge turns by {:.1f} degrees)",
+    return fmt::format("median {:.3f} mm/m, largest {:.3f} mm/m ({}: an edge turns by {:.1f} degrees)",
                        errors[errors.size() / 2] / millimetre, worst.chord_error / millimetre, worst.id,
                        worst.turn / degree);
 }

@@ -46,13 +46,13 @@ void say_deviation(const Inflated& inflated, Sentences& says) {
                           shown(deviation_share / percent, 1) + " % of its height (" + millimetres_text(limit) + ")",
                       worst = millimetres_text(most) + (inflated.off.max < 0 ? " inside it" : " outside it");
     if (rms > limit)
-        says.push_back("Inflated it is more than " + share + " off the drawn shape: " + millimetres_text(rms) +
+        says.push_back("Inflated, it is more than " + share + " off the drawn shape: " + millimetres_text(rms) +
                        " (root mean square), at most " + worst + ".");
     else if (most > limit)
-        says.push_back("Inflated it is on the whole within " + share + " of the drawn shape, " + millimetres_text(rms) +
+        says.push_back("Inflated, it is within " + share + " of the drawn shape overall, " + millimetres_text(rms) +
                        " off (root mean square), but up to " + worst + " in places.");
     else
-        says.push_back("Inflated it is everywhere within " + share + " of the drawn shape: " + millimetres_text(rms) +
+        says.push_back("Inflated, it is everywhere within " + share + " of the drawn shape: " + millimetres_text(rms) +
                        " off (root mean square), at most " + worst + ".");
 }
 
@@ -61,7 +61,7 @@ void say_causes(const CutPlan& plan, Sentences& says) {
     const double limit = deviation_limit(inflated);
     if (inflated.causes) {
         const Causes& causes = *inflated.causes;
-        const std::string bare = "cut without error from cloth that does not stretch it would be " +
+        const std::string bare = "if cut without error from cloth that does not stretch, it would be " +
                                  millimetres_text(causes.shape) + " off.";
         if (!(causes.shape > limit))
             says.push_back("Gas pressure can hold this shape: " + bare);
@@ -78,7 +78,7 @@ void say_causes(const CutPlan& plan, Sentences& says) {
             says.push_back(std::string("The patterns are ") + (causes.patterns > limit ? "wrong" : "right") +
                            ": their errors move it by " + millimetres_text(causes.patterns) + ".");
         if (!is_corrected(plan))
-            says.push_back(causes.stretch > limit ? "Stretch of the cloth and the paths of its tapes move it by " +
+            says.push_back(causes.stretch > limit ? "The stretch of the cloth and the paths of the tapes move it by " +
                                                         millimetres_text(causes.stretch) + ": cut with --compensate."
                                                   : "The stretch of cloth and tapes moves it by " +
                                                         millimetres_text(causes.stretch) + ".");
@@ -94,15 +94,16 @@ void say_causes(const CutPlan& plan, Sentences& says) {
 void say_lift(const Inflated& inflated, Sentences& says) {
     const Air& air = inflated.load.air;
     says.push_back(fmt::format(
-        "At {} C inside and {} C outside, {} m up, it lifts {} kg besides its own weight ({} N).", shown(air.inside, 0),
-        shown(air.outside, 0), shown(air.altitude, 0), shown(inflated.lift / gravity, 0), shown(inflated.lift, 0)));
+        "At {} C inside and {} C outside, at an altitude of {} m, it lifts {} kg ({} N) in addition to its own weight.",
+        shown(air.inside, 0), shown(air.outside, 0), shown(air.altitude, 0), shown(inflated.lift / gravity, 0),
+        shown(inflated.lift, 0)));
 }
 
 void say_weakness(const Inflated& inflated, Sentences& says) {
     for (const SafetyFactor& each : inflated.safety)
         if (!each.ok())
-            says.push_back(fmt::format("Too weak: {}, factor {} where {:g} is required ({}).", each.part,
-                                       shown(each.factor, 2), each.required, each.where));
+            says.push_back(fmt::format("Too weak: {}, factor {}, required {:g} ({}).", each.part, shown(each.factor, 2),
+                                       each.required, each.where));
 }
 
 void say_strength(const Inflated& inflated, Sentences& says) {
@@ -110,8 +111,8 @@ void say_strength(const Inflated& inflated, Sentences& says) {
     const SafetyFactor& least = *std::min_element(
         inflated.safety.begin(), inflated.safety.end(),
         [](const SafetyFactor& a, const SafetyFactor& b) { return a.factor / a.required < b.factor / b.required; });
-    says.push_back(fmt::format("Strong enough; the least margin: {}, factor {} where {:g} is required ({}).",
-                               least.part, shown(least.factor, 2), least.required, least.where));
+    says.push_back(fmt::format("Strong enough; smallest margin: {}, factor {}, required {:g} ({}).", least.part,
+                               shown(least.factor, 2), least.required, least.where));
 }
 
 /// States shrinkage in each direction and take-up separately, with the number of tiles that have them.
@@ -142,7 +143,7 @@ void say_compensation(const CutPlan& plan, Sentences& says) {
 void say_wrinkles(const Inflated& inflated, Sentences& says) {
     constexpr double worth_saying = 0.005;
     if (inflated.wrinkled < worth_saying && inflated.slack < worth_saying) return;
-    says.push_back(fmt::format("Of the cloth {} % is wrinkled and {} % slack.", shown(inflated.wrinkled / percent, 1),
+    says.push_back(fmt::format("{} % of the cloth is wrinkled, {} % is slack.", shown(inflated.wrinkled / percent, 1),
                                shown(inflated.slack / percent, 1)));
 }
 
@@ -169,7 +170,7 @@ Sentences inflated_says(const CutPlan& plan) {
     say_cloth(plan, says);
     if (!inflated.stands()) {
         says.push_back(fmt::format(
-            "It does not stand: at {} C inside and {} C outside, {} m up, the gas does not carry the cloth{}.",
+            "It does not stand: at {} C inside and {} C outside, at an altitude of {} m, the gas does not carry it{}.",
             shown(inflated.load.air.inside, 0), shown(inflated.load.air.outside, 0),
             shown(inflated.load.air.altitude, 0),
             inflated.volume > 0.5 * inflated.drawn_volume

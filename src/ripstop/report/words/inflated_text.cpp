@@ -36,7 +36,7 @@ std::string loads(const Inflated& inflated) {
         {"off the drawn shape", mm(inflated.off.rms) + " mm rms, " + mm(inflated.off.max, true) + " mm at most"},
         {"moved from its place", mm(inflated.off.moved_rms) + " mm rms, " + mm(inflated.off.moved_max) + " mm at most"},
         {"lift",
-         shown(inflated.lift, 0) + " N beside its own " + shown(inflated.cloth_mass + inflated.tape_mass, 1) + " kg"},
+         shown(inflated.lift, 0) + " N besides its own " + shown(inflated.cloth_mass + inflated.tape_mass, 1) + " kg"},
         {"pressure at the top", shown(inflated.crown_pressure, 1) + " Pa"},
         {"tension of the cloth",
          shown(inflated.tension_max, 1) + " N/m at most" +
@@ -53,7 +53,7 @@ std::string loads(const Inflated& inflated) {
 
 std::string safety(const std::vector<SafetyFactor>& factors) {
     if (factors.empty()) return {};
-    std::vector<TextRow> rows{{"strength", "load", "breaks at", "counted on", "factor", "asked", ""}};
+    std::vector<TextRow> rows{{"strength", "load", "breaks at", "usable", "factor", "required", ""}};
     for (const SafetyFactor& each : factors) {
         const std::string unit = each.part == "cloth" ? " N/m" : " N";
         rows.push_back({each.part, shown(each.load, 1) + unit, shown(each.strength, 0) + unit,
@@ -89,7 +89,7 @@ std::string rounds(const std::vector<CompensationRound>& all) {
 
 std::string sensitivity(const std::vector<Sensitivity>& all) {
     if (all.empty()) return {};
-    std::vector<TextRow> rows{off_headings("were it with")};
+    std::vector<TextRow> rows{off_headings("if it had")};
     for (const Sensitivity& each : all) rows.push_back(off_row(each.what, each.off, each.height, each.volume, ""));
     return block(rows);
 }

@@ -94,7 +94,7 @@ std::string inspect_text(const CadModel& model, const std::string& file) {
         "surfaces       {}\n"
         "curves         {}\n"
         "not read       {}\n",
-        file, model.unit ? fmt::format("{} ({} m)", model.unit->name, model.unit->metres) : "not said; --unit says it",
+        file, model.unit ? fmt::format("{} ({} m)", model.unit->name, model.unit->metres) : "none; give --unit",
         layers.empty() ? "none" : layers, model.surfaces.size(), model.curves.size(), model.unread.size());
     text += surfaces_text(model.surfaces);
     text += curves_text(model.curves);

@@ -22,15 +22,15 @@ constexpr std::array meanings{Meaning{"isoperimetric", "no flat piece has this o
                               Meaning{"stretch_bound", "more curved than the cloth can stretch", ""},
                               Meaning{"unsolved", "no flattening was found", ""},
                               Meaning{"uncertified", "the flattening is not certain", ""},
-                              Meaning{"flipped", "cloth turned over", ""},
+                              Meaning{"flipped", "flipped triangles", ""},
                               Meaning{"outline", "the outline meets itself", ""},
-                              Meaning{"overlap", "the piece lies on itself", ""},
+                              Meaning{"overlap", "the piece overlaps itself", ""},
                               Meaning{"allowances_meet", "allowances do not fit between their edges", ""},
                               Meaning{"cut_line", "the cut line does not go round the sew line", ""},
                               Meaning{"area", "area", "\u00a0%"},
                               Meaning{"perimeter", "length of the outline", "\u00a0%"},
                               Meaning{"chain", "length of an edge", "\u00a0%"},
-                              Meaning{"zigzag", "length of the curve that a zigzag edge stands for", "\u00a0%"},
+                              Meaning{"zigzag", "length of the curve that a zigzag edge represents", "\u00a0%"},
                               Meaning{"warp_strain", "strain along the warp", "\u00a0%"},
                               Meaning{"weft_strain", "strain along the weft", "\u00a0%"},
                               Meaning{"shear", "shear between the threads", "°"}};
@@ -138,7 +138,7 @@ std::vector<std::string> notes_on(const CutPlan& plan) {
         std::count_if(plan.walks.begin(), plan.walks.end(), [](const SeamWalk& walk) { return !walk.is_certain(); }));
     if (uncertain > 0)
         notes.push_back(counted(uncertain, "seam") + (uncertain == 1 ? " is" : " are") +
-                        " not certain: the meshes leave more of the length open than the tolerance allows.");
+                        " not certain: the meshes leave their length uncertain by more than the tolerance.");
     notes.insert(notes.end(), plan.remarks.begin(), plan.remarks.end());
     return notes;
 }

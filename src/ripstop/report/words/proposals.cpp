@@ -34,12 +34,12 @@ std::string sentence(const FlatTile& tile, std::size_t count) {
     const SplitProposal& proposal = *tile.proposal;
     const Accuracy &left = proposal.halves[0].accuracy, &right = proposal.halves[1].accuracy;
     const auto both = [](double before, double one, double other, int decimals) {
-        return shown(one / percent, decimals, true) + " and " + shown(other / percent, decimals, true) + " %, not " +
-               shown(before / percent, decimals, true) + " %";
+        return shown(one / percent, decimals, true) + " and " + shown(other / percent, decimals, true) +
+               " % instead of " + shown(before / percent, decimals, true) + " %";
     };
     return tile.tile.name + (count > 1 ? " and " + std::to_string(count - 1) + " alike" : "") + ": of " +
-           std::to_string(proposal.tried) + " seams tried the best runs " + proposal.direction + " from " +
-           place(proposal.line.front()) + " to " + place(proposal.line.back()) + ";\n  its halves have area " +
+           std::to_string(proposal.tried) + " seams tried, the best runs " + proposal.direction + " from " +
+           place(proposal.line.front()) + " to " + place(proposal.line.back()) + ";\n  the halves: area error " +
            both(tile.accuracy.area_error, left.area_error, right.area_error, 2) + ", largest strain " +
            both(worst_strain(tile.accuracy), worst_strain(left), worst_strain(right), 1) +
            ";\n  findings left: " + findings(proposal.halves[0].verdict) + " | " +
@@ -74,11 +74,11 @@ std::string halves_words(const FlatTile& tile) {
     const auto better = [&](const Trial& half) { return is_better(half.verdict, tile.verdict); };
     const auto good = std::count_if(halves.begin(), halves.end(), is_good);
     const bool both_better = std::all_of(halves.begin(), halves.end(), better);
-    if (good == 2) return "both halves can be made then";
+    if (good == 2) return "then both halves can be made";
     if (good == 1)
-        return both_better ? "one half can be made then, the other is better"
-                           : "one half can be made then, the other is no better than the whole";
-    return both_better ? "both halves are better, neither can be made yet" : "neither half can be made yet";
+        return both_better ? "then one half can be made, and the other is better than the whole"
+                           : "then one half can be made, but the other is no better than the whole";
+    return both_better ? "both halves are better, but neither can be made yet" : "neither half can be made yet";
 }
 
 std::string proposals_text(const CutPlan& plan, int max_rows) {

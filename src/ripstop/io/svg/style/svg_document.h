@@ -11,7 +11,7 @@ namespace ripstop {
 /// The elements of an SVG file and their byte offsets.
 class SvgDocument {
   public:
-    /// Throws InputError `NAME: byte N: …` if the file is no XML or its root is not svg. Expands entities that the
+    /// Throws InputError `NAME: byte N: …` if the file is not XML or its root is not svg. Expands entities that the
     /// file declares itself (`<!ENTITY st0 "fill:none">`).
     SvgDocument(std::string bytes, const std::string& name);
 

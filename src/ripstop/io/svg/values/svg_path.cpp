@@ -58,7 +58,7 @@ class PathReader {
         if (!next_svg_number(rest_, value, place_)) refuse("expected a number");
         return value;
     }
-    /// Reads a flag: one digit, which needs no separator behind it.
+    /// Reads a flag: one digit, which needs no separator after it.
     bool flag() {
         skip_blanks(rest_);
         if (rest_.empty() || (rest_.front() != '0' && rest_.front() != '1'))

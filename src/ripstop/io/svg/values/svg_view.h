@@ -11,7 +11,7 @@ namespace ripstop {
 
 /// The product of a list of translate, scale, rotate, skewX, skewY and matrix, as an attribute or as CSS
 /// (translateX, translateY, scaleX, scaleY, skew, units: `rotate(0.5turn) translateX(3mm)`). The identity for an
-/// empty text and for `none`. Throws InputError that begins with `place` if the text is no such list.
+/// empty text and for `none`. Throws InputError that begins with `place` if the text is not such a list.
 Eigen::Affine2d svg_transform(std::string_view text, const SvgBasis& basis, const std::string& place);
 
 /// True if CSS accepts the list. CSS requires units for shifts and angles, and commas between numbers; otherwise

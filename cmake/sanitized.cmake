@@ -1,0 +1,55 @@
+# Program, tests and corpora once more, with the library compiled for a sanitizer: `make sanitize`, `make races`. What
+# only calls the library is linked as it is: a sanitizer has to see the library, and its objects come first, so that
+# their instances of templates are the ones that count. CTest runs them where asked for by configuration and label.
+function(add_sanitized suffix)
+    set(options -O1 -g1 -UNDEBUG -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer ${ARGN})
+    add_ripstop_library(ripstop-${suffix})
+    target_compile_options(ripstop-${suffix} PRIVATE ${options})
+    # Under AddressSanitizer Eigen aligns by hand, which others could not free.
+    target_compile_definitions(ripstop-${suffix} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
+    set(names "")
+    foreach(user ripstop-program ripstop-tests fuzz-replay)
+        set(name ${user}-${suffix})
+        set(objects $<TARGET_OBJECTS:ripstop-${suffix}> $<TARGET_OBJECTS:${user}>)
+        if(user STREQUAL ripstop-tests)
+            list(APPEND objects $<TARGET_OBJECTS:ripstop-test-support>)
+        endif()
+        add_executable(${name} EXCLUDE_FROM_ALL ${objects})
+        get_target_property(libraries ${user} LINK_LIBRARIES)
+        list(REMOVE_ITEM libraries ripstop ripstop-test-support)
+        set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
+        target_link_options(${name} PRIVATE ${ARGN})
+        target_link_libraries(${name} PRIVATE ripstop-${suffix} ${libraries})
+        list(APPEND names ${name})
+    endforeach()
+    set_target_properties(ripstop-${suffix} PROPERTIES EXCLUDE_FROM_ALL ON)
+    add_custom_target(${suffix} DEPENDS ${names})
+endfunction()
+
+# A test of a sanitized build: add_sanitized_test(SUFFIX NAME COMMAND…).
+function(add_sanitized_test suffix name)
+    add_test(NAME ${name} COMMAND ${ARGN} CONFIGURATIONS ${suffix})
+    set_tests_properties(${name} PROPERTIES LABELS ${suffix} TIMEOUT 1800
+        ENVIRONMENT "RIPSTOP_TESTED_PROGRAM=$<TARGET_FILE:ripstop-program-${suffix}>")
+endfunction()
+
+# Without the checks that AddressSanitizer makes too (null, object-size), that x86 does not need (alignment) and that have
+# nothing to look at (vptr): they are a third of the compile time.
+add_sanitized(sanitized -fsanitize=address,undefined -fno-sanitize=null,object-size,alignment,vptr
+              -fno-sanitize-recover=all)
+add_sanitized(races -fsanitize=thread)
+file(GLOB fuzz_targets CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/fuzz/*_fuzz.cpp)
+foreach(target_source IN LISTS fuzz_targets)
+    get_filename_component(corpus ${target_source} NAME_WE)
+    string(REPLACE "_fuzz" "" corpus ${corpus})
+    add_sanitized_test(sanitized Sanitized.FuzzCorpus.${corpus}
+        fuzz-replay-sanitized ${corpus} ${CMAKE_SOURCE_DIR}/fuzz/corpus/${corpus})
+endforeach()
+# In four shards, so that tests of a suite share what they build and two processors end together.
+foreach(shard RANGE 3)
+    add_sanitized_test(sanitized Sanitized.Tests${shard} ripstop-tests-sanitized)
+    set_property(TEST Sanitized.Tests${shard} APPEND PROPERTY ENVIRONMENT
+                 GTEST_TOTAL_SHARDS=4 GTEST_SHARD_INDEX=${shard})
+endforeach()
+# Tests of several threads have the word in their names.
+add_sanitized_test(races Races.Tests ripstop-tests-races --gtest_filter=*Thread*)
