@@ -70,7 +70,7 @@ TEST(MissingTile, IsNamedWithItsNeighbours) {
         EXPECT_EQ(issue.tiles.size(), 4u);
         EXPECT_THAT(issue.tiles, ::testing::Contains(above));
         EXPECT_THAT(issue.message, HasSubstr("a tile is missing at"));
-        EXPECT_EQ(issue.message, issue.fact + "; add the tile; if the opening is meant, --accept missing_tile");
+        EXPECT_EQ(issue.message, issue.fact + "; add the tile; if the opening is intended, give --accept missing_tile");
     }
 }
 

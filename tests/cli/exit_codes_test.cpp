@@ -93,7 +93,7 @@ TEST_F(ExitCode, Is3ForAFileThatCannotBeUsed) {
     expect_refused_input("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "points.obj: no face");
     expect_refused_input("comma.obj", "v 0 0 0\nv 1 0,5 0\nv 0 1 0\nf 1 2 3\n",
                          "comma.obj:2: found \"0,5\", expected a finite number with a decimal point");
-    expect_refused_input("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "index.obj:4: a face names vertex 4");
+    expect_refused_input("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "index.obj:4: a face refers to vertex 4");
     expect_refused_input("binary.obj", std::string("\x89PNG\0\0", 6), "binary.obj:1: a zero byte");
 }
 

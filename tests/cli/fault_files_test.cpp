@@ -38,8 +38,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Fault{"repeated_corner.obj", 0, "1 of 1 tile manufacturable"},
                       Fault{"zero_area_triangle.obj", 0,
                             "1 vertex merged with another in the same place: in T, near (0.0000, 1.0000, 0.0000)"},
-                      Fault{"unwelded_tip.obj", 0,
-                            "2 vertices that each triangle of a tip had for itself welded: in G"}),
+                      Fault{"unwelded_tip.obj", 0, "2 vertices of tips, separate for each triangle, welded: in G"}),
     [](const auto& fault) {
         const std::string file = fault.param.file;
         return file.substr(0, file.find('.'));

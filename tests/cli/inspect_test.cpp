@@ -46,7 +46,7 @@ TEST(InspectCommand, ReadsAnyFormatAndSaysWhereTheUnitIsMissing) {
     workshop.write_tiles("tile.obj", {testing::flat_tile()});
     const ProgramRun run = workshop.ripstop("inspect tile.obj");
     EXPECT_EQ(run.code, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("unit           not said; --unit says it\n"));
+    EXPECT_THAT(run.out, HasSubstr("unit           none; give --unit\n"));
     EXPECT_THAT(run.out, HasSubstr("plane    -            45         64  2  1  0  \n"));
     EXPECT_EQ(workshop.ripstop("inspect nothing.obj").code, 3);
     EXPECT_EQ(workshop.ripstop("inspect").code, 2);

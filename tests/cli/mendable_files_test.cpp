@@ -43,12 +43,12 @@ TEST(MendableFiles, ATriangleWithoutAreaGoesWithANote) {
     const std::string pole = both_end(workshop, "pole.obj --unit m", 0);
     EXPECT_THAT(pole,
                 HasSubstr("Note: 1 vertex merged with another in the same place: in T, near (0.0000, 1.0000, 0.0000)"));
-    EXPECT_THAT(pole, HasSubstr("Note: 1 triangle without area taken out: in T"));
+    EXPECT_THAT(pole, HasSubstr("Note: 1 triangle without area removed: in T"));
     workshop.write("needle.obj", corners + "v 0.5 0.5 0.05\nf 1 2 3\nf 1 3 5\nf 1 5 4\nf 5 3 4\n");
-    EXPECT_THAT(both_end(workshop, "needle.obj --unit m", 0), HasSubstr("Note: 1 triangle without area taken out"));
+    EXPECT_THAT(both_end(workshop, "needle.obj --unit m", 0), HasSubstr("Note: 1 triangle without area removed"));
     workshop.write("twice.obj", corners + "f 1 2 3\nf 1 3 4\nf 3 2 1\nf 1 2 3\n");
     EXPECT_THAT(both_end(workshop, "twice.obj --unit m", 0),
-                HasSubstr("Note: 2 triangles that lay on another taken out"));
+                HasSubstr("Note: 2 triangles that coincided with another removed"));
 }
 
 /// A gore of the unit sphere as a grid of quads whose first and last rows of vertices coincide in the poles.
@@ -98,9 +98,8 @@ TEST(MendableFiles, TipsOfWhichEachTriangleHasItsOwnAreWelded) {
         }
     workshop.write_tiles("gores.obj", gores);
     const std::string said = both_end(workshop, "gores.obj --unit m --fabric nylon", 0);
-    EXPECT_THAT(
-        said,
-        HasSubstr("Note: 48 vertices that each triangle of a tip had for itself welded: in G0, G1, G2 and 21 more"));
+    EXPECT_THAT(said,
+                HasSubstr("Note: 48 vertices of tips, separate for each triangle, welded: in G0, G1, G2 and 21 more"));
     EXPECT_THAT(said, HasSubstr("24 of 24 tiles manufacturable"));
     EXPECT_THAT(workshop.ripstop("check gores.obj --unit m").out, Not(HasSubstr("cracks")));
 }

@@ -77,7 +77,7 @@ TEST(DesignCommand, WritesTheFormatOfTheExtension) {
     }
     const ProgramRun run = workshop.ripstop("design natural -o envelope.fbx");
     EXPECT_EQ(run.code, 3);
-    EXPECT_THAT(run.err, HasSubstr("envelope.fbx: no format that is written has the extension \".fbx\""));
+    EXPECT_THAT(run.err, HasSubstr("envelope.fbx: no format that can be written has the extension \".fbx\""));
 }
 
 TEST(DesignCommand, RefusesWhatMakesNoEnvelopeAndWritesNothing) {

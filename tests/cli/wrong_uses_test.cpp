@@ -118,7 +118,7 @@ constexpr Slip inputs[] = {
     {"compare envelope.obj --sheet no/x.svg", 3, "no/x.svg: there is no folder no; make it first"},
     {"compare envelope.obj --sheet envelope.obj", 3, "envelope.obj: is the input itself"},
     {"design natural -o a.xyz", 3,
-     "a.xyz: no format that is written has the extension \".xyz\", expected one of: .obj"},
+     "a.xyz: no format that can be written has the extension \".xyz\", expected one of: .obj"},
     {"design natural -o envelope.obj", 3, "envelope.obj: exists; give another name, or --force to replace it"},
     {"design natural -o a.obj --gores 0", 3, "the number of gores is 0; it must lie between 3 and 1000"},
     {"export none", 3, "none: no cut plan in it (cut/pieces.json cannot be opened), expected a folder"},
