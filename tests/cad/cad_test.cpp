@@ -189,7 +189,7 @@ TEST(Cad, WhatTheKernelDoesNotKnowBesideAShapeIsLeftOutAndNamesStay) {
     ASSERT_EQ(model.surfaces.size(), 6U);
     EXPECT_EQ(model.surfaces[0].name, "cube_01");
     EXPECT_NEAR(area_of(in_metres(model, 0.001)), 6, 1e-9);
-    EXPECT_THAT(model.remarks, ::testing::Contains(HasSubstr("1 item beside the shapes left out")));
+    EXPECT_THAT(model.remarks, ::testing::Contains(HasSubstr("1 item other than shapes left out")));
     EXPECT_THAT(model.remarks, ::testing::Contains(HasSubstr("1 SOME_NEW_ITEM")));
 }
 
