@@ -4,6 +4,7 @@
 PRESET ?= release
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
+SANITIZE_WITHOUT ?= none
 
 build: build/.setup
 	cmake --preset $(PRESET) -Wno-dev
@@ -70,11 +71,12 @@ setup:
 build/.setup: scripts/setup.sh scripts/packages.txt apps/rhino/package-lock.json apps/report/package-lock.json tests/dxf/package-lock.json
 	$(MAKE) setup
 
-# The tests, with the library under AddressSanitizer and UndefinedBehaviorSanitizer.
+# The tests, with the library under AddressSanitizer and UndefinedBehaviorSanitizer. SANITIZE_WITHOUT=commands: but for those
+# that run the program.
 sanitize: build/.setup
 	cmake --preset $(PRESET) -Wno-dev
 	cmake --build build/release -j $(JOBS) --target sanitized
-	ctest --test-dir build/release -C sanitized -L sanitized -j $(JOBS) --output-on-failure
+	ctest --test-dir build/release -C sanitized -L sanitized -LE "$(SANITIZE_WITHOUT)" -j $(JOBS) --output-on-failure
 
 # The tests of several threads, with the library under ThreadSanitizer.
 races: build/.setup

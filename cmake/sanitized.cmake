@@ -45,11 +45,26 @@ foreach(target_source IN LISTS fuzz_targets)
     add_sanitized_test(sanitized Sanitized.FuzzCorpus.${corpus}
         fuzz-replay-sanitized ${corpus} ${CMAKE_SOURCE_DIR}/fuzz/corpus/${corpus})
 endforeach()
-# In four shards, so that tests of a suite share what they build and two processors end together.
+# The suites of tests/cli run the program, which loads slowly: they have a label of their own, by which .ci/run leaves
+# them to `make sanitize`.
+file(GLOB command_sources CONFIGURE_DEPENDS tests/cli/*_test.cpp)
+set(command_suites "")
+foreach(command_source IN LISTS command_sources)
+    file(STRINGS ${command_source} lines REGEX "^TEST[_FP]*\\(")
+    foreach(line IN LISTS lines)
+        string(REGEX REPLACE "^TEST[_FP]*\\(([A-Za-z0-9]+),.*" "\\1" suite "${line}")
+        list(APPEND command_suites ${suite}.* */${suite}.*)
+    endforeach()
+endforeach()
+list(REMOVE_DUPLICATES command_suites)
+list(JOIN command_suites : command_suites)
+# In shards, so that tests of a suite share what they build and two processors end together.
 foreach(shard RANGE 3)
-    add_sanitized_test(sanitized Sanitized.Tests${shard} ripstop-tests-sanitized)
-    set_property(TEST Sanitized.Tests${shard} APPEND PROPERTY ENVIRONMENT
+    add_sanitized_test(sanitized Sanitized.Tests${shard} ripstop-tests-sanitized --gtest_filter=-${command_suites})
+    add_sanitized_test(sanitized Sanitized.Commands${shard} ripstop-tests-sanitized --gtest_filter=${command_suites})
+    set_property(TEST Sanitized.Tests${shard} Sanitized.Commands${shard} APPEND PROPERTY ENVIRONMENT
                  GTEST_TOTAL_SHARDS=4 GTEST_SHARD_INDEX=${shard})
+    set_property(TEST Sanitized.Commands${shard} APPEND PROPERTY LABELS commands)
 endforeach()
 # Tests of several threads have the word in their names.
 add_sanitized_test(races Races.Tests ripstop-tests-races --gtest_filter=*Thread*)
