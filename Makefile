@@ -71,8 +71,8 @@ setup:
 build/.setup: scripts/setup.sh scripts/packages.txt apps/rhino/package-lock.json apps/report/package-lock.json tests/dxf/package-lock.json
 	$(MAKE) setup
 
-# The tests, with the library under AddressSanitizer and UndefinedBehaviorSanitizer. SANITIZE_WITHOUT=commands: but for those
-# that run the program.
+# The tests, with the library under AddressSanitizer and UndefinedBehaviorSanitizer. SANITIZE_WITHOUT=commands leaves out the
+# suites that run the program.
 sanitize: build/.setup
 	cmake --preset $(PRESET) -Wno-dev
 	cmake --build build/release -j $(JOBS) --target sanitized
@@ -84,7 +84,7 @@ races: build/.setup
 	cmake --build build/release -j $(JOBS) --target races
 	ctest --test-dir build/release -C races -L races --output-on-failure
 
-# The same bytes from a build by clang, without optimisation.
+# Compares the outputs of this build with those of a build by clang without optimisation, byte for byte.
 same-bytes: build/.setup
 	cmake --preset $(PRESET) -Wno-dev
 	cmake --build build/release -j $(JOBS) --target ripstop-program
@@ -99,7 +99,7 @@ check:
 	python3 scripts/check_headers.py .
 	python3 scripts/docs/check_links.py --sources .
 
-# The sources that differ from a commit, by clang-tidy: make tidy SINCE=HEAD~3
+# Runs clang-tidy on the sources that differ from a commit: make tidy SINCE=HEAD~3
 tidy: build/.setup
 	scripts/check_tidy.sh $(SINCE)
 

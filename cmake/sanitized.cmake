@@ -1,11 +1,12 @@
-# Program, tests and corpora once more, with the library compiled for a sanitizer: `make sanitize`, `make races`. What
-# only calls the library is linked as it is: a sanitizer has to see the library, and its objects come first, so that
-# their instances of templates are the ones that count. CTest runs them where asked for by configuration and label.
+# The program, the tests and the corpora with a library that is compiled for a sanitizer: `make sanitize`, `make races`.
+# Only the library is compiled again; the objects that call it are those of the ordinary build. The library's objects
+# come first on the linker's line, so that the program uses their instances of templates. CTest runs these tests only
+# if their configuration and label are given.
 function(add_sanitized suffix)
     set(options -O1 -g1 -UNDEBUG -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer ${ARGN})
     add_ripstop_library(ripstop-${suffix})
     target_compile_options(ripstop-${suffix} PRIVATE ${options})
-    # Under AddressSanitizer Eigen aligns by hand, which others could not free.
+    # Under AddressSanitizer Eigen aligns memory by its own method, and objects of the ordinary build could not free it.
     target_compile_definitions(ripstop-${suffix} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
     set(names "")
     foreach(user ripstop-program ripstop-tests fuzz-replay)
@@ -33,8 +34,8 @@ function(add_sanitized_test suffix name)
         ENVIRONMENT "RIPSTOP_TESTED_PROGRAM=$<TARGET_FILE:ripstop-program-${suffix}>")
 endfunction()
 
-# Without the checks that AddressSanitizer makes too (null, object-size), that x86 does not need (alignment) and that have
-# nothing to look at (vptr): they are a third of the compile time.
+# Four checks are left out, because they take a third of the compile time. AddressSanitizer finds what null and
+# object-size find, x86 loads unaligned numbers, and vptr only checks classes with virtual functions.
 add_sanitized(sanitized -fsanitize=address,undefined -fno-sanitize=null,object-size,alignment,vptr
               -fno-sanitize-recover=all)
 add_sanitized(races -fsanitize=thread)

@@ -2,8 +2,8 @@
 
     compare.py ONE OTHER SOURCES SHARED_DATA
 
-ONE and OTHER are commands, such as `build/release/ripstop` and `wine ripstop.exe`. Prints a line for each difference and
-ends with 1 if there is one. Where SHARED_DATA is missing, its cases are left out with a message.
+ONE and OTHER are commands, such as `build/release/ripstop` and `wine ripstop.exe`. Prints one line per difference and
+ends with 1 if there is one. If SHARED_DATA is missing, its cases are left out with a message.
 """
 import pathlib
 import re
@@ -12,8 +12,8 @@ import subprocess
 import sys
 import tempfile
 
-# Arguments of one command a line, run one after the other in an empty folder. {sources} and {shared} are folders; the
-# exit code is 0 where none stands behind the arrow.
+# The commands of a case run one after the other in an empty folder. {sources} and {shared} are folders. The number after
+# the arrow is the expected exit code; without an arrow it is 0.
 CASES = {
     'designed': [
         'design natural -o envelope.obj --gores 16 --panel-height 1350mm --lobes 12 --volume 900',
@@ -47,12 +47,12 @@ CASES = {
 
 
 def command_of(text):
-    """The words of a command, files by their whole path: it runs in other folders."""
+    """The words of a command, with absolute paths of files, because it runs in other folders."""
     return [str(pathlib.Path(word).resolve()) if pathlib.Path(word).is_file() else word for word in shlex.split(text)]
 
 
 def run(command, lines, folder, places):
-    """What every command prints, and every file that is left, as name -> bytes."""
+    """What every command prints, and every file in the folder at the end, as name -> bytes."""
     found = {}
     for number, line in enumerate(lines, 1):
         line, _, code = line.partition(' -> ')
@@ -60,9 +60,10 @@ def run(command, lines, folder, places):
         done = subprocess.run([*command, *arguments], cwd=folder, capture_output=True)
         verb = f'{number} {arguments[0]}'
         if done.returncode != int(code or 0):
-            sys.exit(f'{shlex.join(command)} {line}: exit code {done.returncode}\n{done.stderr.decode(errors="replace")}')
+            said = done.stderr.decode(errors='replace')
+            sys.exit(f'{shlex.join(command)} {line}: exit code {done.returncode}\n{said}')
         found[f'{verb}: stdout'] = done.stdout
-        # The order in which threads end their tiles is not the same twice.
+        # Progress depends on the order in which threads finish their tiles.
         found[f'{verb}: stderr'] = re.sub(rb'(?m)^ *\d+ % done.*\n', b'', done.stderr)
     for file in sorted(pathlib.Path(folder).rglob('*')):
         if file.is_file():
@@ -71,9 +72,9 @@ def run(command, lines, folder, places):
 
 
 def first_difference(one, other):
-    """Where two texts part, in words."""
+    """The place of the first difference of two texts, in words."""
     at = next((i for i, (a, b) in enumerate(zip(one, other)) if a != b), min(len(one), len(other)))
-    return f'{len(one)} and {len(other)} bytes, apart from byte {at}: {one[at:at + 60]!r} and {other[at:at + 60]!r}'
+    return f'{len(one)} and {len(other)} bytes, different from byte {at} on: {one[at:at + 60]!r} and {other[at:at + 60]!r}'
 
 
 def compare(one, other):
