@@ -45,6 +45,8 @@ CASES = {
     ],
 }
 
+PROGRESS = re.compile('^ *\\d+ % done.*\n|^[A-Z][a-z]+ .* …\n'.encode(), re.MULTILINE)
+
 
 def command_of(text):
     """The words of a command, with absolute paths of files, because it runs in other folders."""
@@ -63,8 +65,8 @@ def run(command, lines, folder, places):
             said = done.stderr.decode(errors='replace')
             sys.exit(f'{shlex.join(command)} {line}: exit code {done.returncode}\n{said}')
         found[f'{verb}: stdout'] = done.stdout
-        # Progress depends on the order in which threads finish their tiles.
-        found[f'{verb}: stderr'] = re.sub(rb'(?m)^ *\d+ % done.*\n', b'', done.stderr)
+        # Progress depends on the order in which threads finish their tiles, and on how long a step takes.
+        found[f'{verb}: stderr'] = re.sub(PROGRESS, b'', done.stderr)
     for file in sorted(pathlib.Path(folder).rglob('*')):
         if file.is_file():
             found[file.relative_to(folder).as_posix()] = file.read_bytes()
